@@ -1,0 +1,214 @@
+"""Binding of record types to XML: one declaration per field serves the reader, the writer and the catalog.
+
+A record field is declared as ``Annotated[type, Xml(path, scalar, doc)]``. Paths, relative to the record's element:
+
+* ``Index``: text of a child element; ``Info/Electrical/EBusCurrent``: of a nested one
+* ``@Sm``: attribute; ``Index@DependOnSlot``: attribute of a child
+* ``.``: the element's own text
+* a field of type ``tuple[...]`` collects repeated children in document order, one record or scalar each
+* ``PRESENT``: whether the element occurs; ``RAW``: the element's subtree as canonical XML text
+
+:func:`read_record` walks an element once and hands every value that no field takes to the :class:`Notes`.
+"""
+
+import types
+import typing
+from typing import Annotated, Any, TypeVar, get_args, get_origin, get_type_hints
+
+import msgspec
+from lxml import etree
+
+from esicatalog.esi.notes import Notes
+from esicatalog.esi.numbers import TEXT, Scalar
+
+
+class Record(msgspec.Struct, frozen=True, gc=False, omit_defaults=True, kw_only=True):
+    """Base of all ESI records: immutable, comparable, every field optional.
+
+    ``spelling`` maps a field name to the vendor's text where that differs from the canonical spelling of the value.
+    """
+
+    spelling: dict[str, str] | None = None
+
+
+class Marker:
+    """How an element is taken that is neither scalar nor record."""
+
+    def __init__(self, name: str):
+        self.name = name
+
+
+PRESENT = Marker("PRESENT")
+RAW = Marker("RAW")
+
+
+class Xml(msgspec.Struct, frozen=True):
+    """Where a record field lives in the document, how its text is read and what it means."""
+
+    path: str
+    kind: Any = TEXT
+    doc: str = ""
+
+
+class Field(msgspec.Struct, frozen=True):
+    """A resolved record field: name, binding, and the type of its items."""
+
+    name: str
+    xml: Xml
+    many: bool
+    item: Any
+    """Record subclass, or the Python type of a scalar."""
+
+
+R = TypeVar("R", bound=Record)
+
+
+def fields_of(record_type: type[Record]) -> list[Field]:
+    """The bound fields of a record type in declaration order (fields without an :class:`Xml` are left out)."""
+    found = []
+    for name, hint in get_type_hints(record_type, include_extras=True).items():
+        if get_origin(hint) is not Annotated:
+            continue
+        declared, *extras = get_args(hint)
+        xml = next(extra for extra in extras if isinstance(extra, Xml))
+        many = get_origin(declared) is tuple
+        item = get_args(declared)[0] if many or isinstance(declared, types.UnionType) else declared
+        found.append(Field(name, xml, many, item))
+    return found
+
+
+class _Slot(msgspec.Struct, frozen=True):
+    """Where a value goes: field name, its scalar, and whether it repeats."""
+
+    name: str
+    scalar: Any
+    many: bool
+
+
+class _Node:
+    """What the reader does with one element: the compiled tree of a record's paths."""
+
+    __slots__ = ("attributes", "children", "many", "raw", "record", "text", "whole")
+
+    def __init__(self) -> None:
+        self.attributes: dict[str, _Slot] = {}
+        self.children: dict[str, _Node] = {}
+        self.text: _Slot | None = None
+        self.record: type[Record] | None = None
+        self.whole: str | None = None
+        """Field that takes the element as a whole (record, raw XML or presence)."""
+        self.many = False
+        self.raw = False
+
+
+_compiled: dict[type[Record], _Node] = {}
+
+
+def _is_record(item: Any) -> bool:
+    return isinstance(item, type) and issubclass(item, Record)
+
+
+def _compile(record_type: type[Record]) -> _Node:
+    root = _Node()
+    for field in fields_of(record_type):
+        path, _, attribute = field.xml.path.partition("@")
+        node = root
+        for tag in path.split("/") if path not in ("", ".") else []:
+            node = node.children.setdefault(tag, _Node())
+        if _is_record(field.item) or isinstance(field.xml.kind, Marker):
+            node.whole, node.many = field.name, field.many
+            node.record = field.item if _is_record(field.item) else None
+            node.raw = field.xml.kind is RAW
+        elif attribute:
+            node.attributes[attribute] = _Slot(field.name, field.xml.kind, False)
+        else:
+            node.text = _Slot(field.name, field.xml.kind, field.many)
+    _compiled[record_type] = root
+    return root
+
+
+def canonical_xml(element: etree._Element) -> str:
+    """The subtree as exclusive canonical XML: the same text whatever the document's prefixes and layout."""
+    text: bytes = etree.tostring(element, method="c14n", exclusive=True, with_tail=False)
+    return text.decode("utf-8")
+
+
+def read_record(record_type: type[R], element: etree._Element, notes: Notes) -> R:
+    """Read ``element`` into a ``record_type``; what does not fit goes to ``notes``."""
+    values: dict[str, Any] = {}
+    _fill(_compiled.get(record_type) or _compile(record_type), element, values, notes)
+    for name, value in values.items():
+        if type(value) is list:
+            values[name] = tuple(value)
+    return record_type(**values)
+
+
+def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: Notes) -> None:
+    for name, text in element.items():
+        slot = node.attributes.get(name)
+        if slot is None:
+            if name[0] != "{":
+                notes.unmapped_attribute(element, name, text)
+        elif slot.name in values:
+            notes.unmapped_attribute(element, name, text, repeated=True)
+        else:
+            _store(slot, text, values, element, notes)
+    text_slot = node.text
+    if text_slot is not None:
+        if text_slot.name not in values or text_slot.many:
+            _store(text_slot, element.text or "", values, element, notes)
+        elif element.text:
+            notes.unmapped_text(element, element.text, repeated=True)
+    elif element.text is not None and not element.text.isspace():
+        notes.unmapped_text(element, element.text)
+    children = node.children
+    for child in element:
+        tail = child.tail
+        if tail is not None and not tail.isspace():
+            notes.unmapped_text(element, tail)
+        taken = children.get(child.tag)
+        if taken is None:
+            notes.unmapped_element(child)
+            continue
+        if taken.whole is not None:
+            _take_whole(taken, child, values, notes)
+        if taken.whole is None or (taken.record is None and not taken.raw):
+            _fill(taken, child, values, notes)
+
+
+def _take_whole(node: _Node, child: etree._Element, values: dict[str, Any], notes: Notes) -> None:
+    name = typing.cast(str, node.whole)
+    if name in values and not node.many:
+        notes.unmapped_element(child, repeated=True)
+        return
+    value: Any
+    if node.raw:
+        value = canonical_xml(child)
+    elif node.record is None:
+        value = True
+    else:
+        value = notes.read_child(node.record, child, read_record)
+    if node.many:
+        values.setdefault(name, []).append(value)
+    else:
+        values[name] = value
+
+
+def _store(slot: _Slot, text: str, values: dict[str, Any], element: etree._Element, notes: Notes) -> None:
+    scalar: Scalar = slot.scalar
+    if scalar is TEXT:
+        value: Any = text.strip()
+        raw = None
+    else:
+        value, raw, remark = scalar.read(text)
+        if remark is not None:
+            notes.remark(element, remark)
+    if slot.many:
+        held = values.setdefault(slot.name, [])
+        if raw is not None:
+            values.setdefault("spelling", {})[f"{slot.name}.{len(held)}"] = raw
+        held.append(value)
+        return
+    values[slot.name] = value
+    if raw is not None:
+        values.setdefault("spelling", {})[slot.name] = raw

@@ -1,0 +1,102 @@
+"""Opening documents: bytes in, an XML tree out, hardened and tolerant.
+
+External entities are never loaded, DTDs never fetched. What a strict parser refuses is tried again, first with the
+encoding that the bytes really have, then with the recovery of libxml2; the reason is reported, never hidden.
+"""
+
+import codecs
+import re
+from typing import NamedTuple
+
+from lxml import etree
+
+from esicatalog.errors import BrokenDocument, NotAnEsiDocument
+
+MAX_DOCUMENT_BYTES = 256 * 1024 * 1024
+"""Largest document that is read; real ESI files end at about 4 MB."""
+
+ESI_ROOTS = ("EtherCATInfo", "EtherCATInfoList", "EtherCATModule", "EtherCATDict", "EtherCATDiag")
+_OTHER_ROOTS = {"EtherCATConfig": "an ENI file (EtherCATConfig: master configuration), not ESI"}
+_BOMS = (codecs.BOM_UTF8, codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+_LEADING_MARKUP = re.compile(rb"\s*<")
+
+
+class ParsedDocument(NamedTuple):
+    """The tree of a document, the encoding it was read with, and why recovery was needed (else None)."""
+
+    root: etree._Element
+    encoding: str
+    recovered: str | None
+    error_line: int
+
+
+def _parser(recover: bool = False, encoding: str | None = None) -> etree.XMLParser:
+    return etree.XMLParser(
+        resolve_entities=False,
+        no_network=True,
+        load_dtd=False,
+        remove_comments=True,
+        remove_pis=True,
+        remove_blank_text=True,
+        collect_ids=False,
+        recover=recover,
+        encoding=encoding,
+    )
+
+
+def parse_document(content: bytes) -> ParsedDocument:
+    """Parse an ESI document of any root kind.
+
+    Raises :class:`NotAnEsiDocument` for other content (ENI, other XML, no XML) and :class:`BrokenDocument` when it
+    looks like ESI but nothing can be read.
+    """
+    if len(content) > MAX_DOCUMENT_BYTES:
+        raise BrokenDocument(f"larger than {MAX_DOCUMENT_BYTES // 2**20} MB; no ESI document is")
+    if not content.strip():
+        raise BrokenDocument("the file is empty")
+    if not _looks_like_xml(content):
+        raise NotAnEsiDocument("no XML document")
+    try:
+        return _known(etree.fromstring(content, _parser()), None, 0)
+    except etree.XMLSyntaxError as error:
+        return _recover(content, error)
+
+
+def _looks_like_xml(content: bytes) -> bool:
+    head = content[:4096]
+    if head.startswith(_BOMS[1:]) or head[:4] in (b"<\0?\0", b"\0<\0?"):
+        return True
+    return _LEADING_MARKUP.match(head.removeprefix(codecs.BOM_UTF8)) is not None
+
+
+def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
+    line, reason = error.lineno or 0, _one_line(error)
+    if b"<EtherCAT" not in content and not content.startswith(_BOMS[1:]):
+        raise NotAnEsiDocument(f"XML without an EtherCAT root, and not well-formed: {reason}", line)
+    if "encoding" in reason.lower() or "utf-8" in reason.lower():
+        try:
+            root = etree.fromstring(content, _parser(encoding="windows-1252"))
+        except etree.XMLSyntaxError:
+            pass
+        else:
+            return _known(root, f"{reason}; read as windows-1252", line)
+    root = etree.fromstring(content, _parser(recover=True))
+    if root is None:
+        raise BrokenDocument(f"not well-formed and nothing could be recovered: {reason}", line)
+    try:
+        return _known(root, f"{reason}; read by recovery", line)
+    except NotAnEsiDocument as other:
+        raise BrokenDocument(f"not well-formed: {reason}", line) from other
+
+
+def _known(root: etree._Element, recovered: str | None, line: int) -> ParsedDocument:
+    if root.tag in ESI_ROOTS:
+        encoding = root.getroottree().docinfo.encoding or "UTF-8"
+        return ParsedDocument(root, encoding, recovered, line)
+    tag = str(root.tag)
+    raise NotAnEsiDocument(_OTHER_ROOTS.get(tag, f"root element {tag[:60]!r} is not one of ESI"), root.sourceline or 0)
+
+
+def _one_line(error: etree.XMLSyntaxError) -> str:
+    message = " ".join((error.msg or str(error)).split())
+    return re.sub(r"\s*\((<string>|line).*?\)$", "", message)

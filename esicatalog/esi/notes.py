@@ -1,0 +1,144 @@
+"""What the reader notices while it reads: findings with line numbers, and values that no record field holds."""
+
+from collections.abc import Callable
+from typing import Any
+
+import msgspec
+from lxml import etree
+
+from esicatalog.esi.content import digest
+from esicatalog.esi.numbers import Remark
+
+
+class Finding(msgspec.Struct, frozen=True, gc=False):
+    """One thing worth telling about a document (rule ids of ESI-FACTS section 20)."""
+
+    rule: str
+    severity: str
+    message: str
+    line: int
+    path: str = ""
+
+
+class Unmapped(msgspec.Struct, frozen=True, gc=False):
+    """A value that no record field holds: its path below the owning element, and its text."""
+
+    path: str
+    value: str
+
+
+def local_path(element: etree._Element, base: etree._Element | None) -> str:
+    """Path of ``element`` below ``base`` (or the root), with a position wherever a tag repeats: ``Sm[2]/Foo``."""
+    steps: list[str] = []
+    node: etree._Element | None = element
+    while node is not None and node is not base:
+        parent = node.getparent()
+        tag = str(node.tag)
+        if parent is not None:
+            same = [child for child in parent if child.tag == node.tag]
+            if len(same) > 1:
+                tag = f"{tag}[{same.index(node)}]"
+        steps.append(tag)
+        node = parent
+    return "/".join(reversed(steps))
+
+
+class Notes:
+    """Collects findings and unmapped values of one document, and reuses records of repeated subtrees.
+
+    A subtree whose reading gave no note is remembered under its canonical bytes, so that the same ``Object``
+    of another device or document is read once per process.
+    """
+
+    def __init__(self, cache: "SubtreeCache | None" = None, owners: frozenset[type] = frozenset()) -> None:
+        self.findings: list[Finding] = []
+        self.unmapped: list[Unmapped] = []
+        self._base: etree._Element | None = None
+        self._cache = cache
+        self._owners = owners
+
+    def remark(self, element: etree._Element, remark: Remark) -> None:
+        """A scalar that breaks the format, at ``element``."""
+        self.find(element, remark.rule, remark.severity, f"{element.tag}: {remark.message}")
+
+    def find(self, element: etree._Element, rule: str, severity: str, message: str) -> None:
+        """A finding at ``element``."""
+        self.findings.append(
+            Finding(rule, severity, message, element.sourceline or 0, local_path(element, None))
+        )
+
+    def unmapped_attribute(self, element: etree._Element, name: str, text: str, repeated: bool = False) -> None:
+        """An attribute that no field takes."""
+        words = "repeats a value given before" if repeated else "is unknown"
+        self.find(element, "L05", "W", f"attribute {element.tag}/@{name} {words}; kept in unmapped")
+        self._keep(f"{local_path(element, self._base)}/@{name}", text)
+
+    def unmapped_text(self, element: etree._Element, text: str, repeated: bool = False) -> None:
+        """Text where the schema has none, or a second value for a single field."""
+        words = "occurs again" if repeated else "holds stray text"
+        self.find(element, "L05", "W", f"{element.tag} {words}; kept in unmapped")
+        self._keep(local_path(element, self._base), text.strip())
+
+    def unmapped_element(self, element: etree._Element, repeated: bool = False) -> None:
+        """An element that no field takes: one finding, every value of its subtree kept."""
+        words = "occurs again" if repeated else "is unknown here"
+        self.find(element, "L05", "W", f"element {element.tag} {words}; kept in unmapped")
+        for part in element.iter():
+            path = local_path(part, self._base)
+            if part is element and not len(part) and not part.text and not part.attrib:
+                self._keep(path, "")
+            if part.text and part.text.strip():
+                self._keep(path, part.text.strip())
+            if part is not element and part.tail and part.tail.strip():
+                self._keep(path + "/following-text", part.tail.strip())
+            for name, text in part.attrib.items():
+                self._keep(f"{path}/@{name}", str(text))
+
+    def _keep(self, path: str, value: str) -> None:
+        self.unmapped.append(Unmapped(path, value))
+
+    def read_child(self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]) -> Any:
+        """``read(record_type, element, self)``, or the record of an equal subtree read before.
+
+        A record of an owner type takes the unmapped values found below it.
+        """
+        if self._cache is None or record_type not in self._cache.record_types:
+            return read(record_type, element, self)
+        subtree = etree.tostring(element, with_tail=False)
+        key = (record_type, digest(subtree))
+        record = self._cache.records.get(key)
+        if record is None:
+            before = len(self.findings)
+            record = self._read_owner(record_type, element, read)
+            if before == len(self.findings):
+                self._cache.add(key, len(subtree), record)
+        return record
+
+    def _read_owner(self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]) -> Any:
+        if record_type not in self._owners:
+            return read(record_type, element, self)
+        outer_base, outer_unmapped = self._base, self.unmapped
+        self._base, self.unmapped = element, []
+        record = read(record_type, element, self)
+        if self.unmapped:
+            record = msgspec.structs.replace(record, unmapped=tuple(self.unmapped))
+        self._base, self.unmapped = outer_base, outer_unmapped
+        return record
+
+
+class SubtreeCache:
+    """Records of subtrees read without a note, by record type and serialised bytes."""
+
+    def __init__(self, record_types: frozenset[type], capacity_bytes: int = 32_000_000) -> None:
+        self.record_types = record_types
+        self.records: dict[tuple[type, bytes], Any] = {}
+        self._capacity_bytes = capacity_bytes
+        self._held_bytes = 0
+
+    def add(self, key: tuple[type, bytes], size_bytes: int, record: Any) -> None:
+        """Remember a record; an over-full cache starts anew."""
+        self._held_bytes += size_bytes
+        if self._held_bytes > self._capacity_bytes:
+            self.records.clear()
+            self._held_bytes = size_bytes
+        self.records[key] = record

@@ -1,0 +1,143 @@
+"""Scalar values of ESI documents: text in, value out, and the spelling that would otherwise be lost.
+
+A :class:`Scalar` parses the text of an element or attribute. Besides the value it returns the text itself when
+that differs from the canonical spelling (so that a writer can repeat what the vendor wrote) and a remark when the
+text breaks the format. Rules: ETG.2000 EtherCATBase.xsd ``HexDecValue``, ``xs:int``, ``xs:boolean``,
+``xs:hexBinary``; tolerated spellings (``0x``, ``#x0x``) are those found in real files.
+"""
+
+import re
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+MAX_STORED = (1 << 63) - 1
+"""Largest integer that every supported database keeps; anything above is kept as text only."""
+
+UINT32_MAX = 0xFFFF_FFFF
+
+_HEX_DEC = re.compile(r"(?P<dec>[+-]?[0-9]+)|(?P<prefix>#x|#x0x|0x)(?P<hex>[0-9a-f]+)", re.IGNORECASE)
+_HEX_DIGITS = re.compile(r"(?:[0-9A-Fa-f]{2})*")
+_BOOLEANS = {"1": True, "true": True, "0": False, "false": False}
+
+
+class Remark(NamedTuple):
+    """What is wrong with a text: lint rule id (ESI-FACTS section 20), severity (E, W or I) and words."""
+
+    rule: str
+    severity: str
+    message: str
+
+
+class Parsed(NamedTuple):
+    """A parsed text. ``raw`` is None when the text is the canonical spelling of ``value``."""
+
+    value: Any
+    raw: str | None
+    remark: Remark | None
+
+
+class Scalar:
+    """One kind of scalar: ``read(text)`` gives a :class:`Parsed`, ``spell(value)`` the canonical text."""
+
+    __slots__ = ("_cache", "_parse", "name", "spell")
+
+    def __init__(self, name: str, parse: Callable[[str], tuple[Any, Remark | None]], spell: Callable[[Any], str]):
+        self.name = name
+        self.spell = spell
+        self._parse = parse
+        self._cache: dict[str, Parsed] = {}
+
+    def read(self, text: str) -> Parsed:
+        """Parse ``text`` as it stands in the document (surrounding blanks allowed)."""
+        parsed = self._cache.get(text)
+        if parsed is None:
+            value, remark = self._parse(text.strip())
+            raw = None if value is not None and self.spell(value) == text.strip() else text.strip()
+            parsed = Parsed(value, raw, remark)
+            if len(self._cache) < 100_000:
+                self._cache[text] = parsed
+        return parsed
+
+
+def parse_hex_dec(text: str) -> int | None:
+    """The value of a HexDecValue (``402``, ``#x1A00``; tolerated: ``0x1a00``, ``#x0x1a00``), or None."""
+    match = _HEX_DEC.fullmatch(text.strip())
+    if match is None or len(match[0]) > 64:
+        return None
+    return int(match["dec"]) if match["dec"] else int(match["hex"], 16)
+
+
+def _hex_dec(limit: int) -> Callable[[str], tuple[int | None, Remark | None]]:
+    def parse(text: str) -> tuple[int | None, Remark | None]:
+        value = parse_hex_dec(text)
+        if value is None:
+            return None, Remark("L06", "E", f"{text!r} is not a HexDecValue; kept as text")
+        if value > limit or (value < 0 and limit == UINT32_MAX) or value < -limit:
+            return None, Remark("L06", "E", f"{text!r} is out of range; kept as text")
+        if text[:1] == "#" and text[2:4].lower() == "0x":
+            return value, Remark("L06", "E", f"{text!r} carries two prefixes; read as {value}")
+        if text[:2].lower() == "0x":
+            return value, Remark("L06", "E", f"{text!r} has a C prefix instead of #x; read as {value}")
+        return value, None
+
+    return parse
+
+
+def _int(text: str) -> tuple[int | None, Remark | None]:
+    value = parse_hex_dec(text)
+    if value is None or abs(value) > MAX_STORED:
+        return None, Remark("L06", "E", f"{text!r} is not an integer; kept as text")
+    if text[:1] in "#0" and text[1:2].lower() == "x":
+        return value, Remark("L06", "W", f"{text!r} is hexadecimal where the schema asks for decimal; read as {value}")
+    return value, None
+
+
+def _boolean(text: str) -> tuple[bool | None, Remark | None]:
+    value = _BOOLEANS.get(text.lower())
+    if value is None:
+        return None, Remark("L03", "W", f"{text!r} is not a boolean; kept as text")
+    return value, None
+
+
+def _float(text: str) -> tuple[float | None, Remark | None]:
+    try:
+        value = float(text)
+    except ValueError:
+        return None, Remark("L03", "W", f"{text!r} is not a number; kept as text")
+    if value != value or value in (float("inf"), float("-inf")):
+        return None, Remark("L03", "W", f"{text!r} is not a finite number; kept as text")
+    return value, None
+
+
+def _hex_binary(text: str) -> tuple[str, Remark | None]:
+    if not _HEX_DIGITS.fullmatch(text):
+        return text, Remark("L07", "E", f"{text[:40]!r} is not hexBinary (pairs of hex digits)")
+    return text, None
+
+
+def _plain(text: str) -> tuple[str, Remark | None]:
+    return text, None
+
+
+def _spell_float(value: float) -> str:
+    return str(int(value)) if value.is_integer() and abs(value) < 1e15 else repr(value)
+
+
+HEX = Scalar("HexDecValue", _hex_dec(MAX_STORED), lambda value: f"#x{value:04X}")
+"""HexDecValue usually written in hex: indices, addresses, masks."""
+DEC = Scalar("HexDecValue", _hex_dec(MAX_STORED), str)
+"""HexDecValue usually written in decimal: subindices, sizes, counts."""
+IDENTITY = Scalar("HexDecValue (uint32)", _hex_dec(UINT32_MAX), lambda value: f"#x{value:08X}")
+"""uint32 identity number: vendor, product, revision, serial, module ident."""
+INT = Scalar("xs:int", _int, str)
+BOOL = Scalar("xs:boolean", _boolean, lambda value: "1" if value else "0")
+FLOAT = Scalar("xs:float", _float, _spell_float)
+HEX_BINARY = Scalar("xs:hexBinary", _hex_binary, str)
+TEXT = Scalar("xs:string", _plain, str)
+
+
+def decode_hex_binary(text: str | None) -> bytes | None:
+    """The bytes of a hexBinary text in wire order; None when it is absent, empty or malformed."""
+    if not text or not _HEX_DIGITS.fullmatch(text):
+        return None
+    return bytes.fromhex(text)

@@ -1,0 +1,230 @@
+"""Reading documents into records, with everything they refer to."""
+
+from pathlib import Path
+from typing import Any
+
+import msgspec
+from lxml import etree
+
+from esicatalog.errors import BrokenDocument, DocumentError, NotAnEsiDocument
+from esicatalog.esi.binding import Record, read_record
+from esicatalog.esi.containers import Container, Folder, resolve_reference
+from esicatalog.esi.content import sha256_hex
+from esicatalog.esi.documents import ParsedDocument, parse_document
+from esicatalog.esi.notes import Finding, Notes, SubtreeCache
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
+from esicatalog.esi.records.document import (
+    DiagInfo,
+    DictInfo,
+    Document,
+    EsiInfo,
+    InfoList,
+    ModuleInfo,
+    Reference,
+)
+from esicatalog.esi.records.diagnostics import Diagnostics
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.profile import Profile
+
+OWNERS: frozenset[type] = frozenset({Device, Module})
+"""Records that keep the unmapped values found below them."""
+
+_CACHED: frozenset[type] = frozenset({Device, Module, DataType, Object, Pdo})
+_MAX_REFERENCED = 2_000
+
+
+class ReadDocument(msgspec.Struct, frozen=True):
+    """What reading a document gave: its record and the findings with their lines."""
+
+    document: Document
+    findings: tuple[Finding, ...]
+
+
+class Reader:
+    """Reads documents; keeps repeated subtrees and external documents for the next one."""
+
+    def __init__(self) -> None:
+        self._cache = SubtreeCache(_CACHED)
+        self._external: dict[tuple[str, str], Any] = {}
+
+    def read(self, content: bytes, member: str = "", container: Container | None = None) -> ReadDocument:
+        """Read one document of any ESI kind.
+
+        ``member`` is its name within ``container``, against which references are resolved; without a container
+        they stay unresolved. Raises :class:`NotAnEsiDocument` and :class:`BrokenDocument`.
+        """
+        parsed = parse_document(content)
+        notes = Notes(self._cache, OWNERS)
+        if parsed.recovered:
+            notes.findings.append(Finding("L01", "E", parsed.recovered, parsed.error_line))
+        if parsed.root.tag == "EtherCATDict":
+            return self._read_dictionary(parsed, notes)
+        if parsed.root.tag == "EtherCATDiag":
+            diag = read_record(DiagInfo, parsed.root, notes)
+            return _result(parsed, notes, diag_messages=diag.diag_messages)
+        elements, infos = _sections(parsed.root, notes)
+        lines = _lines(elements, "Descriptions/Devices/Device"), _lines(elements, "Descriptions/Modules/Module")
+        if parsed.root.tag == "EtherCATModule":
+            lines = lines[0], _lines(elements, "Modules/Module")
+        own = list(notes.unmapped)
+        references: list[Reference] = []
+        if container is not None:
+            pull = _Puller(self, container, member, notes, references)
+            infos = [pull.resolve(info, devices) for info, devices in zip(infos, lines[0], strict=True)]
+            referenced = tuple(pull.modules(info, element) for info, element in zip(infos, elements, strict=True))
+        else:
+            referenced = tuple(() for _ in infos)
+        notes.unmapped = own
+        return _result(
+            parsed,
+            notes,
+            infos=tuple(infos),
+            referenced_modules=referenced,
+            references=tuple(references),
+            device_lines=lines[0],
+            module_lines=lines[1],
+        )
+
+    def _read_dictionary(self, parsed: ParsedDocument, notes: Notes) -> ReadDocument:
+        found = read_record(DictInfo, parsed.root, notes)
+        return _result(parsed, notes, dictionary=found.dictionary)
+
+    def external(self, kind: str, content: bytes) -> Any:
+        """Dictionary, diagnosis texts or modules of a referenced document; raises :class:`DocumentError`."""
+        key = (kind, sha256_hex(content))
+        if key not in self._external:
+            if len(self._external) >= _MAX_REFERENCED:
+                self._external.clear()
+            document = self.read(content).document
+            held = {
+                "DictionaryFile": document.dictionary,
+                "DiagFile": document.diag_messages,
+                "InfoReference": tuple(module for info in document.infos for module in info.modules) or None,
+            }[kind]
+            if held is None:
+                raise NotAnEsiDocument(f"its root {document.root} does not fit {kind}")
+            self._external[key] = held
+        return self._external[key]
+
+
+def _sections(root: etree._Element, notes: Notes) -> tuple[list[etree._Element], list[EsiInfo]]:
+    if root.tag == "EtherCATInfoList":
+        return list(root.iterchildren("EtherCATInfo")), list(read_record(InfoList, root, notes).infos)
+    if root.tag == "EtherCATModule":
+        module = read_record(ModuleInfo, root, notes)
+        as_info = EsiInfo(schema_version=module.schema_version, vendor=module.vendor, modules=module.modules)
+        return [root], [as_info]
+    return [root], [read_record(EsiInfo, root, notes)]
+
+
+def _lines(elements: list[etree._Element], path: str) -> tuple[tuple[int, ...], ...]:
+    return tuple(tuple(item.sourceline or 0 for item in element.iterfind(path)) for element in elements)
+
+
+def _result(parsed: ParsedDocument, notes: Notes, **fields: Any) -> ReadDocument:
+    document = Document(
+        root=str(parsed.root.tag),
+        encoding=parsed.encoding,
+        recovered=parsed.recovered,
+        unmapped=tuple(notes.unmapped),
+        **fields,
+    )
+    return ReadDocument(document, tuple(notes.findings))
+
+
+class _Puller:
+    """Resolves the references of one document."""
+
+    def __init__(
+        self, reader: Reader, container: Container, member: str, notes: Notes, references: list[Reference]
+    ) -> None:
+        self._reader = reader
+        self._container = container
+        self._member = member
+        self._notes = notes
+        self._references = references
+        self._pulled: dict[tuple[str, str], Any] = {}
+
+    def resolve(self, info: EsiInfo, device_lines: tuple[int, ...]) -> EsiInfo:
+        """``info`` with the dictionaries and diagnosis texts of its devices and modules filled in."""
+        devices = tuple(
+            self._with_profiles(device, line) for device, line in zip(info.devices, device_lines, strict=True)
+        )
+        modules = tuple(self._with_profiles(module, 0) for module in info.modules)
+        if all(map(_same, devices, info.devices)) and all(map(_same, modules, info.modules)):
+            return info
+        return msgspec.structs.replace(info, devices=devices, modules=modules)
+
+    def modules(self, info: EsiInfo, element: etree._Element) -> tuple[Module, ...]:
+        """Modules of the documents that ``info`` names by InfoReference."""
+        found: list[Module] = []
+        for text in info.info_references:
+            found.extend(self._pull("InfoReference", text, element.sourceline or 0) or ())
+        return tuple(found)
+
+    def _with_profiles(self, owner: Any, line: int) -> Any:
+        if not any(profile.dictionary_file or profile.diag_files for profile in owner.profiles):
+            return owner
+        profiles = tuple(self._with_externals(profile, line) for profile in owner.profiles)
+        return msgspec.structs.replace(owner, profiles=profiles)
+
+    def _with_externals(self, profile: Profile, line: int) -> Profile:
+        changes: dict[str, Any] = {}
+        if profile.dictionary_file and profile.dictionary is None:
+            dictionary: Dictionary | None = self._pull("DictionaryFile", profile.dictionary_file, line)
+            if dictionary is not None:
+                changes["dictionary"] = dictionary
+        if profile.diag_files and profile.diag_messages is None:
+            pulled = [self._pull("DiagFile", text, line) for text in profile.diag_files]
+            merged = _merge_diagnostics([item for item in pulled if item is not None])
+            if merged is not None:
+                changes["diag_messages"] = merged
+        return msgspec.structs.replace(profile, **changes) if changes else profile
+
+    def _pull(self, kind: str, text: str, line: int) -> Any:
+        key = (kind, text)
+        if key in self._pulled:
+            return self._pulled[key]
+        member = resolve_reference(self._container, self._member, text)
+        held, sha256, problem = None, None, "was not found beside the document"
+        if member is not None:
+            try:
+                content = self._container.read(member)
+                sha256 = sha256_hex(content)
+                held = self._reader.external(kind, content)
+            except DocumentError as error:
+                problem = f"cannot be used: {error}"
+        if held is None:
+            self._notes.findings.append(Finding("L60", "W", f"{kind} {text!r} {problem}", line))
+        self._references.append(Reference(kind=kind, text=text, location=member, sha256=sha256))
+        self._pulled[key] = held
+        return held
+
+
+def _same(new: Record, old: Record) -> bool:
+    return new is old
+
+
+def _merge_diagnostics(parts: list[Diagnostics]) -> Diagnostics | None:
+    if len(parts) < 2:
+        return parts[0] if parts else None
+    return Diagnostics(
+        diag_resets=tuple(item for part in parts for item in part.diag_resets),
+        diag_reactions=tuple(item for part in parts for item in part.diag_reactions),
+        diag_types=tuple(item for part in parts for item in part.diag_types),
+        diag_messages=tuple(item for part in parts for item in part.diag_messages),
+    )
+
+
+def read_esi(path: str | Path) -> ReadDocument:
+    """Read one ESI file from disk, with the documents it refers to in the same folder or below.
+
+    Raises :class:`NotAnEsiDocument` for ENI and other content, :class:`BrokenDocument` when nothing can be read.
+    """
+    file = Path(path)
+    if not file.is_file():
+        raise BrokenDocument(f"{file}: no such file")
+    folder = Folder(file.parent)
+    return Reader().read(folder.read(file.name), file.name, folder)

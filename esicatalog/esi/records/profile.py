@@ -1,0 +1,40 @@
+"""Profile of a device or module: profile numbers, channels, dictionary, diagnosis texts."""
+
+from typing import Annotated
+
+from esicatalog.esi.binding import RAW, Record, Xml
+from esicatalog.esi.numbers import BOOL, INT
+from esicatalog.esi.records.common import Name
+from esicatalog.esi.records.diagnostics import Diagnostics
+from esicatalog.esi.records.dictionary import Dictionary
+
+
+class ChannelInfo(Record):
+    """Profile of one channel."""
+
+    profile_no: Annotated[int | None, Xml("ProfileNo", INT, "Profile number, e.g. 402")] = None
+    add_info: Annotated[int | None, Xml("AddInfo", INT, "Module profile, e.g. 742 under 5001")] = None
+    sub_add_info: Annotated[int | None, Xml("SubAddInfo", INT, "Further part of the profile number")] = None
+    display_names: Annotated[tuple[Name, ...], Xml("DisplayName", doc="Display names")] = ()
+    overwritten_by_module: Annotated[bool | None, Xml("@OverwrittenByModule", BOOL, "Replaced by a module's")] = None
+    channel_group: Annotated[int | None, Xml("@ChannelGroup", INT, "Channel group")] = None
+
+
+class Profile(Record):
+    """Profile element. ``dictionary`` is the inline one or the one ``dictionary_file`` names, when it was found."""
+
+    channel: Annotated[int | None, Xml("@Channel", INT, "Channel (obsolete)")] = None
+    profile_no: Annotated[int | None, Xml("ProfileNo", INT, "Profile number, e.g. 402 drives, 5001 modular")] = None
+    add_info: Annotated[int | None, Xml("AddInfo", INT, "Module profile, e.g. 100 digital input under 5001")] = None
+    sub_add_info: Annotated[int | None, Xml("SubAddInfo", INT, "Further part of the profile number")] = None
+    channel_count: Annotated[int | None, Xml("ChannelCount", INT, "Number of channels")] = None
+    channel_infos: Annotated[tuple[ChannelInfo, ...], Xml("ChannelInfo", doc="Profiles of the channels, as JSON")] = ()
+    dictionary_file: Annotated[
+        str | None, Xml("DictionaryFile", doc="External dictionary (EtherCATDict), path as the vendor wrote it")
+    ] = None
+    dictionary: Annotated[Dictionary | None, Xml("Dictionary")] = None
+    diag_files: Annotated[
+        tuple[str, ...], Xml("DiagFile", doc="External diagnosis texts (EtherCATDiag), as JSON")
+    ] = ()
+    diag_messages: Annotated[Diagnostics | None, Xml("DiagMessages", doc="Diagnosis texts, as JSON")] = None
+    vendor_specific: Annotated[str | None, Xml("VendorSpecific", RAW)] = None
