@@ -50,6 +50,12 @@ class Xml(msgspec.Struct, frozen=True):
     doc: str = ""
 
 
+class Doc(msgspec.Struct, frozen=True):
+    """What a field means that comes from no single place of a document."""
+
+    doc: str
+
+
 class Field(msgspec.Struct, frozen=True):
     """A resolved record field: name, binding, and the type of its items."""
 

@@ -39,10 +39,17 @@ class Parsed(NamedTuple):
 class Scalar:
     """One kind of scalar: ``read(text)`` gives a :class:`Parsed`, ``spell(value)`` the canonical text."""
 
-    __slots__ = ("_cache", "_parse", "name", "spell")
+    __slots__ = ("_cache", "_keep_raw", "_parse", "name", "spell")
 
-    def __init__(self, name: str, parse: Callable[[str], tuple[Any, Remark | None]], spell: Callable[[Any], str]):
+    def __init__(
+        self,
+        name: str,
+        parse: Callable[[str], tuple[Any, Remark | None]],
+        spell: Callable[[Any], str],
+        keep_raw: bool = True,
+    ) -> None:
         self.name = name
+        self._keep_raw = keep_raw
         self.spell = spell
         self._parse = parse
         self._cache: dict[str, Parsed] = {}
@@ -52,9 +59,9 @@ class Scalar:
         parsed = self._cache.get(text)
         if parsed is None:
             value, remark = self._parse(text.strip())
-            raw = None if value is not None and self.spell(value) == text.strip() else text.strip()
-            parsed = Parsed(value, raw, remark)
-            if len(self._cache) < 100_000:
+            differs = value is None or self.spell(value) != text.strip()
+            parsed = Parsed(value, text.strip() if differs and self._keep_raw else None, remark)
+            if len(text) < 64 and len(self._cache) < 100_000:
                 self._cache[text] = parsed
         return parsed
 
@@ -115,6 +122,12 @@ def _hex_binary(text: str) -> tuple[str, Remark | None]:
     return text, None
 
 
+def _image(text: str) -> tuple[str, Remark | None]:
+    digits = "".join(text.split()).upper()
+    value, remark = _hex_binary(digits)
+    return (text, remark) if remark else (value, None)
+
+
 def _plain(text: str) -> tuple[str, Remark | None]:
     return text, None
 
@@ -133,6 +146,8 @@ INT = Scalar("xs:int", _int, str)
 BOOL = Scalar("xs:boolean", _boolean, lambda value: "1" if value else "0")
 FLOAT = Scalar("xs:float", _float, _spell_float)
 HEX_BINARY = Scalar("xs:hexBinary", _hex_binary, str)
+IMAGE = Scalar("xs:hexBinary", _image, str, keep_raw=False)
+"""Bytes of an image file; upper-case digits without blanks, or the text as it stands when that is not hexBinary."""
 TEXT = Scalar("xs:string", _plain, str)
 
 

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from esicatalog.esi.binding import PRESENT, RAW, Record, Xml
 from esicatalog.esi.notes import Unmapped
-from esicatalog.esi.numbers import BOOL, DEC, FLOAT, HEX, HEX_BINARY, IDENTITY, INT
+from esicatalog.esi.numbers import BOOL, DEC, FLOAT, HEX, HEX_BINARY, IMAGE, IDENTITY, INT
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.mailbox import Mailbox
@@ -340,6 +340,6 @@ class Device(Record):
     eeprom: Annotated[Eeprom | None, Xml("Eeprom")] = None
     image_symbol: Annotated[str | None, Xml("Image16x14", doc="Image as a symbolic name (obsolete)")] = None
     image_file: Annotated[str | None, Xml("ImageFile16x14", doc="Image file name")] = None
-    image_data: Annotated[str | None, Xml("ImageData16x14", HEX_BINARY, "Image, bytes in hex")] = None
+    image_data: Annotated[str | None, Xml("ImageData16x14", IMAGE, "Image, bytes in hex")] = None
     vendor_specific: Annotated[str | None, Xml("VendorSpecific", RAW)] = None
     unmapped: tuple[Unmapped, ...] = ()

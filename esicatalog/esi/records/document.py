@@ -4,7 +4,7 @@ from typing import Annotated
 
 from esicatalog.esi.binding import RAW, Record, Xml
 from esicatalog.esi.notes import Unmapped
-from esicatalog.esi.numbers import HEX_BINARY, IDENTITY, INT
+from esicatalog.esi.numbers import IMAGE, IDENTITY, INT
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import Diagnostics
@@ -25,7 +25,7 @@ class Vendor(Record):
     unique_name: Annotated[str | None, Xml("@UniqueName", doc="Unique name (obsolete)")] = None
     image_symbol: Annotated[str | None, Xml("Image16x14", doc="Image as a symbolic name (obsolete)")] = None
     image_file: Annotated[str | None, Xml("ImageFile16x14", doc="Image file name")] = None
-    image_data: Annotated[str | None, Xml("ImageData16x14", HEX_BINARY, "Image, bytes in hex")] = None
+    image_data: Annotated[str | None, Xml("ImageData16x14", IMAGE, "Image, bytes in hex")] = None
     vendor_specific: Annotated[str | None, Xml("VendorSpecific", RAW, "Vendor-specific XML")] = None
 
 
@@ -39,7 +39,7 @@ class Group(Record):
     parent_group: Annotated[str | None, Xml("@ParentGroup", doc="Key of the parent group")] = None
     image_symbol: Annotated[str | None, Xml("Image16x14", doc="Image as a symbolic name (obsolete)")] = None
     image_file: Annotated[str | None, Xml("ImageFile16x14", doc="Image file name")] = None
-    image_data: Annotated[str | None, Xml("ImageData16x14", HEX_BINARY, "Image, bytes in hex")] = None
+    image_data: Annotated[str | None, Xml("ImageData16x14", IMAGE, "Image, bytes in hex")] = None
     vendor_specific: Annotated[str | None, Xml("VendorSpecific", RAW, "Vendor-specific XML")] = None
 
 

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from esicatalog.esi.binding import RAW, Record, Xml
 from esicatalog.esi.notes import Unmapped
-from esicatalog.esi.numbers import BOOL, HEX, HEX_BINARY, IDENTITY, INT
+from esicatalog.esi.numbers import BOOL, HEX, IMAGE, IDENTITY, INT
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.mailbox import Mailbox
 from esicatalog.esi.records.pdo import Pdo
@@ -33,6 +33,6 @@ class Module(Record):
     dc_op_mode_name: Annotated[str | None, Xml("DcOpModeName", doc="OpMode of the device that it selects")] = None
     image_symbol: Annotated[str | None, Xml("Image16x14", doc="Image as a symbolic name (obsolete)")] = None
     image_file: Annotated[str | None, Xml("ImageFile16x14", doc="Image file name")] = None
-    image_data: Annotated[str | None, Xml("ImageData16x14", HEX_BINARY, "Image, bytes in hex")] = None
+    image_data: Annotated[str | None, Xml("ImageData16x14", IMAGE, "Image, bytes in hex")] = None
     vendor_specific: Annotated[str | None, Xml("VendorSpecific", RAW)] = None
     unmapped: tuple[Unmapped, ...] = ()

@@ -3,7 +3,7 @@
 from typing import Annotated
 
 from esicatalog.esi.binding import Record, Xml
-from esicatalog.esi.numbers import DEC, HEX, HEX_BINARY, IDENTITY, INT
+from esicatalog.esi.numbers import DEC, HEX, IMAGE, IDENTITY, INT
 from esicatalog.esi.records.common import Name
 
 
@@ -22,7 +22,7 @@ class SlotModuleClass(Record):
     names: Annotated[tuple[Name, ...], Xml("Name", doc="Names in all languages")] = ()
     image_symbol: Annotated[str | None, Xml("Image16x14", doc="Image as a symbolic name (obsolete)")] = None
     image_file: Annotated[str | None, Xml("ImageFile16x14", doc="Image file name")] = None
-    image_data: Annotated[str | None, Xml("ImageData16x14", HEX_BINARY, "Image, bytes in hex")] = None
+    image_data: Annotated[str | None, Xml("ImageData16x14", IMAGE, "Image, bytes in hex")] = None
 
 
 class Slot(Record):
@@ -47,7 +47,7 @@ class Slot(Record):
     module_classes: Annotated[tuple[SlotModuleClass, ...], Xml("ModuleClass")] = ()
     image_symbol: Annotated[str | None, Xml("Image16x14", doc="Image as a symbolic name (obsolete)")] = None
     image_file: Annotated[str | None, Xml("ImageFile16x14", doc="Image file name")] = None
-    image_data: Annotated[str | None, Xml("ImageData16x14", HEX_BINARY, "Image, bytes in hex")] = None
+    image_data: Annotated[str | None, Xml("ImageData16x14", IMAGE, "Image, bytes in hex")] = None
 
 
 class SlotGroupData(Record):
@@ -57,7 +57,7 @@ class SlotGroupData(Record):
     names: Annotated[tuple[Name, ...], Xml("Name", doc="Names in all languages")] = ()
     image_symbol: Annotated[str | None, Xml("Image16x14", doc="Image as a symbolic name (obsolete)")] = None
     image_file: Annotated[str | None, Xml("ImageFile16x14", doc="Image file name")] = None
-    image_data: Annotated[str | None, Xml("ImageData16x14", HEX_BINARY, "Image, bytes in hex")] = None
+    image_data: Annotated[str | None, Xml("ImageData16x14", IMAGE, "Image, bytes in hex")] = None
 
 
 class ModulePdoGroup(Record):

@@ -1,0 +1,132 @@
+"""Opening, creating and upgrading catalogs. Alembic is imported only when there is something to migrate."""
+
+import os
+import sqlite3
+from pathlib import Path
+from typing import Any
+
+import sqlalchemy as sa
+
+from esicatalog.catalog import schema, views
+from esicatalog.errors import CatalogError
+from esicatalog.resources import resource
+
+SCHEMA_VERSION = "0001"
+"""Revision of the newest migration."""
+
+DEFAULT_CATALOG = "catalog.db"
+
+
+def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
+    """The SQLAlchemy URL of a file path or of a URL text."""
+    text = os.fspath(target)
+    if "://" in text:
+        try:
+            return sa.make_url(text)
+        except sa.exc.ArgumentError as error:
+            raise CatalogError(f"{text}: not a database URL") from error
+    return sa.URL.create("sqlite", database=text)
+
+
+def sqlite_path(url: sa.URL) -> Path | None:
+    """The file of an SQLite catalog, None for other databases and for memory."""
+    if url.get_backend_name() != "sqlite" or url.database in (None, "", ":memory:"):
+        return None
+    return Path(str(url.database))
+
+
+def make_engine(url: sa.URL) -> sa.Engine:
+    """An engine with foreign keys enforced and short waits for locks."""
+    engine = sa.create_engine(url)
+    if url.get_backend_name() == "sqlite":
+
+        @sa.event.listens_for(engine, "connect")
+        def _configure(connection: sqlite3.Connection, record: Any) -> None:
+            connection.execute("PRAGMA foreign_keys = ON")
+            connection.execute("PRAGMA busy_timeout = 5000")
+
+    return engine
+
+
+def open_catalog(target: str | os.PathLike[str], create: bool = False) -> sa.Engine:
+    """Open a catalog of the current schema version, creating it through the migrations when asked.
+
+    Raises :class:`CatalogError` with what to do when there is none, or when it is older, newer or no catalog.
+    """
+    url = catalog_url(target)
+    path = sqlite_path(url)
+    if path is not None and not path.exists():
+        if not create:
+            raise CatalogError(f"{path}: no such catalog; make one with: esicatalog ingest PATH --db {path}")
+        if not path.parent.is_dir():
+            raise CatalogError(f"{path.parent}: no such folder for the catalog")
+    engine = make_engine(url)
+    try:
+        with engine.connect() as connection:
+            version = schema_version(connection)
+        if version is None:
+            if not create:
+                raise CatalogError(f"{target}: not a catalog; make one with: esicatalog ingest PATH --db {target}")
+            upgrade(engine)
+        elif version != SCHEMA_VERSION:
+            raise CatalogError(_version_message(str(target), version))
+    except sa.exc.DBAPIError as error:
+        raise CatalogError(_database_message(str(target), error)) from error
+    return engine
+
+
+def _version_message(target: str, version: str) -> str:
+    if version > SCHEMA_VERSION:
+        return (
+            f"{target}: made by a newer esicatalog (schema {version}, this one knows {SCHEMA_VERSION}); "
+            "use that version or ingest into a new catalog"
+        )
+    return f"{target}: made by an older esicatalog (schema {version}); upgrade it with: esicatalog migrate --db {target}"
+
+
+def _database_message(target: str, error: sa.exc.DBAPIError) -> str:
+    reason = " ".join(str(error.orig).split())
+    hints = {
+        "locked": "another process is writing to it; wait for it or use another catalog",
+        "not a database": "not an SQLite catalog; name another file",
+        "malformed": "the file is damaged; delete it and ingest again",
+        "readonly": "the file or its folder cannot be written",
+        "unable to open": "the file or its folder cannot be opened",
+        "full": "the disk is full; nothing of the last step was stored",
+    }
+    hint = next((words for key, words in hints.items() if key in reason), "nothing of the last step was stored")
+    return f"{target}: {reason}; {hint}"
+
+
+def database_error(target: str, error: sa.exc.DBAPIError) -> CatalogError:
+    """A database error in words, with what to do."""
+    return CatalogError(_database_message(target, error))
+
+
+def schema_version(connection: sa.Connection) -> str | None:
+    """The migration a database stands at; None for an empty database; an error for a foreign one."""
+    names = set(sa.inspect(connection).get_table_names())
+    if "alembic_version" in names and "device_sources" in names:
+        return str(connection.execute(sa.text("SELECT version_num FROM alembic_version")).scalar_one())
+    if names:
+        raise CatalogError("the database holds other tables than a catalog's; name another one")
+    return None
+
+
+def upgrade(engine: sa.Engine) -> None:
+    """Bring a database to the current schema; a new catalog is made the same way."""
+    from alembic import command
+    from alembic.config import Config
+
+    config = Config()
+    config.set_main_option("script_location", str(resource("migrations")))
+    with engine.begin() as connection:
+        views.drop_views(connection)
+        config.attributes["connection"] = connection
+        command.upgrade(config, "head")
+        views.create_views(connection)
+
+
+def secondary_indexes() -> list[sa.Index]:
+    """Indexes that a load into an empty catalog can do without."""
+    return [index for table in schema.metadata.sorted_tables for index in table.indexes]

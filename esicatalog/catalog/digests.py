@@ -1,0 +1,93 @@
+"""Content digests of everything the catalog stores once per distinct content.
+
+The content of a device description is the Device, its dictionaries and the modules its slots can reach, without
+vendor name, group, file version and line.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+import msgspec
+
+from esicatalog.esi.content import digest
+from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.model.dictionary import type_table, used_types
+
+_encode = msgspec.msgpack.Encoder().encode
+_MEMO_LIMIT = 200_000
+
+
+class _Memo:
+    """Digests by object identity; holds the objects so that identities stay valid."""
+
+    def __init__(self) -> None:
+        self._known: dict[int, tuple[Any, bytes]] = {}
+
+    def get(self, record: Any, compute: Callable[[Any], bytes]) -> bytes:
+        known = self._known.get(id(record))
+        if known is None:
+            if len(self._known) >= _MEMO_LIMIT:
+                self._known.clear()
+            known = self._known[id(record)] = (record, compute(record))
+        return known[1]
+
+
+class Digests:
+    """Computes digests; records that were seen before (the reader reuses them) cost nothing."""
+
+    def __init__(self) -> None:
+        self._plain = _Memo()
+        self._dictionaries = _Memo()
+        self._keys: dict[int, tuple[Dictionary, list[bytes]]] = {}
+
+    def data_type(self, data_type: DataType) -> bytes:
+        """Digest of a data type as declared."""
+        return self._plain.get(data_type, _digest_record)
+
+    def object(self, declared: Object, types: Mapping[str, DataType]) -> bytes:
+        """Digest of an object together with the data types it uses: equal digests resolve to equal entries."""
+        used = b"".join(self.data_type(data_type) for data_type in used_types(declared.type, types))
+        return digest(self._plain.get(declared, _digest_record) + used)
+
+    def objects(self, dictionary: Dictionary) -> list[bytes]:
+        """Digests of the objects of a dictionary in document order."""
+        known = self._keys.get(id(dictionary))
+        if known is None:
+            types = type_table(dictionary.data_types)
+            if len(self._keys) >= 2_000:
+                self._keys.clear()
+            known = (dictionary, [self.object(declared, types) for declared in dictionary.objects])
+            self._keys[id(dictionary)] = known
+        return known[1]
+
+    def dictionary(self, dictionary: Dictionary) -> bytes:
+        """Digest of a dictionary: units, data types, objects."""
+        return self._dictionaries.get(dictionary, self._dictionary)
+
+    def _dictionary(self, dictionary: Dictionary) -> bytes:
+        rest = _encode(msgspec.structs.replace(dictionary, data_types=(), objects=()))
+        types = b"".join(map(self.data_type, dictionary.data_types))
+        return digest(rest + b"types" + types + b"objects" + b"".join(self.objects(dictionary)))
+
+    def module(self, module: Module, vendor_id: int | None) -> bytes:
+        """Digest of a module of a vendor."""
+        return digest(_encode(vendor_id) + self._owner(module))
+
+    def device(self, device: Device, vendor_id: int | None, modules: Iterable[bytes]) -> bytes:
+        """Digest of a vendor's description: device and the digests of its reachable modules, without the group."""
+        own = self._owner(msgspec.structs.replace(device, group_type=None))
+        return digest(_encode(vendor_id) + own + b"".join(modules))
+
+    def _owner(self, owner: Any) -> bytes:
+        profiles = tuple(msgspec.structs.replace(profile, dictionary=None) for profile in owner.profiles)
+        dictionaries = b"".join(
+            self.dictionary(profile.dictionary) if profile.dictionary is not None else b"-"
+            for profile in owner.profiles
+        )
+        return _encode(msgspec.structs.replace(owner, profiles=profiles)) + dictionaries
+
+
+def _digest_record(record: Any) -> bytes:
+    return digest(_encode(record))

@@ -1,0 +1,82 @@
+"""Full-text search over devices: vendors, types, names and identities in every notation people type.
+
+The FTS5 table splits at word boundaries (unicode61), so words of one or two characters are found. To find ``1100``
+in ``EL1100`` the column ``words`` holds the endings of longer words, and every search word is a prefix search.
+"""
+
+import re
+from collections.abc import Iterable
+
+import sqlalchemy as sa
+
+from esicatalog.catalog import schema
+from esicatalog.catalog.bulk import chunks
+from esicatalog.catalog.views import FULL_TEXT
+
+_WORD = re.compile(r"\w+")
+_SHORTEST_ENDING = 2
+
+
+def search_expression(text: str) -> str:
+    """The FTS5 query for what a user typed: all words, each as a prefix; ``#x…`` counts as ``0x…``."""
+    words = _WORD.findall(text.replace("#x", "0x").replace("#X", "0x"))
+    return " ".join(f'"{word}"*' for word in words) or '""'
+
+
+def identity_notations(number: int | None, digits: int = 8) -> list[str]:
+    """Notations of a number: ``0x044c2c52``, ``0x44c2c52`` and decimal (``#x`` is searched as ``0x``)."""
+    if number is None:
+        return []
+    return list(dict.fromkeys((f"0x{number:0{digits}x}", f"0x{number:x}", f"{number:x}", str(number))))
+
+
+def word_endings(text: str) -> list[str]:
+    """Endings of the words of a text, so that a prefix search finds the inside of a word."""
+    found: dict[str, None] = {}
+    for word in _WORD.findall(text):
+        for start in range(1, len(word) - _SHORTEST_ENDING + 1):
+            found[word[start:]] = None
+    return list(found)
+
+
+def index_devices(connection: sa.Connection, device_ids: Iterable[int]) -> None:
+    """Write the search rows of these devices anew; rows of devices that are gone disappear."""
+    if connection.dialect.name != "sqlite":
+        return
+    columns = schema.devices.c
+    query = (
+        sa.select(
+            columns.id,
+            columns.vendor_id,
+            schema.vendors.c.name.label("vendor"),
+            columns.type,
+            columns.product_code,
+            columns.revision_no,
+        )
+        .outerjoin(schema.vendors, schema.vendors.c.vendor_id == columns.vendor_id)
+        .order_by(columns.id)
+    )
+    texts = schema.device_names.c
+    for part in chunks(device_ids):
+        names: dict[int, list[str]] = {}
+        for number, text in connection.execute(
+            sa.select(texts.device_id, texts.text).where(texts.device_id.in_(part), texts.kind == "name")
+        ):
+            names.setdefault(number, []).append(text)
+        rows = []
+        for row in connection.execute(query.where(columns.id.in_(part))):
+            identity = [
+                notation
+                for number in (row.vendor_id, row.product_code, row.revision_no)
+                for notation in identity_notations(number)
+            ]
+            name = " ".join(dict.fromkeys(names.get(row.id, [])))
+            endings = word_endings(f"{row.vendor or ''} {row.type or ''} {name}")
+            rows.append((row.id, row.vendor, row.type, name, " ".join(identity), " ".join(endings)))
+        connection.exec_driver_sql(
+            f"DELETE FROM {FULL_TEXT} WHERE rowid IN ({', '.join('?' * len(part))})", tuple(part)
+        )
+        if rows:
+            connection.exec_driver_sql(
+                f"INSERT INTO {FULL_TEXT} (rowid, vendor, type, name, identity, words) VALUES (?, ?, ?, ?, ?, ?)", rows
+            )

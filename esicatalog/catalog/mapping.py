@@ -1,0 +1,346 @@
+"""How records become rows and rows become records.
+
+Every record type has a :class:`Codec`: scalar fields are columns of the same name, texts in several languages become
+``name`` (the one to show) and ``names`` (JSON, only when one column cannot tell it all), nested values are JSON,
+and lists that have a table of their own are listed in :data:`CHILDREN`. No SQLAlchemy in here.
+"""
+
+import functools
+from collections.abc import Callable
+from operator import attrgetter
+from typing import Annotated, Any, NamedTuple, get_args, get_origin, get_type_hints
+
+import msgspec
+
+from esicatalog.esi.binding import Doc, Field, Record, fields_of
+from esicatalog.esi.content import sha256_hex
+from esicatalog.esi.numbers import IMAGE, decode_hex_binary
+from esicatalog.esi.records.common import Name, display_text
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device, Eeprom, Fmmu, HideType, SyncManager, SyncUnit
+from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Flags, Object, SubItem
+from esicatalog.esi.records.document import Group, Vendor
+from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
+from esicatalog.esi.records.profile import Profile
+from esicatalog.esi.records.slots import Slot, SlotModuleClass, SlotModuleIdent
+from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.pdo_facts import entry_facts, pdo_facts
+from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.sync import sync_signals
+
+Derive = Callable[[Any], Record]
+
+
+class Column(NamedTuple):
+    """A column: name, kind (int, bool, float, text, json) and what it means."""
+
+    name: str
+    kind: str
+    doc: str
+
+
+class Child(NamedTuple):
+    """A field whose items are rows of another table.
+
+    ``discriminator`` is (column, value) where several fields share a table; ``under_parent`` tells whether the rows
+    hang on the parent's row (else on the device or module itself).
+    """
+
+    field: str
+    table: str
+    discriminator: tuple[str, str] | None = None
+    single: bool = False
+    under_parent: bool = False
+
+
+CHILDREN: dict[type[Record], tuple[Child, ...]] = {
+    Device: (
+        Child("hide_types", "hidden_revisions"),
+        Child("profiles", "profiles"),
+        Child("fmmus", "fmmus"),
+        Child("sync_managers", "sync_managers"),
+        Child("sync_units", "sync_units"),
+        Child("rx_pdos", "pdos", ("direction", "RxPdo")),
+        Child("tx_pdos", "pdos", ("direction", "TxPdo")),
+        Child("mailbox", "mailboxes", single=True),
+        Child("op_modes", "dc_modes"),
+        Child("slots", "slots"),
+        Child("eeprom", "eeproms", single=True),
+    ),
+    Module: (
+        Child("rx_pdos", "pdos", ("direction", "RxPdo")),
+        Child("tx_pdos", "pdos", ("direction", "TxPdo")),
+        Child("safety_para_mappings", "pdos", ("direction", "SafetyParaMapping")),
+        Child("mailbox", "mailboxes", single=True),
+        Child("profiles", "profiles"),
+    ),
+    Pdo: (
+        Child("entries", "pdo_entries", under_parent=True),
+        Child("excludes", "pdo_exclusions", under_parent=True),
+    ),
+    Mailbox: tuple(
+        Child(f"{protocol.lower()}_init_cmds", "initcmds", ("protocol", protocol))
+        for protocol in ("CoE", "SoE", "EoE", "AoE")
+    ),
+    Slot: (
+        Child("module_idents", "slot_modules", under_parent=True),
+        Child("module_classes", "slot_module_classes", under_parent=True),
+    ),
+    DataType: (
+        Child("sub_items", "sub_items", under_parent=True),
+        Child("enum_infos", "enum_values", under_parent=True),
+    ),
+}
+
+_ELSEWHERE: dict[type[Record], frozenset[str]] = {
+    Profile: frozenset({"dictionary"}),
+    Device: frozenset({"group_type"}),
+    Dictionary: frozenset({"data_types", "objects"}),
+}
+"""Fields that are kept by reference or with the source."""
+
+_DERIVED: dict[type[Record], tuple[Derive, ...]] = {
+    OpMode: (lambda op_mode: sync_signals(op_mode.assign_activate),),
+    SyncManager: (sm_facts,),
+    Pdo: (pdo_facts,),
+    Entry: (entry_facts,),
+}
+"""Columns that follow from the record; they are written, never read back."""
+
+TABLE_RECORDS: dict[str, type[Record]] = {
+    "hidden_revisions": HideType,
+    "profiles": Profile,
+    "fmmus": Fmmu,
+    "sync_managers": SyncManager,
+    "sync_units": SyncUnit,
+    "pdos": Pdo,
+    "pdo_entries": Entry,
+    "pdo_exclusions": Exclude,
+    "mailboxes": Mailbox,
+    "initcmds": InitCmd,
+    "dc_modes": OpMode,
+    "slots": Slot,
+    "slot_modules": SlotModuleIdent,
+    "slot_module_classes": SlotModuleClass,
+    "eeproms": Eeprom,
+    "data_types": DataType,
+    "sub_items": SubItem,
+    "enum_values": EnumInfo,
+    "objects": Object,
+    "object_entries": ObjectEntry,
+    "dictionaries": Dictionary,
+    "devices": Device,
+    "modules": Module,
+    "groups": Group,
+    "source_vendors": Vendor,
+}
+
+_KINDS = {int: "int", bool: "bool", float: "float", str: "text"}
+_EXTENSION_OWNERS = (Device, Module, Profile, Mailbox, OpMode, Eeprom)
+
+_encode_json = msgspec.json.Encoder().encode
+
+
+def to_json(value: Any) -> str:
+    """Compact JSON text of a record, tuple or dict."""
+    return _encode_json(value).decode("utf-8")
+
+
+class Codec:
+    """Encodes records of one type as tuples of column values, and back."""
+
+    def __init__(self, record_type: type[Record]) -> None:
+        self.record_type = record_type
+        child_fields = {child.field for child in CHILDREN.get(record_type, ())}
+        left_out = child_fields | _ELSEWHERE.get(record_type, frozenset())
+        columns: list[Column] = []
+        getters: list[Callable[[Any], Any]] = []
+        self._decoders: list[tuple[str, int, Callable[[Any], Any]]] = []
+        self.extensions: list[Field] = []
+        """Vendor-specific XML fields, kept in the table vendor_extensions."""
+        self.image_column: int | None = None
+        for field in _fields(record_type):
+            if field.name in left_out:
+                continue
+            if field.name.endswith("vendor_specific") and record_type in _EXTENSION_OWNERS:
+                self.extensions.append(field)
+                continue
+            start = len(columns)
+            for column, getter in _encoders(field):
+                columns.append(column)
+                getters.append(getter)
+            if field.xml.kind is IMAGE:
+                self.image_column = start
+            self._decoders.append((field.name, start, _decoder(field)))
+        columns.append(Column("spelling", "json", "Vendor's text of values that are not spelled canonically, JSON"))
+        getters.append(lambda record: to_json(record.spelling) if record.spelling else None)
+        self._spelling = len(getters) - 1
+        self._getters = getters
+        self.stored_columns = tuple(columns)
+        self.derived_columns = _derived_columns(record_type)
+        self._derive = _DERIVED.get(record_type, ())
+        self._derived_getter = _tuple_getter([column.name for column in self.derived_columns])
+
+    @property
+    def columns(self) -> tuple[Column, ...]:
+        """All columns in the order in which :meth:`encode` gives their values."""
+        return self.stored_columns + self.derived_columns
+
+    def encode(self, record: Any) -> tuple[Any, ...]:
+        """Column values of a record."""
+        values = [getter(record) for getter in self._getters]
+        for derive in self._derive:
+            values.extend(self._derived_getter(derive(record)))
+        return tuple(values)
+
+    def decode(self, values: tuple[Any, ...] | Any, **elsewhere: Any) -> Any:
+        """The record of a row: ``values`` start with the stored columns; other fields come by keyword."""
+        fields = {name: decode(values, at) for name, at, decode in self._decoders}
+        fields.update(elsewhere)
+        spelling = values[self._spelling]
+        if spelling is not None:
+            fields["spelling"] = msgspec.json.decode(spelling)
+        return self.record_type(**fields)
+
+
+@functools.cache
+def codec(record_type: type[Record]) -> Codec:
+    """The codec of a record type."""
+    return Codec(record_type)
+
+
+def _fields(record_type: type[Record]) -> list[Field]:
+    """Bound fields, with nested Flags spread out, and documented fields of derived records."""
+    from_xml = fields_of(record_type) if record_type is not ObjectEntry else []
+    return from_xml or _documented(record_type)
+
+
+def _documented(record_type: type[Record]) -> list[Field]:
+    found = []
+    for name, hint in get_type_hints(record_type, include_extras=True).items():
+        if get_origin(hint) is not Annotated:
+            continue
+        declared, *extras = get_args(hint)
+        doc = next(extra.doc for extra in extras if isinstance(extra, Doc))
+        item = get_args(declared)[0] if get_args(declared) else declared
+        found.append(Field(name, msgspec.structs.replace(_PLAIN, doc=doc), False, item))
+    return found
+
+
+def _derived_columns(record_type: type[Record]) -> tuple[Column, ...]:
+    columns: list[Column] = []
+    for derive in _DERIVED.get(record_type, ()):
+        sample = derive(record_type())
+        columns.extend(Column(f.name, _KINDS[f.item], f.xml.doc) for f in _documented(type(sample)))
+    return tuple(columns)
+
+
+def _tuple_getter(names: list[str]) -> Callable[[Any], tuple[Any, ...]]:
+    if not names:
+        return lambda record: ()
+    if len(names) == 1:
+        get_one = attrgetter(names[0])
+        return lambda record: (get_one(record),)
+    return attrgetter(*names)
+
+
+def _encoders(field: Field) -> list[tuple[Column, Callable[[Any], Any]]]:
+    get = attrgetter(field.name)
+    doc = field.xml.doc
+    if field.item is Flags:
+        flags = codec(Flags)
+        spread = [
+            (column, _flag_getter(get, position)) for position, column in enumerate(flags.stored_columns[:-1])
+        ]
+        present = Column("has_flags", "bool", "1 when the element Flags is present")
+        return [
+            (present, lambda record: get(record) is not None),
+            *spread,
+            (
+                Column("flags_spelling", "json", "Vendor's text of flags that are not spelled canonically, JSON"),
+                _flag_getter(get, len(spread)),
+            ),
+        ]
+    if field.name == "names" and field.item is Name:
+        return [
+            (Column("name", "text", "Name to show: English, else the first"), lambda record: display_text(get(record))),
+            (Column("names", "json", f"{doc}, JSON; NULL when name says it all"), lambda record: _names_json(get(record))),
+        ]
+    if field.xml.kind is IMAGE:
+        column = Column(field.name.replace("image_data", "image_sha256"), "text", "Image, key in images")
+        return [(column, lambda record: image_key(get(record)))]
+    if field.many or _is_record(field.item):
+        column = Column(field.name, "json", doc if "JSON" in doc else f"{doc}, as JSON")
+        return [(column, lambda record: to_json(value) if (value := get(record)) else None)]
+    return [(Column(field.name, _KINDS[field.item], doc), get)]
+
+
+def _flag_getter(get: Callable[[Any], Any], position: int) -> Callable[[Any], Any]:
+    encoders = codec(Flags)
+
+    def value(record: Any) -> Any:
+        flags = get(record)
+        return None if flags is None else encoders._getters[position](flags)
+
+    return value
+
+
+def _decoder(field: Field) -> Callable[[Any, int], Any]:
+    if field.item is Flags:
+        width = len(codec(Flags).stored_columns)
+        return lambda values, at: codec(Flags).decode(values[at + 1 : at + 1 + width]) if values[at] else None
+    if field.name == "names" and field.item is Name:
+        return lambda values, at: _decode_names(values[at], values[at + 1])
+    if field.xml.kind is IMAGE:
+        return lambda values, at: values[at]
+    if field.many:
+        decode_list = msgspec.json.Decoder(tuple[field.item, ...]).decode  # type: ignore[name-defined]
+        return lambda values, at: () if values[at] is None else decode_list(values[at])
+    if _is_record(field.item):
+        decode_one = msgspec.json.Decoder(field.item).decode
+        return lambda values, at: None if values[at] is None else decode_one(values[at])
+    if field.item is bool:
+        return lambda values, at: None if values[at] is None else bool(values[at])
+    return lambda values, at: values[at]
+
+
+def _is_record(item: Any) -> bool:
+    return isinstance(item, type) and issubclass(item, Record)
+
+
+def _names_json(names: tuple[Name, ...]) -> str | None:
+    if not names or (len(names) == 1 and names[0].lcid is None and names[0].spelling is None):
+        return None
+    return to_json(names)
+
+
+_decode_name_list = msgspec.json.Decoder(tuple[Name, ...]).decode
+
+
+def _decode_names(name: str | None, names: str | None) -> tuple[Name, ...]:
+    if names is not None:
+        return _decode_name_list(names)
+    return () if name is None else (Name(text=name),)
+
+
+def image_key(hex_text: str | None) -> str | None:
+    """Key of an image in the table images: SHA-256 of its bytes, or of the text when that is not hexBinary."""
+    if hex_text is None:
+        return None
+    data = decode_hex_binary(hex_text)
+    return sha256_hex(hex_text.encode() if data is None else data)
+
+
+def extension_rows(record: Any, table: str, position: int) -> list[tuple[str, int, str, str]]:
+    """Rows (owner table, owner position, field, XML) of the vendor-specific XML directly in a record."""
+    found = []
+    for field in codec(type(record)).extensions:
+        xml = getattr(record, field.name)
+        if xml is not None:
+            found.append((table, position, field.name, xml))
+    return found
+
+
+_PLAIN = fields_of(Name)[0].xml

@@ -1,0 +1,304 @@
+"""Documents as rows: what a worker hands to the writer, each distinct content once.
+
+Rows are lists of column values in the order of the table's codec. A row of a child table starts with the number of
+its parent row within the same description. Nothing in here knows a database.
+"""
+
+from typing import Any
+
+import msgspec
+
+from esicatalog.catalog.digests import Digests
+from esicatalog.catalog.mapping import CHILDREN, codec, extension_rows, image_key, to_json
+from esicatalog.esi.numbers import decode_hex_binary
+from esicatalog.esi.reader import ReadDocument
+from esicatalog.esi.records.common import Name
+from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Object, SubItem
+from esicatalog.esi.records.document import EsiInfo, Group, Vendor
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.diagnostics import Diagnostics
+from esicatalog.esi.records.module import Module
+from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
+from esicatalog.model.modules import reachable_modules
+from esicatalog.model.sync import default_op_mode
+
+Row = list[Any] | tuple[Any, ...]
+
+
+class TypeRows(msgspec.Struct):
+    """A data type with its sub-items and enumeration values."""
+
+    key: bytes
+    row: Row
+    sub_items: list[Row]
+    enum_values: list[Row]
+
+
+class ObjectRows(msgspec.Struct):
+    """An object with its resolved entries."""
+
+    key: bytes
+    row: Row
+    object_code: int
+    entries: list[Row]
+
+
+class DictionaryRows(msgspec.Struct):
+    """A dictionary: its own row and the keys of its types and objects in document order."""
+
+    key: bytes
+    row: Row
+    data_types: list[bytes]
+    objects: list[bytes]
+
+
+class OwnerRows(msgspec.Struct):
+    """A device or module with everything that hangs on it."""
+
+    key: bytes
+    vendor_id: int | None
+    row: Row
+    tables: dict[str, list[Row]]
+    profile_dictionaries: list[bytes | None]
+    extensions: list[tuple[str, int, str, str]]
+    unmapped: list[tuple[str, str]]
+    images: list[tuple[str, bytes | None, str | None]]
+    texts: list[tuple[str, int, int | None, str]]
+    """(kind, position, LcId, text) of names, comments and links."""
+    element_count: int
+    """Objects plus PDO entries: what decides which variant is the richest."""
+
+
+class ModuleRows(OwnerRows):
+    """A module of a vendor."""
+
+
+class DeviceRows(OwnerRows):
+    """A device description; its ``element_count`` includes the reachable modules."""
+
+    modules: list[bytes] = []
+    default_op_mode: int | None = None
+
+
+class Placement(msgspec.Struct):
+    """That a device or module stands in this document."""
+
+    section: int
+    position: int
+    line: int
+    key: bytes
+    group_type: str | None = None
+
+
+class Section(msgspec.Struct):
+    """One vendor section of a document."""
+
+    vendor_id: int | None
+    schema_version: str | None
+    info_references: list[str]
+    vendor: Row | None
+    groups: list[Row]
+    shared_pdos: str | None
+    images: list[tuple[str, bytes | None, str | None]]
+
+
+class DocumentRows(msgspec.Struct):
+    """Everything a document adds to the catalog."""
+
+    root: str
+    encoding: str
+    recovered: str | None
+    sections: list[Section]
+    devices: list[Placement]
+    modules: list[Placement]
+    dictionary: bytes | None
+    diag_messages: str | None
+    references: list[tuple[str, str, str | None, str | None]]
+    findings: list[tuple[str, str, str, int, str]]
+    unmapped: list[tuple[str, str]]
+    new_types: list[TypeRows] = []
+    new_objects: list[ObjectRows] = []
+    new_dictionaries: list[DictionaryRows] = []
+    new_modules: list[ModuleRows] = []
+    new_devices: list[DeviceRows] = []
+
+
+class RowMaker:
+    """Turns documents into rows; content that was handed over before is referred to by key only."""
+
+    def __init__(self) -> None:
+        self._digests = Digests()
+        self._sent: set[bytes] = set()
+        self._module_counts: dict[bytes, int] = {}
+        self._out = DocumentRows("", "", None, [], [], [], None, None, [], [], [])
+
+    def document(self, read: ReadDocument) -> DocumentRows:
+        """The rows of one document."""
+        document = read.document
+        self._out = out = DocumentRows(
+            root=document.root,
+            encoding=document.encoding,
+            recovered=document.recovered,
+            sections=[_section(info) for info in document.infos],
+            devices=[],
+            modules=[],
+            dictionary=None,
+            diag_messages=_diagnostics(document.diag_messages),
+            references=[(ref.kind, ref.text, ref.location, ref.sha256) for ref in document.references],
+            findings=[(f.rule, f.severity, f.message, f.line, f.path) for f in read.findings],
+            unmapped=[(item.path, item.value) for item in document.unmapped],
+            new_types=[],
+            new_objects=[],
+            new_dictionaries=[],
+            new_modules=[],
+            new_devices=[],
+        )
+        if document.dictionary is not None:
+            out.dictionary = self._dictionary(document.dictionary)
+        for section, info in enumerate(document.infos):
+            self._info(section, info, document.referenced_modules[section], read)
+        return out
+
+    def _info(self, section: int, info: EsiInfo, referenced: tuple[Module, ...], read: ReadDocument) -> None:
+        document = read.document
+        vendor_id = info.vendor.vendor_id if info.vendor is not None else None
+        keys = {id(module): self._module(module, vendor_id) for module in (*info.modules, *referenced)}
+        for position, module in enumerate(info.modules):
+            line = document.module_lines[section][position]
+            self._out.modules.append(Placement(section, position, line, keys[id(module)]))
+        for position, device in enumerate(info.devices):
+            reachable = [keys[id(m)] for m in reachable_modules(device, (*info.modules, *referenced))]
+            key = self._device(device, vendor_id, reachable)
+            line = document.device_lines[section][position]
+            self._out.devices.append(Placement(section, position, line, key, device.group_type))
+
+    def _new(self, key: bytes) -> bool:
+        if key in self._sent:
+            return False
+        self._sent.add(key)
+        return True
+
+    def _device(self, device: Device, vendor_id: int | None, modules: list[bytes]) -> bytes:
+        key = self._digests.device(device, vendor_id, modules)
+        if self._new(key):
+            rows = DeviceRows(**self._owner(device, key, vendor_id), modules=modules)
+            rows.element_count += sum(self._module_counts[module] for module in modules)
+            rows.default_op_mode = default_op_mode(device.op_modes)
+            self._out.new_devices.append(rows)
+        return key
+
+    def _module(self, module: Module, vendor_id: int | None) -> bytes:
+        key = self._digests.module(module, vendor_id)
+        if self._new(key):
+            rows = ModuleRows(**self._owner(module, key, vendor_id))
+            self._module_counts[key] = rows.element_count
+            self._out.new_modules.append(rows)
+        return key
+
+    def _owner(self, owner: Device | Module, key: bytes, vendor_id: int | None) -> dict[str, Any]:
+        tables: dict[str, list[Row]] = {}
+        extensions: list[tuple[str, int, str, str]] = []
+        images: list[tuple[str, bytes | None, str | None]] = []
+        _collect(owner, "", 0, tables, extensions, images)
+        dictionaries = [profile.dictionary for profile in owner.profiles]
+        entries = sum(len(pdo.entries) for pdo in (*owner.rx_pdos, *owner.tx_pdos))
+        objects = sum(len(dictionary.objects) for dictionary in dictionaries if dictionary is not None)
+        return {
+            "key": key,
+            "vendor_id": vendor_id,
+            "row": codec(type(owner)).encode(owner),
+            "tables": tables,
+            "profile_dictionaries": [self._dictionary(d) if d is not None else None for d in dictionaries],
+            "extensions": extensions,
+            "unmapped": [(item.path, item.value) for item in owner.unmapped],
+            "images": images,
+            "texts": _texts(owner),
+            "element_count": objects + entries,
+        }
+
+    def _dictionary(self, dictionary: Dictionary) -> bytes:
+        key = self._digests.dictionary(dictionary)
+        if self._new(key):
+            types = type_table(dictionary.data_types)
+            object_keys = self._digests.objects(dictionary)
+            for declared, object_key in zip(dictionary.objects, object_keys, strict=True):
+                if self._new(object_key):
+                    self._out.new_objects.append(_object_rows(declared, types, object_key))
+            type_keys = [self._data_type(data_type) for data_type in dictionary.data_types]
+            row = codec(Dictionary).encode(dictionary)
+            self._out.new_dictionaries.append(DictionaryRows(key, row, type_keys, object_keys))
+        return key
+
+    def _data_type(self, data_type: DataType) -> bytes:
+        key = self._digests.data_type(data_type)
+        if self._new(key):
+            sub_items = [codec(SubItem).encode(item) for item in data_type.sub_items]
+            enum_values = [codec(EnumInfo).encode(item) for item in data_type.enum_infos]
+            self._out.new_types.append(TypeRows(key, codec(DataType).encode(data_type), sub_items, enum_values))
+        return key
+
+
+def _object_rows(declared: Object, types: dict[str, DataType], key: bytes) -> ObjectRows:
+    resolved = resolve_object(declared, types)
+    entries: list[Row] = [codec(ObjectEntry).encode(entry) for entry in resolved.entries]
+    return ObjectRows(key, codec(Object).encode(declared), resolved.object_code, entries)
+
+
+def _collect(
+    record: Any,
+    table: str,
+    number: int,
+    tables: dict[str, list[Row]],
+    extensions: list[tuple[str, int, str, str]],
+    images: list[tuple[str, bytes | None, str | None]],
+) -> None:
+    """Rows of everything below ``record``, which is row ``number`` of ``table`` ("" for the owner itself)."""
+    record_codec = codec(type(record))
+    if record_codec.extensions:
+        extensions.extend(extension_rows(record, table, number))
+    if record_codec.image_column is not None and record.image_data is not None:
+        images.append(_image(record.image_data))
+    for child in CHILDREN.get(type(record), ()):
+        held = getattr(record, child.field)
+        if not held:
+            continue
+        rows = tables.setdefault(child.table, [])
+        prefix: tuple[Any, ...] = (number,) if child.under_parent else ()
+        constant = (child.discriminator[1],) if child.discriminator is not None else ()
+        for position, item in enumerate((held,) if child.single else held):
+            item_number = len(rows)
+            rows.append((*prefix, position, *constant, *codec(type(item)).encode(item)))
+            _collect(item, child.table, item_number, tables, extensions, images)
+
+
+def _image(hex_text: str) -> tuple[str, bytes | None, str | None]:
+    data = decode_hex_binary(hex_text)
+    key = image_key(hex_text)
+    assert key is not None
+    return key, data, hex_text if data is None else None
+
+
+def _texts(owner: Device | Module) -> list[tuple[str, int, int | None, str]]:
+    kinds: dict[str, tuple[Name, ...]] = {"name": owner.names}
+    if isinstance(owner, Device):
+        kinds |= {"comment": owner.comments, "url": owner.urls}
+    return [
+        (kind, position, text.lcid, text.text) for kind, texts in kinds.items() for position, text in enumerate(texts)
+    ]
+
+
+def _section(info: EsiInfo) -> Section:
+    images = [_image(item.image_data) for item in (info.vendor, *info.groups) if item is not None and item.image_data]
+    return Section(
+        vendor_id=info.vendor.vendor_id if info.vendor is not None else None,
+        schema_version=info.schema_version,
+        info_references=list(info.info_references),
+        vendor=codec(Vendor).encode(info.vendor) if info.vendor is not None else None,
+        groups=[codec(Group).encode(group) for group in info.groups],
+        shared_pdos=to_json(info.shared_pdos) if info.shared_pdos else None,
+        images=images,
+    )
+
+
+def _diagnostics(diagnostics: Diagnostics | None) -> str | None:
+    return to_json(diagnostics) if diagnostics is not None else None

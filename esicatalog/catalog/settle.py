@@ -1,0 +1,280 @@
+"""Putting the catalog in order after documents came or went: variants, vendors, search, content hash.
+
+All of it follows from the stored rows alone, so that any order of ingest gives the same catalog.
+"""
+
+import hashlib
+from collections import Counter, defaultdict
+from collections.abc import Iterable
+from typing import Any
+
+import sqlalchemy as sa
+
+from esicatalog.catalog import schema
+from esicatalog.catalog.bulk import chunks
+from esicatalog.catalog.full_text import index_devices
+from esicatalog.catalog.mapping import codec
+from esicatalog.catalog.schema import device_sources, devices, source_vendors, sources, vendor_names, vendors
+from esicatalog.esi.records.common import ENGLISH
+from esicatalog.esi.records.document import Vendor
+
+CONTENT_HASH = "content_hash"
+
+
+class Affected:
+    """Which devices and vendors have to be looked at again."""
+
+    def __init__(self) -> None:
+        self.devices: set[int] = set()
+        self.vendors: set[int] = set()
+        self.identities: set[tuple[Any, ...]] = set()
+        """Identities whose descriptions were deleted: (vendor_id, product_code, revision_no, type)."""
+
+
+def settle(connection: sa.Connection, affected: Affected) -> None:
+    """Bring everything that depends on several documents up to date."""
+    if affected.vendors:
+        _settle_vendors(connection, affected.vendors)
+    if affected.devices or affected.identities:
+        _settle_devices(connection, affected)
+
+
+def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> None:
+    spellings: dict[int, Counter[tuple[int | None, str]]] = defaultdict(Counter)
+    images: dict[int, set[str]] = defaultdict(set)
+    vendor_codec = codec(Vendor)
+    columns = [source_vendors.c[column.name] for column in vendor_codec.stored_columns]
+    for part in chunks(sorted(vendor_ids)):
+        for row in connection.execute(sa.select(*columns).where(source_vendors.c.vendor_id.in_(part))):
+            vendor = vendor_codec.decode(row)
+            spellings[vendor.vendor_id].update({(name.lcid, name.text) for name in vendor.names})
+            if vendor.image_data:
+                images[vendor.vendor_id].add(vendor.image_data)
+        connection.execute(sa.delete(vendor_names).where(vendor_names.c.vendor_id.in_(part)))
+    for vendor_id in sorted(vendor_ids):
+        counted = spellings[vendor_id]
+        rows = [
+            {"vendor_id": vendor_id, "lcid": lcid, "name": name, "document_count": count}
+            for (lcid, name), count in sorted(counted.items(), key=lambda item: (-item[1], str(item[0])))
+        ]
+        if rows:
+            connection.execute(sa.insert(vendor_names), rows)
+        connection.execute(
+            sa.update(vendors)
+            .where(vendors.c.vendor_id == vendor_id)
+            .values(name=_shown_name(counted), image_sha256=min(images[vendor_id], default=None))
+        )
+
+
+def _shown_name(counted: Counter[tuple[int | None, str]]) -> str | None:
+    def rank(item: tuple[tuple[int | None, str], int]) -> tuple[Any, ...]:
+        (lcid, name), count = item
+        return (not name, lcid not in (ENGLISH, None, 0), -count, name)
+
+    return min(counted.items(), key=rank)[0][1] if counted else None
+
+
+def _settle_devices(connection: sa.Connection, affected: Affected) -> None:
+    carried = (
+        sa.select(
+            device_sources.c.device_id,
+            sa.func.min(sa.case((sources.c.status == "recovered", 1), else_=0)),
+            sa.func.max(source_vendors.c.file_version),
+            sa.func.min(device_sources.c.group_type),
+        )
+        .join(sources, sources.c.id == device_sources.c.source_id)
+        .outerjoin(
+            source_vendors,
+            (source_vendors.c.source_id == device_sources.c.source_id)
+            & (source_vendors.c.position == device_sources.c.section),
+        )
+        .group_by(device_sources.c.device_id)
+    )
+    update = (
+        sa.update(devices)
+        .where(devices.c.id == sa.bindparam("number"))
+        .values(recovered=sa.bindparam("is_recovered"), file_version=sa.bindparam("version"), group_type=sa.bindparam("g"))
+    )
+    identity = [devices.c.vendor_id, devices.c.product_code, devices.c.revision_no, devices.c.type]
+    identities = set(affected.identities)
+    for part in chunks(sorted(affected.devices)):
+        facts = connection.execute(carried.where(device_sources.c.device_id.in_(part))).all()
+        if facts:
+            connection.execute(
+                update, [{"number": n, "is_recovered": bool(r), "version": v, "g": g} for n, r, v, g in facts]
+            )
+        identities.update(map(tuple, connection.execute(sa.select(*identity).where(devices.c.id.in_(part)))))
+    _number_variants(connection, identities)
+    index_devices(connection, affected.devices)
+
+
+def variant_group(vendor_id: int | None, product: int | None, revision: int | None, type_text: str | None) -> Any:
+    """What two descriptions must share to be variants of each other; without codes the type decides."""
+    if product is None or revision is None:
+        return (vendor_id, product, revision, type_text)
+    return (vendor_id, product, revision)
+
+
+def _number_variants(connection: sa.Connection, identities: Iterable[tuple[Any, ...]]) -> None:
+    """Variant 1 is the preferred description: not recovered, richest, newest file version, lowest content hash."""
+    wanted = {variant_group(*identity) for identity in identities}
+    columns = devices.c
+    query = sa.select(
+        columns.id,
+        columns.variant,
+        columns.vendor_id,
+        columns.product_code,
+        columns.revision_no,
+        columns.type,
+        columns.recovered,
+        columns.element_count,
+        columns.file_version,
+        columns.content_hash,
+    )
+    groups: dict[Any, list[Any]] = defaultdict(list)
+    products = {group[1] for group in wanted}
+    conditions = [columns.product_code.in_(part) for part in chunks(sorted(p for p in products if p is not None))]
+    if None in products:
+        conditions.append(columns.product_code.is_(None))
+    for condition in conditions:
+        for row in connection.execute(query.where(condition)):
+            group = variant_group(row.vendor_id, row.product_code, row.revision_no, row.type)
+            if group in wanted:
+                groups[group].append(row)
+    changes = []
+    for rows in groups.values():
+        rows.sort(key=lambda r: (bool(r.recovered), -r.element_count, -(r.file_version or 0), r.content_hash))
+        changes.extend((row.id, number) for number, row in enumerate(rows, 1) if row.variant != number)
+    if not changes:
+        return
+    update = sa.update(devices).where(devices.c.id == sa.bindparam("number")).values(variant=sa.bindparam("to"))
+    connection.execute(update, [{"number": number, "to": -number} for number, _ in changes])
+    connection.execute(update, [{"number": number, "to": variant} for number, variant in changes])
+
+
+def collect_garbage(connection: sa.Connection, affected: Affected) -> bool:
+    """Delete what no document carries any more; tells whether anything went."""
+    orphans = sa.select(devices.c.id).where(~sa.exists().where(device_sources.c.device_id == devices.c.id))
+    gone = connection.execute(
+        sa.select(devices.c.id, devices.c.vendor_id, devices.c.product_code, devices.c.revision_no, devices.c.type)
+        .where(devices.c.id.in_(orphans))
+    ).all()
+    deleted = len(gone)
+    for part in chunks([row.id for row in gone]):
+        _delete_owned(connection, "device_id", part)
+        connection.execute(sa.delete(devices).where(devices.c.id.in_(part)))
+    for row in gone:
+        affected.devices.discard(row.id)
+        affected.identities.add((row.vendor_id, row.product_code, row.revision_no, row.type))
+    index_devices(connection, [row.id for row in gone])
+    modules, links = schema.modules, schema.device_modules
+    unused = sa.select(modules.c.id).where(
+        ~sa.exists().where(schema.module_sources.c.module_id == modules.c.id),
+        ~sa.exists().where(links.c.module_id == modules.c.id),
+    )
+    for part in chunks(connection.execute(unused).scalars().all()):
+        _delete_owned(connection, "module_id", part)
+        connection.execute(sa.delete(modules).where(modules.c.id.in_(part)))
+        deleted += len(part)
+    return _delete_unreferenced(connection) or deleted > 0
+
+
+def _delete_owned(connection: sa.Connection, owner: str, numbers: list[int]) -> None:
+    """Delete the rows of devices or modules, those of their rows first."""
+    for parent, child in (("pdos", "pdo_entries"), ("pdos", "pdo_exclusions"), ("slots", "slot_modules"),
+                          ("slots", "slot_module_classes")):
+        parents, children = schema.metadata.tables[parent], schema.metadata.tables[child]
+        held = sa.select(parents.c.id).where(parents.c[owner].in_(numbers))
+        connection.execute(sa.delete(children).where(children.c[f"{parent[:-1]}_id"].in_(held)))
+    for table in reversed(schema.metadata.sorted_tables):
+        if owner in table.c and table.name not in ("device_modules",) or (
+            owner == "device_id" and table.name == "device_modules"
+        ):
+            connection.execute(sa.delete(table).where(table.c[owner].in_(numbers)))
+
+
+_UNREFERENCED: tuple[tuple[str, str, tuple[tuple[str, str], ...], tuple[tuple[str, str], ...]], ...] = (
+    # table, key, columns that keep a row alive, tables that go with it
+    (
+        "dictionaries",
+        "id",
+        (("profiles", "dictionary_id"), ("sources", "dictionary_id")),
+        (("dictionary_objects", "dictionary_id"), ("dictionary_data_types", "dictionary_id")),
+    ),
+    ("objects", "id", (("dictionary_objects", "object_id"),), (("object_entries", "object_id"),)),
+    (
+        "data_types",
+        "id",
+        (("dictionary_data_types", "data_type_id"),),
+        (("sub_items", "data_type_id"), ("enum_values", "data_type_id")),
+    ),
+    ("groups", "id", (("source_groups", "group_id"),), ()),
+    (
+        "vendors",
+        "vendor_id",
+        (("source_vendors", "vendor_id"), ("devices", "vendor_id"), ("modules", "vendor_id")),
+        (("vendor_names", "vendor_id"),),
+    ),
+    (
+        "images",
+        "sha256",
+        tuple(
+            (table.name, "image_sha256") for table in schema.metadata.sorted_tables if "image_sha256" in table.c
+        ),
+        (),
+    ),
+)
+
+
+def _delete_unreferenced(connection: sa.Connection) -> bool:
+    deleted = False
+    for name, key, keepers, parts in _UNREFERENCED:
+        table = schema.metadata.tables[name]
+        conditions = [
+            ~sa.exists().where(schema.metadata.tables[keeper].c[column] == table.c[key]) for keeper, column in keepers
+        ]
+        unused = connection.execute(sa.select(table.c[key]).where(*conditions)).scalars().all()
+        for part in chunks(unused):
+            for child, column in parts:
+                held = schema.metadata.tables[child]
+                connection.execute(sa.delete(held).where(held.c[column].in_(part)))
+            connection.execute(sa.delete(table).where(table.c[key].in_(part)))
+        deleted = deleted or bool(unused)
+    return deleted
+
+
+def content_hash(connection: sa.Connection) -> str:
+    """SHA-256 over the sorted (identity, variant, content hash, source sha256, member) of all descriptions."""
+    columns = devices.c
+    rows = connection.execute(
+        sa.select(
+            columns.vendor_id,
+            columns.product_code,
+            columns.revision_no,
+            columns.type,
+            columns.variant,
+            columns.content_hash,
+            sources.c.sha256,
+            sources.c.member,
+        )
+        .join(device_sources, device_sources.c.device_id == columns.id)
+        .join(sources, sources.c.id == device_sources.c.source_id)
+    )
+    hashed = hashlib.sha256()
+    for line in sorted({"\t".join("" if value is None else str(value) for value in row) for row in rows}):
+        hashed.update(line.encode() + b"\n")
+    return hashed.hexdigest()
+
+
+def write_state(connection: sa.Connection, key: str, value: str | None) -> None:
+    """Set or delete (None) an entry of catalog_state."""
+    state = schema.catalog_state
+    connection.execute(sa.delete(state).where(state.c.key == key))
+    if value is not None:
+        connection.execute(sa.insert(state).values(key=key, value=value))
+
+
+def read_state(connection: sa.Connection, key: str) -> str | None:
+    """An entry of catalog_state."""
+    state = schema.catalog_state
+    return connection.execute(sa.select(state.c.value).where(state.c.key == key)).scalar()

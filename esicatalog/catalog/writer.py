@@ -1,0 +1,356 @@
+"""Writing documents into the catalog: one writer, whole documents, each distinct content once.
+
+Everything between two calls of :meth:`Writer.commit` is one transaction; what is committed is always consistent.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import sqlalchemy as sa
+
+from esicatalog.catalog import schema
+from esicatalog.catalog.bulk import RowBuffer, chunks
+from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, to_json
+from esicatalog.catalog.rows import (
+    DeviceRows,
+    DictionaryRows,
+    DocumentRows,
+    ModuleRows,
+    ObjectRows,
+    OwnerRows,
+    Section,
+    TypeRows,
+)
+from esicatalog.catalog.settle import Affected, collect_garbage, settle
+from esicatalog.esi.content import digest
+
+_PARENTS = {
+    child.table: parent
+    for parent, record in TABLE_RECORDS.items()
+    for child in CHILDREN.get(record, ())
+    if child.under_parent
+}
+"""Parent table of the tables whose rows hang on another row."""
+
+
+class SourceRow:
+    """Where a document came from and what became of it."""
+
+    def __init__(
+        self,
+        location: str,
+        member: str,
+        status: str,
+        message: str | None = None,
+        sha256: str | None = None,
+        byte_count: int | None = None,
+        archive_id: int | None = None,
+    ) -> None:
+        self.location = location
+        self.member = member
+        self.status = status
+        self.message = message
+        self.sha256 = sha256
+        self.byte_count = byte_count
+        self.archive_id = archive_id
+
+
+class Writer:
+    """Stores documents on one connection; ``reader_version`` marks what was read by which version."""
+
+    def __init__(self, connection: sa.Connection, reader_version: str) -> None:
+        self._connection = connection
+        self._reader_version = reader_version
+        self._buffer = RowBuffer(connection)
+        self._keys = {
+            table: _KeyMap(connection, schema.metadata.tables[table])
+            for table in ("data_types", "objects", "dictionaries", "modules", "devices", "groups")
+        }
+        self._vendors = {row[0] for row in connection.execute(sa.select(schema.vendors.c.vendor_id))}
+        self._images = {row[0] for row in connection.execute(sa.select(schema.images.c.sha256))}
+        self._affected = Affected()
+        self._dropped = False
+
+    def store(self, source: SourceRow, document: DocumentRows | None) -> None:
+        """Store a document in place of what its location held before; None for skipped and failed ones."""
+        self.forget(source.location)
+        if document is None:
+            self._add_source(source, None, None)
+            return
+        for types in document.new_types:
+            self._add_type(types)
+        for objects in document.new_objects:
+            self._add_object(objects)
+        for dictionary in document.new_dictionaries:
+            self._add_dictionary(dictionary)
+        vendor_ids = [section.vendor_id for section in document.sections]
+        for vendor_id in vendor_ids:
+            self._add_vendor(vendor_id)
+        for module in document.new_modules:
+            self._add_module(module)
+        for device in document.new_devices:
+            self._add_device(device)
+        source_id = self._add_source(source, document, document.dictionary)
+        for position, section in enumerate(document.sections):
+            self._add_section(source_id, position, section)
+        for placed in document.devices:
+            device_id = self._keys["devices"].require(placed.key.hex())
+            row = (device_id, source_id, placed.section, placed.position, placed.line, placed.group_type)
+            self._buffer.add_numbered("device_sources", [row])
+            self._affected.devices.add(device_id)
+        for placed in document.modules:
+            module_id = self._keys["modules"].require(placed.key.hex())
+            row = (module_id, source_id, placed.section, placed.position, placed.line)
+            self._buffer.add_numbered("module_sources", [row])
+        self._add_notes(source_id, document)
+
+    def forget(self, location: str) -> None:
+        """Drop what a location brought; descriptions that nobody else carries go with the next commit."""
+        sources = schema.sources.c
+        found = self._connection.execute(sa.select(sources.id).where(sources.location == location)).scalar()
+        if found is None:
+            return
+        self._buffer.flush()
+        carried = sa.select(schema.device_sources.c.device_id).where(schema.device_sources.c.source_id == found)
+        self._affected.devices.update(self._connection.execute(carried).scalars())
+        named = sa.select(schema.source_vendors.c.vendor_id).where(schema.source_vendors.c.source_id == found)
+        self._affected.vendors.update(v for v in self._connection.execute(named).scalars() if v is not None)
+        for table in (
+            schema.device_sources,
+            schema.module_sources,
+            schema.source_groups,
+            schema.source_vendors,
+            schema.source_references,
+            schema.findings,
+            schema.unmapped,
+        ):
+            self._connection.execute(sa.delete(table).where(table.c.source_id == found))
+        self._connection.execute(sa.delete(schema.sources).where(sources.id == found))
+        self._dropped = True
+
+    def archive(self, location: str) -> int:
+        """Row number of an archive that is being read; its sha256 follows with :meth:`archive_done`."""
+        archives = schema.archives
+        found = self._connection.execute(sa.select(archives.c.id).where(archives.c.location == location)).scalar()
+        if found is not None:
+            self._connection.execute(sa.update(archives).where(archives.c.id == found).values(sha256=""))
+            return int(found)
+        row = (location, "", self._reader_version)
+        number = self._buffer.add_numbered("archives", [row])
+        self._buffer.flush()
+        return number
+
+    def archive_done(self, archive_id: int, sha256: str) -> None:
+        """Every member of the archive is stored: from now on it can be skipped by its sha256."""
+        archives = schema.archives
+        self._connection.execute(
+            sa.update(archives)
+            .where(archives.c.id == archive_id)
+            .values(sha256=sha256, reader_version=self._reader_version)
+        )
+
+    def commit(self) -> None:
+        """Write what is queued, put variants and vendors in order, commit."""
+        self._buffer.flush()
+        if self._dropped:
+            if collect_garbage(self._connection, self._affected):
+                for keys in self._keys.values():
+                    keys.forget()
+                self._vendors = set(self._connection.execute(sa.select(schema.vendors.c.vendor_id)).scalars())
+                self._images = set(self._connection.execute(sa.select(schema.images.c.sha256)).scalars())
+            self._dropped = False
+        settle(self._connection, self._affected)
+        self._affected = Affected()
+        self._connection.commit()
+
+    def _add_vendor(self, vendor_id: int | None) -> None:
+        if vendor_id is None:
+            return
+        self._affected.vendors.add(vendor_id)
+        if vendor_id not in self._vendors:
+            self._vendors.add(vendor_id)
+            self._buffer.add("vendors", [(vendor_id, None, None)])
+
+    def _add_images(self, images: list[Any]) -> None:
+        for sha256, data, malformed in images:
+            if sha256 not in self._images:
+                self._images.add(sha256)
+                self._buffer.add("images", [(sha256, data, malformed)])
+
+    def _add_source(self, source: SourceRow, document: DocumentRows | None, dictionary: bytes | None) -> int:
+        number = self._buffer.take_ids("sources")
+        row = (
+            number,
+            source.location,
+            source.member,
+            source.archive_id,
+            source.status,
+            source.message,
+            source.sha256,
+            source.byte_count,
+            self._reader_version,
+            document.root if document else None,
+            document.encoding if document else None,
+            len(document.devices) if document else 0,
+            len(document.modules) if document else 0,
+            self._keys["dictionaries"].require(dictionary) if dictionary is not None else None,
+            document.diag_messages if document else None,
+        )
+        self._buffer.add("sources", [row])
+        return number
+
+    def _add_section(self, source_id: int, position: int, section: Section) -> None:
+        self._add_images(section.images)
+        vendor = section.vendor or [section.vendor_id] + [None] * (len(schema.source_vendors.columns) - 8)
+        row = (
+            position,
+            section.schema_version,
+            to_json(section.info_references) if section.info_references else None,
+            section.shared_pdos,
+            section.vendor is not None,
+            *vendor,
+        )
+        self._buffer.add_numbered("source_vendors", [row], source_id)
+        groups = self._keys["groups"]
+        for number, group in enumerate(section.groups):
+            key = digest(to_json([section.vendor_id, *group]).encode()).hex()
+            known = groups.get(key)
+            if known is None:
+                known = self._buffer.add_numbered("groups", [(section.vendor_id, key, *group)])
+                groups.put(key, known)
+            self._buffer.add_numbered("source_groups", [(source_id, known, position, number)])
+
+    def _add_notes(self, source_id: int, document: DocumentRows) -> None:
+        references = [(position, *reference) for position, reference in enumerate(document.references)]
+        self._buffer.add_numbered("source_references", references, source_id)
+        self._buffer.add_numbered("findings", document.findings, source_id)
+        unmapped = [(position, *item) for position, item in enumerate(document.unmapped)]
+        self._buffer.add_numbered("unmapped", unmapped, None, None, source_id)
+
+    def _add_type(self, types: TypeRows) -> None:
+        keys = self._keys["data_types"]
+        if keys.get(types.key) is not None:
+            return
+        number = self._buffer.add_numbered("data_types", [(types.key, *types.row)])
+        keys.put(types.key, number)
+        self._buffer.add_numbered("sub_items", list(map(_numbered, enumerate(types.sub_items))), number)
+        self._buffer.add_numbered("enum_values", list(map(_numbered, enumerate(types.enum_values))), number)
+
+    def _add_object(self, rows: ObjectRows) -> None:
+        keys = self._keys["objects"]
+        if keys.get(rows.key) is not None:
+            return
+        number = self._buffer.add_numbered("objects", [(rows.key, *rows.row, rows.object_code)])
+        keys.put(rows.key, number)
+        self._buffer.add_numbered("object_entries", list(map(_numbered, enumerate(rows.entries))), number)
+
+    def _add_dictionary(self, rows: DictionaryRows) -> None:
+        keys = self._keys["dictionaries"]
+        if keys.get(rows.key) is not None:
+            return
+        number = self._buffer.add_numbered("dictionaries", [(rows.key, *rows.row, len(rows.objects))])
+        keys.put(rows.key, number)
+        for table, source, parts in (
+            ("dictionary_data_types", "data_types", rows.data_types),
+            ("dictionary_objects", "objects", rows.objects),
+        ):
+            self._keys[source].load(parts)
+            numbers = self._keys[source]
+            self._buffer.add(table, [(number, at, numbers.require(key)) for at, key in enumerate(parts)])
+
+    def _add_module(self, rows: ModuleRows) -> None:
+        keys = self._keys["modules"]
+        if keys.get(rows.key.hex()) is not None:
+            return
+        self._add_vendor(rows.vendor_id)
+        row = (rows.vendor_id, rows.key.hex(), *rows.row, rows.element_count)
+        number = self._buffer.add_numbered("modules", [row])
+        keys.put(rows.key.hex(), number)
+        self._add_owned(rows, None, number)
+
+    def _add_device(self, rows: DeviceRows) -> None:
+        keys = self._keys["devices"]
+        if keys.get(rows.key.hex()) is not None:
+            return
+        number = self._buffer.take_ids("devices")
+        keys.put(rows.key.hex(), number)
+        self._keys["modules"].load([module.hex() for module in rows.modules])
+        modules = [self._keys["modules"].require(module.hex()) for module in rows.modules]
+        not_settled = (False, None, None)
+        row = (number, rows.vendor_id, -number, rows.key.hex(), *rows.row, rows.default_op_mode, rows.element_count)
+        self._buffer.add("devices", [(*row, *not_settled)])
+        self._add_owned(rows, number, None)
+        self._buffer.add("device_modules", [(number, at, module) for at, module in enumerate(modules)])
+
+    def _add_owned(self, rows: OwnerRows, device_id: int | None, module_id: int | None) -> None:
+        first: dict[str, int] = {}
+        for table, table_rows in rows.tables.items():
+            parent = _PARENTS.get(table)
+            if parent is not None:
+                base = first[parent]
+                table_rows = [(base + row[0], *row[1:]) for row in table_rows]
+                self._buffer.add_numbered(table, table_rows)
+            elif table == "profiles":
+                self._add_profiles(rows, device_id, module_id)
+            else:
+                first[table] = self._buffer.add_numbered(table, table_rows, device_id, module_id)
+        self._add_images(rows.images)
+        self._buffer.add_numbered("device_names", rows.texts, device_id, module_id)
+        self._buffer.add_numbered("vendor_extensions", rows.extensions, device_id, module_id)
+        unmapped = [(position, *item) for position, item in enumerate(rows.unmapped)]
+        self._buffer.add_numbered("unmapped", [(None, *row) for row in unmapped], device_id, module_id)
+
+    def _add_profiles(self, rows: OwnerRows, device_id: int | None, module_id: int | None) -> None:
+        dictionaries = self._keys["dictionaries"]
+        with_dictionary = [
+            (row[0], dictionaries.require(key) if key is not None else None, *row[1:])
+            for row, key in zip(rows.tables["profiles"], rows.profile_dictionaries, strict=True)
+        ]
+        self._buffer.add_numbered("profiles", with_dictionary, device_id, module_id)
+
+
+def _numbered(item: tuple[int, Any]) -> tuple[Any, ...]:
+    position, row = item
+    return (position, *row)
+
+
+class _KeyMap:
+    """Row numbers by content digest: those met in this run, and on demand those of the database."""
+
+    def __init__(self, connection: sa.Connection, table: sa.Table) -> None:
+        self._connection = connection
+        self._table = table
+        self._known: dict[bytes | str, int] = {}
+        self._empty = connection.execute(sa.select(table.c.id).limit(1)).first() is None
+
+    def get(self, key: bytes | str) -> int | None:
+        """Row number of a digest, None when it is not stored."""
+        if key not in self._known:
+            self.load([key])
+        return self._known.get(key)
+
+    def require(self, key: bytes | str) -> int:
+        """Row number of a digest that must be there: its rows came earlier."""
+        number = self.get(key)
+        if number is None:
+            raise LookupError(f"content {key!r} of {self._table.name} was referred to before it was handed over")
+        return number
+
+    def load(self, keys: Sequence[bytes | str]) -> None:
+        """Look up many digests at once."""
+        if self._empty:
+            return
+        missing = [key for key in keys if key not in self._known]
+        table = self._table.c
+        for part in chunks(missing):
+            query = sa.select(table.content_hash, table.id).where(table.content_hash.in_(part))
+            self._known.update((key, number) for key, number in self._connection.execute(query))
+
+    def put(self, key: bytes | str, number: int) -> None:
+        """Remember the row number of a digest just queued."""
+        self._known[key] = number
+
+    def forget(self) -> None:
+        """After rows were deleted: nothing is known any more."""
+        self._known.clear()
+        self._empty = False

@@ -1,0 +1,1 @@
+"""What ESI implies and does not say: pure functions over records."""

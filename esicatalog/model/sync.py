@@ -1,0 +1,63 @@
+"""SYNC signals and clocks of an OpMode, from AssignActivate (ESI-FACTS sections 11 and 17).
+
+AssignActivate is written to the registers 0x0980 (low byte) and 0x0981 (high byte) of the slave controller.
+SYNC1 needs bit 0x0400 and the unit's bit 0x0100; a CycleTimeSync1 alone says nothing.
+"""
+
+from typing import Annotated
+
+from lxml import etree
+
+from esicatalog.esi.binding import Doc, Record
+from esicatalog.esi.records.dc import OpMode
+
+SYNC_UNIT_ACTIVE = 0x0100
+SYNC0_PULSE = 0x0200
+SYNC1_PULSE = 0x0400
+SYNC_UNIT_PDI = 0x0001
+LATCH0_PDI = 0x0010
+LATCH1_PDI = 0x0020
+
+
+class SyncSignals(Record):
+    """What AssignActivate of an OpMode means."""
+
+    dc_active: Annotated[bool | None, Doc("Sync unit is active (0x0100); 0 = free run or SM synchronous")] = None
+    sync0: Annotated[bool | None, Doc("SYNC0 is generated: 0x0100 and 0x0200")] = None
+    sync1: Annotated[bool | None, Doc("SYNC1 is generated: 0x0100 and 0x0400")] = None
+    time_only: Annotated[bool | None, Doc("Sync unit active without pulses: DC time or latch use")] = None
+    sync_unit_pdi: Annotated[bool | None, Doc("Sync unit is controlled by the slave (0x0001)")] = None
+    latch0_pdi: Annotated[bool | None, Doc("Latch 0 is controlled by the slave (0x0010)")] = None
+    latch1_pdi: Annotated[bool | None, Doc("Latch 1 is controlled by the slave (0x0020)")] = None
+
+
+def sync_signals(assign_activate: int | None) -> SyncSignals:
+    """Decode AssignActivate; everything is None when the OpMode does not give it."""
+    if assign_activate is None:
+        return SyncSignals()
+    active = bool(assign_activate & SYNC_UNIT_ACTIVE)
+    return SyncSignals(
+        dc_active=active,
+        sync0=active and bool(assign_activate & SYNC0_PULSE),
+        sync1=active and bool(assign_activate & SYNC1_PULSE),
+        time_only=active and not assign_activate & (SYNC0_PULSE | SYNC1_PULSE),
+        sync_unit_pdi=bool(assign_activate & SYNC_UNIT_PDI),
+        latch0_pdi=bool(assign_activate & LATCH0_PDI),
+        latch1_pdi=bool(assign_activate & LATCH1_PDI),
+    )
+
+
+def is_superseded(op_mode: OpMode) -> bool:
+    """Whether newer tools ignore the OpMode: VendorSpecific/TwinCAT/@IgnoreFromBuildNo."""
+    text = op_mode.vendor_specific
+    if text is None or "IgnoreFromBuildNo" not in text:
+        return False
+    return any(element.get("IgnoreFromBuildNo") for element in etree.fromstring(text).iter())
+
+
+def default_op_mode(op_modes: tuple[OpMode, ...]) -> int | None:
+    """Position of the default OpMode: the first one that is not superseded, else the first."""
+    for position, op_mode in enumerate(op_modes):
+        if not is_superseded(op_mode):
+            return position
+    return 0 if op_modes else None
