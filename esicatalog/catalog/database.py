@@ -7,7 +7,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from esicatalog.catalog import schema, views
+from esicatalog.catalog import views
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 
@@ -126,7 +126,3 @@ def upgrade(engine: sa.Engine) -> None:
         command.upgrade(config, "head")
         views.create_views(connection)
 
-
-def secondary_indexes() -> list[sa.Index]:
-    """Indexes that a load into an empty catalog can do without."""
-    return [index for table in schema.metadata.sorted_tables for index in table.indexes]

@@ -22,7 +22,7 @@ from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
 from esicatalog.model.modules import reachable_modules
 from esicatalog.model.sync import default_op_mode
 
-Row = list[Any] | tuple[Any, ...]
+Row = tuple[Any, ...]
 
 
 class TypeRows(msgspec.Struct):

@@ -10,7 +10,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import RowBuffer, chunks
-from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, to_json
+from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, codec, to_json
 from esicatalog.catalog.rows import (
     DeviceRows,
     DictionaryRows,
@@ -23,6 +23,9 @@ from esicatalog.catalog.rows import (
 )
 from esicatalog.catalog.settle import Affected, collect_garbage, settle
 from esicatalog.esi.content import digest
+from esicatalog.esi.records.document import Vendor
+
+_NO_VENDOR = (None,) * len(codec(Vendor).columns)
 
 _PARENTS = {
     child.table: parent
@@ -201,7 +204,7 @@ class Writer:
 
     def _add_section(self, source_id: int, position: int, section: Section) -> None:
         self._add_images(section.images)
-        vendor = section.vendor or [section.vendor_id] + [None] * (len(schema.source_vendors.columns) - 8)
+        vendor = section.vendor or _NO_VENDOR
         row = (
             position,
             section.schema_version,

@@ -12,8 +12,9 @@ from pathlib import Path, PurePosixPath
 from typing import Protocol
 
 from esicatalog.errors import BrokenDocument, InputError
-from esicatalog.esi.documents import MAX_DOCUMENT_BYTES
 
+MAX_DOCUMENT_BYTES = 256 * 1024 * 1024
+"""Largest document that is read; real ESI files end at about 4 MB."""
 MAX_MEMBERS = 100_000
 MAX_EXPANDED_BYTES = 8 * 1024**3
 MAX_NESTING = 3

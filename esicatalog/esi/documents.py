@@ -11,9 +11,7 @@ from typing import NamedTuple
 from lxml import etree
 
 from esicatalog.errors import BrokenDocument, NotAnEsiDocument
-
-MAX_DOCUMENT_BYTES = 256 * 1024 * 1024
-"""Largest document that is read; real ESI files end at about 4 MB."""
+from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
 
 ESI_ROOTS = ("EtherCATInfo", "EtherCATInfoList", "EtherCATModule", "EtherCATDict", "EtherCATDiag")
 _OTHER_ROOTS = {"EtherCATConfig": "an ENI file (EtherCATConfig: master configuration), not ESI"}

@@ -1,0 +1,54 @@
+"""Loading many documents: indexes are built after a load into an empty catalog; a killed load is repaired.
+
+While a load is under way SQLite keeps a write-ahead log; a finished one leaves a single file that can be copied.
+"""
+
+import sqlalchemy as sa
+
+from esicatalog.catalog import schema
+from esicatalog.catalog.settle import CONTENT_HASH, content_hash, read_state, write_state
+
+_INDEXES_PENDING = "indexes_pending"
+
+
+def prepare_load(connection: sa.Connection) -> None:
+    """Get ready to write: repair what a killed load left, drop indexes when the catalog is empty."""
+    if connection.dialect.name == "sqlite":
+        connection.exec_driver_sql("PRAGMA journal_mode = WAL")
+        connection.exec_driver_sql("PRAGMA synchronous = NORMAL")
+        connection.commit()
+    if read_state(connection, _INDEXES_PENDING):
+        _create_indexes(connection)
+    if connection.execute(sa.select(schema.sources.c.id).limit(1)).first() is None:
+        write_state(connection, _INDEXES_PENDING, "1")
+        for index in _secondary_indexes():
+            connection.execute(sa.schema.DropIndex(index, if_exists=True))
+    connection.commit()
+
+
+def finish_load(connection: sa.Connection, changed: bool) -> None:
+    """Build what is missing, store the content hash, leave one file."""
+    if read_state(connection, _INDEXES_PENDING):
+        _create_indexes(connection)
+    if changed or read_state(connection, CONTENT_HASH) is None:
+        write_state(connection, CONTENT_HASH, content_hash(connection))
+        connection.commit()
+        if connection.dialect.name == "sqlite":
+            connection.exec_driver_sql("PRAGMA optimize")
+    connection.commit()
+    if connection.dialect.name == "sqlite":
+        connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
+        connection.exec_driver_sql("PRAGMA journal_mode = DELETE")
+        connection.commit()
+
+
+def _secondary_indexes() -> list[sa.Index]:
+    """Indexes that storing documents can do without."""
+    return [index for table in schema.metadata.sorted_tables for index in table.indexes]
+
+
+def _create_indexes(connection: sa.Connection) -> None:
+    for index in _secondary_indexes():
+        connection.execute(sa.schema.CreateIndex(index, if_not_exists=True))
+    write_state(connection, _INDEXES_PENDING, None)
+    connection.commit()

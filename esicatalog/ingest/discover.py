@@ -1,0 +1,117 @@
+"""Finding documents: folders (recursive), single files, zip archives (nested ones too)."""
+
+import os
+import stat
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from esicatalog.errors import EsiCatalogError, InputError
+from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive
+
+
+class Found(NamedTuple):
+    """A document that may be read, or (with ``problem``) an input that cannot be."""
+
+    location: str
+    """Absolute path; archive!member inside archives."""
+    member: str
+    """Path relative to the folder that was given; what reports show."""
+    root: str
+    is_archive: bool
+    nested: tuple[str, ...]
+    name: str
+    size_bytes: int
+    problem: tuple[str, str] | None = None
+    """(status, words): ``skipped`` or ``failed``."""
+
+
+class FoundArchive(NamedTuple):
+    """A zip archive; its members are listed only when it is opened."""
+
+    location: str
+    member: str
+
+
+def discover(paths: Iterable[str | os.PathLike[str]]) -> Iterator[Found | FoundArchive]:
+    """Everything below the paths, each location once, sorted by name; archives are not opened.
+
+    Raises :class:`InputError` for a path that does not exist.
+    """
+    seen: set[str] = set()
+    for given in paths:
+        path = Path(given)
+        try:
+            real = path.resolve(strict=True)
+        except (OSError, RuntimeError) as error:
+            raise InputError(f"{path}: no such file or folder") from error
+        found = _folder(real) if real.is_dir() else [_file(real, real.parent, archive_by_content=True)]
+        for item in found:
+            if item.location not in seen:
+                seen.add(item.location)
+                yield item
+
+
+def _folder(root: Path) -> Iterator[Found | FoundArchive]:
+    problems: list[Found] = []
+
+    def unreadable(error: OSError) -> None:
+        path = Path(error.filename)
+        problems.append(_problem(path, root, "failed", f"folder cannot be read: {error.strerror}"))
+
+    for folder, subfolders, names in os.walk(root, onerror=unreadable):
+        subfolders.sort()
+        for name in sorted(names):
+            yield _file(Path(folder, name), root)
+    yield from problems
+
+
+def _file(path: Path, root: Path, archive_by_content: bool = False) -> Found | FoundArchive:
+    try:
+        status = path.stat()
+        if path.is_symlink() and not path.resolve().is_relative_to(root):
+            return _problem(path, root, "skipped", "symbolic link that leads outside the folder")
+        if not stat.S_ISREG(status.st_mode):
+            return _problem(path, root, "skipped", "not a regular file")
+        if archive_by_content or path.suffix.lower() == ".zip":
+            with path.open("rb") as stream:
+                if is_archive(stream.read(4)):
+                    return FoundArchive(str(path), path.relative_to(root).as_posix())
+    except OSError as error:
+        return _problem(path, root, "failed", f"cannot be read: {error.strerror}")
+    member = path.relative_to(root).as_posix()
+    return Found(str(path), member, str(root), False, (), member, status.st_size)
+
+
+def _problem(path: Path, root: Path, status: str, words: str) -> Found:
+    return Found(str(path), path.relative_to(root).as_posix(), str(root), False, (), path.name, 0, (status, words))
+
+
+def archive_members(archive: FoundArchive) -> Iterator[Found]:
+    """The documents in an archive and in the archives inside it."""
+    try:
+        opened = Archive(Path(archive.location))
+    except InputError as error:
+        yield Found(archive.location, archive.member, archive.location, True, (), "", 0, ("failed", str(error)))
+        return
+    yield from _members(archive, opened, ())
+
+
+def _members(archive: FoundArchive, opened: Archive, nested: tuple[str, ...]) -> Iterator[Found]:
+    for name, size in opened.members():
+        inside = NESTED.join((*nested, name))
+        found = Found(
+            f"{archive.location}{NESTED}{inside}", f"{archive.member}{NESTED}{inside}", archive.location, True, nested,
+            name, size,
+        )
+        if not name.lower().endswith(".zip"):
+            yield found
+            continue
+        try:
+            if len(nested) + 1 >= MAX_NESTING:
+                raise InputError(f"archives nested deeper than {MAX_NESTING}")
+            inner = Archive(opened.read(name))
+        except EsiCatalogError as error:
+            yield found._replace(problem=("failed", str(error)))
+        else:
+            yield from _members(archive, inner, (*nested, name))

@@ -1,0 +1,120 @@
+"""Worker processes of our own: one task at a time each, a deadline per document, a dead worker costs one document."""
+
+import queue
+import select
+import subprocess
+import sys
+import threading
+import time
+from collections import deque
+from collections.abc import Iterator, Sequence
+
+import msgspec
+
+from esicatalog.ingest.tasks import Outcome, Task
+from esicatalog.ingest.worker import DocumentWorker, read_frame, write_frame
+
+DEADLINE_SECONDS = 120.0
+"""Longest time a document may take; the largest real one takes a few seconds."""
+_WAITING_OUTCOMES = 16
+
+
+def run_tasks(tasks: Sequence[Task], jobs: int, deadline_seconds: float = DEADLINE_SECONDS) -> Iterator[Outcome]:
+    """Outcomes of all tasks in the order in which they are ready; ``jobs`` 1 stays in this process."""
+    if jobs <= 1 or len(tasks) <= 1:
+        worker = DocumentWorker()
+        for task in tasks:
+            yield worker.handle(task)
+        return
+    yield from _Pool(tasks, min(jobs, len(tasks)), deadline_seconds).outcomes()
+
+
+class _Pool:
+    def __init__(self, tasks: Sequence[Task], jobs: int, deadline_seconds: float) -> None:
+        self._tasks = deque(tasks)
+        self._total = len(tasks)
+        self._deadline_seconds = deadline_seconds
+        self._outcomes: queue.Queue[Outcome | BaseException] = queue.Queue(_WAITING_OUTCOMES)
+        self._processes: set[subprocess.Popen[bytes]] = set()
+        self._stopped = False
+        self._threads = [threading.Thread(target=self._serve, daemon=True) for _ in range(jobs)]
+
+    def outcomes(self) -> Iterator[Outcome]:
+        for thread in self._threads:
+            thread.start()
+        try:
+            for _ in range(self._total):
+                outcome = self._outcomes.get()
+                if isinstance(outcome, BaseException):
+                    raise outcome
+                yield outcome
+        finally:
+            self._stopped = True
+            for process in list(self._processes):
+                process.kill()
+
+    def _serve(self) -> None:
+        """One thread per worker process: hand out tasks, wait for answers, replace the process when it dies."""
+        process: subprocess.Popen[bytes] | None = None
+        try:
+            while not self._stopped:
+                try:
+                    task = self._tasks.popleft()
+                except IndexError:
+                    break
+                if process is None:
+                    process = self._start()
+                outcome = self._ask(process, task)
+                if outcome.sha256 is None and process.poll() is not None:
+                    self._processes.discard(process)
+                    process = None
+                if not self._stopped:
+                    self._outcomes.put(outcome)
+        except BaseException as error:
+            self._outcomes.put(error)
+        finally:
+            if process is not None:
+                self._processes.discard(process)
+                process.kill()
+                process.wait()
+
+    def _start(self) -> subprocess.Popen[bytes]:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "esicatalog.ingest.worker"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            bufsize=0,
+        )
+        self._processes.add(process)
+        return process
+
+    def _ask(self, process: subprocess.Popen[bytes], task: Task) -> Outcome:
+        assert process.stdin is not None and process.stdout is not None
+        deadline = time.monotonic() + self._deadline_seconds
+        descriptor = process.stdout.fileno()
+
+        def read(size: int) -> bytes:
+            ready, _, _ = select.select([descriptor], [], [], max(0.0, deadline - time.monotonic()))
+            if not ready:
+                raise TimeoutError
+            assert process.stdout is not None
+            return process.stdout.read(size) or b""
+
+        try:
+            write_frame(process.stdin, msgspec.msgpack.encode(task))
+            answer = read_frame(read)
+        except TimeoutError:
+            process.kill()
+            process.wait()
+            return Outcome(task.number, "failed", f"gave up after {self._deadline_seconds:.0f} s")
+        except (BrokenPipeError, ConnectionError):
+            answer = None
+        if answer is None:
+            process.kill()
+            process.wait()
+            return Outcome(task.number, "failed", "the reading process died (out of memory or a crash)")
+        return _decode(answer)
+
+
+_decode = msgspec.msgpack.Decoder(Outcome).decode

@@ -1,0 +1,54 @@
+"""What an ingest did, document by document."""
+
+from collections import Counter
+from typing import Any, NamedTuple
+
+
+class DocumentLine(NamedTuple):
+    """One input: its path as given, what became of it, why, and what it holds."""
+
+    path: str
+    status: str
+    """stored, recovered, unchanged, skipped or failed."""
+    message: str | None
+    devices: int
+    modules: int
+
+
+class IngestReport(NamedTuple):
+    """All inputs of an ingest and how long it took."""
+
+    documents: list[DocumentLine]
+    seconds: float
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """Documents by status; ``stored`` includes the recovered ones."""
+        counted = Counter(line.status for line in self.documents)
+        return {
+            "stored": counted["stored"] + counted["recovered"],
+            "unchanged": counted["unchanged"],
+            "recovered": counted["recovered"],
+            "skipped": counted["skipped"],
+            "failed": counted["failed"],
+        }
+
+    @property
+    def devices(self) -> int:
+        """Device elements in the documents that the catalog now holds."""
+        return sum(line.devices for line in self.documents)
+
+    @property
+    def modules(self) -> int:
+        """Module elements in the documents that the catalog now holds."""
+        return sum(line.modules for line in self.documents)
+
+    def as_json(self) -> dict[str, Any]:
+        """The report in the shape of ``esicatalog ingest --format json``."""
+        return {
+            "sources": self.counts,
+            "devices": self.devices,
+            "modules": self.modules,
+            "seconds": round(self.seconds, 3),
+            "documents": [line._asdict() for line in self.documents],
+        }

@@ -1,0 +1,35 @@
+"""What is asked of a worker and what it answers."""
+
+import msgspec
+
+from esicatalog.catalog.rows import DocumentRows
+
+
+class Known(msgspec.Struct, frozen=True):
+    """What the catalog holds of a document: its sha256 and those of the documents it pulls in."""
+
+    sha256: str
+    references: tuple[tuple[str, str | None], ...] = ()
+    """(reference as the vendor wrote it, sha256 of what was found)."""
+
+
+class Task(msgspec.Struct, frozen=True):
+    """One document to read: ``member`` of the folder or archive ``root``, inside ``nested`` archives if any."""
+
+    number: int
+    root: str
+    is_archive: bool
+    nested: tuple[str, ...]
+    member: str
+    known: Known | None = None
+
+
+class Outcome(msgspec.Struct):
+    """What became of a document; ``status`` is stored, recovered, unchanged, skipped or failed."""
+
+    number: int
+    status: str
+    message: str | None = None
+    sha256: str | None = None
+    byte_count: int | None = None
+    rows: DocumentRows | None = None

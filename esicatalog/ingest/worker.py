@@ -1,0 +1,121 @@
+"""The worker process: reads documents and answers with rows. It never imports SQLAlchemy.
+
+Run as ``python -m esicatalog.ingest.worker``; requests and answers are length-prefixed msgpack on stdin and stdout.
+A document can cost it its life (memory limit) but not its siblings theirs.
+"""
+
+import contextlib
+import os
+import struct
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import BinaryIO
+
+import msgspec
+
+from esicatalog.catalog.rows import RowMaker
+from esicatalog.errors import DocumentError, EsiCatalogError, NotAnEsiDocument
+from esicatalog.esi.containers import Archive, Container, Folder
+from esicatalog.esi.content import sha256_hex
+from esicatalog.esi.reader import Reader
+from esicatalog.ingest.tasks import Outcome, Task
+from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
+
+MEMORY_LIMIT_BYTES = 3 * 1024**3
+_LENGTH = struct.Struct("<Q")
+
+
+class DocumentWorker:
+    """Turns tasks into outcomes; keeps the last container and the content it has seen."""
+
+    def __init__(self) -> None:
+        self._reader = Reader()
+        self._rows = RowMaker()
+        self._opened: tuple[tuple[str, tuple[str, ...]], Container, ReferenceHashes] | None = None
+
+    def handle(self, task: Task) -> Outcome:
+        """Read one document; whatever is wrong with it becomes the outcome's status and message."""
+        try:
+            container, hashes = self._container(task)
+            content = container.read(task.member)
+        except EsiCatalogError as error:
+            return Outcome(task.number, "failed", str(error))
+        except MemoryError:
+            return Outcome(task.number, "failed", "needs more memory than a document may take")
+        sha256 = sha256_hex(content)
+        outcome = Outcome(task.number, "stored", None, sha256, len(content))
+        if task.known is not None and is_unchanged(task.known, sha256, task.member, hashes):
+            outcome.status = "unchanged"
+            return outcome
+        try:
+            outcome.rows = self._rows.document(self._reader.read(content, task.member, container))
+            if outcome.rows.recovered is not None:
+                outcome.status, outcome.message = "recovered", outcome.rows.recovered
+        except NotAnEsiDocument as error:
+            outcome.status, outcome.message = "skipped", str(error)
+        except DocumentError as error:
+            place = f"line {error.line}: " if error.line else ""
+            outcome.status, outcome.message = "failed", f"{place}{error}"
+        except (MemoryError, RecursionError) as error:
+            outcome.status, outcome.message = "failed", f"too large or too deep to read ({type(error).__name__})"
+        return outcome
+
+    def _container(self, task: Task) -> tuple[Container, ReferenceHashes]:
+        key = (task.root, task.nested)
+        if self._opened is None or self._opened[0] != key:
+            container: Container
+            if task.is_archive:
+                archive = Archive(Path(task.root))
+                for name in task.nested:
+                    archive = Archive(archive.read(name))
+                container = archive
+            else:
+                container = Folder(Path(task.root))
+            self._opened = (key, container, ReferenceHashes(container))
+        return self._opened[1], self._opened[2]
+
+
+def read_frame(read: Callable[[int], bytes]) -> bytes | None:
+    """One length-prefixed message, or None at the end of the stream."""
+    head = _read_exactly(read, _LENGTH.size)
+    if head is None:
+        return None
+    return _read_exactly(read, _LENGTH.unpack(head)[0])
+
+
+def _read_exactly(read: Callable[[int], bytes], size: int) -> bytes | None:
+    parts = []
+    while size:
+        part = read(min(size, 1 << 20))
+        if not part:
+            return None
+        parts.append(part)
+        size -= len(part)
+    return b"".join(parts)
+
+
+def write_frame(stream: BinaryIO, message: bytes) -> None:
+    """Send one length-prefixed message."""
+    stream.write(_LENGTH.pack(len(message)))
+    stream.write(message)
+    stream.flush()
+
+
+def main() -> None:
+    """Answer tasks until stdin ends."""
+    with contextlib.suppress(ImportError, ValueError, OSError):
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT_BYTES, MEMORY_LIMIT_BYTES))
+    answers = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)
+    worker = DocumentWorker()
+    decode = msgspec.msgpack.Decoder(Task).decode
+    encode = msgspec.msgpack.Encoder().encode
+    while (request := read_frame(sys.stdin.buffer.read)) is not None:
+        write_frame(answers, encode(worker.handle(decode(request))))
+
+
+if __name__ == "__main__":
+    main()
