@@ -8,6 +8,7 @@ import sqlalchemy as sa
 from esicatalog.catalog.schema import metadata
 
 _CHUNK_ROWS = 10_000
+_MAX_QUEUED_ROWS = 50_000
 
 
 class RowBuffer:
@@ -16,7 +17,7 @@ class RowBuffer:
     def __init__(self, connection: sa.Connection) -> None:
         self._connection = connection
         self._next: dict[str, int] = {}
-        self._rows: dict[str, list[Sequence[Any]]] = {}
+        self._rows: dict[str, list[tuple[Any, ...]]] = {}
 
     def take_ids(self, table: str, count: int = 1) -> int:
         """Reserve ``count`` consecutive row numbers of a table; returns the first."""
@@ -27,15 +28,20 @@ class RowBuffer:
         self._next[table] = first + count
         return first
 
-    def add(self, table: str, rows: Iterable[Sequence[Any]]) -> None:
+    def add(self, table: str, rows: Iterable[tuple[Any, ...]]) -> None:
         """Queue complete rows (all columns in the order of the table)."""
         self._rows.setdefault(table, []).extend(rows)
 
     def add_numbered(self, table: str, rows: Sequence[Sequence[Any]], *owner: Any) -> int:
         """Queue rows that lack their number and owner columns; returns the number of the first."""
         first = self.take_ids(table, len(rows))
-        self._rows.setdefault(table, []).extend((number, *owner, *row) for number, row in enumerate(rows, first))
+        self._rows.setdefault(table, []).extend([(number, *owner, *row) for number, row in enumerate(rows, first)])
         return first
+
+    def flush_if_full(self) -> None:
+        """Write the queued rows when there are many: memory stays bounded whatever a document holds."""
+        if sum(map(len, self._rows.values())) > _MAX_QUEUED_ROWS:
+            self.flush()
 
     def flush(self) -> None:
         """Write all queued rows in an order that foreign keys allow."""
@@ -44,7 +50,7 @@ class RowBuffer:
             if rows:
                 insert = self._statement(table)
                 for start in range(0, len(rows), _CHUNK_ROWS):
-                    self._connection.exec_driver_sql(insert, [tuple(row) for row in rows[start : start + _CHUNK_ROWS]])
+                    self._connection.exec_driver_sql(insert, rows[start : start + _CHUNK_ROWS])
 
     def _statement(self, table: sa.Table) -> str:
         mark = "?" if self._connection.dialect.paramstyle == "qmark" else "%s"

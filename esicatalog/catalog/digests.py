@@ -10,6 +10,7 @@ from typing import Any
 import msgspec
 
 from esicatalog.esi.content import digest
+from esicatalog.esi.records.diagnostics import Diagnostics
 from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -40,25 +41,31 @@ class Digests:
     def __init__(self) -> None:
         self._plain = _Memo()
         self._dictionaries = _Memo()
+        self._objects: dict[tuple[int, bytes], tuple[Object, bytes]] = {}
         self._keys: dict[int, tuple[Dictionary, list[bytes]]] = {}
 
     def data_type(self, data_type: DataType) -> bytes:
         """Digest of a data type as declared."""
         return self._plain.get(data_type, _digest_record)
 
-    def object(self, declared: Object, types: Mapping[str, DataType]) -> bytes:
-        """Digest of an object together with the data types it uses: equal digests resolve to equal entries."""
-        used = b"".join(self.data_type(data_type) for data_type in used_types(declared.type, types))
-        return digest(self._plain.get(declared, _digest_record) + used)
+    def object(self, declared: Object, type_closure: bytes) -> bytes:
+        """Digest of an object with the data types it uses: equal digests resolve to equal entries."""
+        key = (id(declared), type_closure)
+        known = self._objects.get(key)
+        if known is None:
+            if len(self._objects) >= _MEMO_LIMIT:
+                self._objects.clear()
+            known = self._objects[key] = (declared, digest(_digest_record(declared) + type_closure))
+        return known[1]
 
     def objects(self, dictionary: Dictionary) -> list[bytes]:
         """Digests of the objects of a dictionary in document order."""
         known = self._keys.get(id(dictionary))
         if known is None:
-            types = type_table(dictionary.data_types)
+            closures = _Closures(self, type_table(dictionary.data_types))
             if len(self._keys) >= 2_000:
                 self._keys.clear()
-            known = (dictionary, [self.object(declared, types) for declared in dictionary.objects])
+            known = (dictionary, [self.object(declared, closures.of(declared.type)) for declared in dictionary.objects])
             self._keys[id(dictionary)] = known
         return known[1]
 
@@ -71,6 +78,10 @@ class Digests:
         types = b"".join(map(self.data_type, dictionary.data_types))
         return digest(rest + b"types" + types + b"objects" + b"".join(self.objects(dictionary)))
 
+    def diagnostics(self, diagnostics: Diagnostics) -> bytes:
+        """Digest of diagnosis texts."""
+        return self._plain.get(diagnostics, _digest_record)
+
     def module(self, module: Module, vendor_id: int | None) -> bytes:
         """Digest of a module of a vendor."""
         return digest(_encode(vendor_id) + self._owner(module))
@@ -81,12 +92,31 @@ class Digests:
         return digest(_encode(vendor_id) + own + b"".join(modules))
 
     def _owner(self, owner: Any) -> bytes:
-        profiles = tuple(msgspec.structs.replace(profile, dictionary=None) for profile in owner.profiles)
-        dictionaries = b"".join(
-            self.dictionary(profile.dictionary) if profile.dictionary is not None else b"-"
-            for profile in owner.profiles
+        profiles = tuple(
+            msgspec.structs.replace(profile, dictionary=None, diag_messages=None) for profile in owner.profiles
         )
-        return _encode(msgspec.structs.replace(owner, profiles=profiles)) + dictionaries
+        parts = [_encode(msgspec.structs.replace(owner, profiles=profiles))]
+        for profile in owner.profiles:
+            parts.append(self.dictionary(profile.dictionary) if profile.dictionary is not None else b"-")
+            parts.append(self.diagnostics(profile.diag_messages) if profile.diag_messages is not None else b"-")
+        return b"".join(parts)
+
+
+class _Closures:
+    """Digests of type names within one dictionary: the type and everything it leads to."""
+
+    def __init__(self, digests: Digests, types: Mapping[str, DataType]) -> None:
+        self._digests = digests
+        self._types = types
+        self._known: dict[str | None, bytes] = {None: b""}
+
+    def of(self, name: str | None) -> bytes:
+        """Digest of what ``name`` means here; empty for a name that is not declared."""
+        known = self._known.get(name)
+        if known is None:
+            used = b"".join(self._digests.data_type(data_type) for data_type in used_types(name, self._types))
+            known = self._known[name] = digest(used) if used else b""
+        return known
 
 
 def _digest_record(record: Any) -> bytes:

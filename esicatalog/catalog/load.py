@@ -1,6 +1,7 @@
 """Loading many documents: indexes are built after a load into an empty catalog; a killed load is repaired.
 
-While a load is under way SQLite keeps a write-ahead log; a finished one leaves a single file that can be copied.
+While documents are added SQLite keeps a write-ahead log (readers go on reading); a finished ingest leaves a single
+file that can be copied.
 """
 
 import sqlalchemy as sa
@@ -9,17 +10,21 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.settle import CONTENT_HASH, content_hash, read_state, write_state
 
 _INDEXES_PENDING = "indexes_pending"
+_CACHE_KB = 32_768
 
 
 def prepare_load(connection: sa.Connection) -> None:
     """Get ready to write: repair what a killed load left, drop indexes when the catalog is empty."""
+    is_empty = connection.execute(sa.select(schema.sources.c.id).limit(1)).first() is None
+    connection.commit()
     if connection.dialect.name == "sqlite":
-        connection.exec_driver_sql("PRAGMA journal_mode = WAL")
+        connection.exec_driver_sql(f"PRAGMA journal_mode = {'DELETE' if is_empty else 'WAL'}")
         connection.exec_driver_sql("PRAGMA synchronous = NORMAL")
+        connection.exec_driver_sql(f"PRAGMA cache_size = -{_CACHE_KB}")
         connection.commit()
     if read_state(connection, _INDEXES_PENDING):
         _create_indexes(connection)
-    if connection.execute(sa.select(schema.sources.c.id).limit(1)).first() is None:
+    if is_empty:
         write_state(connection, _INDEXES_PENDING, "1")
         for index in _secondary_indexes():
             connection.execute(sa.schema.DropIndex(index, if_exists=True))

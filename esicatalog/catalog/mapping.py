@@ -18,6 +18,7 @@ from esicatalog.esi.numbers import IMAGE, decode_hex_binary
 from esicatalog.esi.records.common import Name, display_text
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, Eeprom, Fmmu, HideType, SyncManager, SyncUnit
+from esicatalog.esi.records.diagnostics import Diagnostics, DiagMessage
 from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Flags, Object, SubItem
 from esicatalog.esi.records.document import Group, Vendor
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
@@ -88,6 +89,7 @@ CHILDREN: dict[type[Record], tuple[Child, ...]] = {
         Child("module_idents", "slot_modules", under_parent=True),
         Child("module_classes", "slot_module_classes", under_parent=True),
     ),
+    Diagnostics: (Child("diag_messages", "diag_messages", under_parent=True),),
     DataType: (
         Child("sub_items", "sub_items", under_parent=True),
         Child("enum_infos", "enum_values", under_parent=True),
@@ -95,7 +97,7 @@ CHILDREN: dict[type[Record], tuple[Child, ...]] = {
 }
 
 _ELSEWHERE: dict[type[Record], frozenset[str]] = {
-    Profile: frozenset({"dictionary"}),
+    Profile: frozenset({"dictionary", "diag_messages"}),
     Device: frozenset({"group_type"}),
     Dictionary: frozenset({"data_types", "objects"}),
 }
@@ -131,6 +133,8 @@ TABLE_RECORDS: dict[str, type[Record]] = {
     "objects": Object,
     "object_entries": ObjectEntry,
     "dictionaries": Dictionary,
+    "diagnostics": Diagnostics,
+    "diag_messages": DiagMessage,
     "devices": Device,
     "modules": Module,
     "groups": Group,
@@ -156,7 +160,8 @@ class Codec:
         child_fields = {child.field for child in CHILDREN.get(record_type, ())}
         left_out = child_fields | _ELSEWHERE.get(record_type, frozenset())
         columns: list[Column] = []
-        getters: list[Callable[[Any], Any]] = []
+        sources: list[str] = []
+        self._converters: list[tuple[int, Callable[[Any], Any]]] = []
         self._decoders: list[tuple[str, int, Callable[[Any], Any]]] = []
         self.extensions: list[Field] = []
         """Vendor-specific XML fields, kept in the table vendor_extensions."""
@@ -168,16 +173,19 @@ class Codec:
                 self.extensions.append(field)
                 continue
             start = len(columns)
-            for column, getter in _encoders(field):
+            for column, convert in _encoders(field):
+                if convert is not None:
+                    self._converters.append((len(columns), convert))
                 columns.append(column)
-                getters.append(getter)
+                sources.append(field.name)
             if field.xml.kind is IMAGE:
                 self.image_column = start
             self._decoders.append((field.name, start, _decoder(field)))
         columns.append(Column("spelling", "json", "Vendor's text of values that are not spelled canonically, JSON"))
-        getters.append(lambda record: to_json(record.spelling) if record.spelling else None)
-        self._spelling = len(getters) - 1
-        self._getters = getters
+        self._converters.append((len(sources), _json))
+        sources.append("spelling")
+        self._spelling = len(sources) - 1
+        self._get = attrgetter(*sources)
         self.stored_columns = tuple(columns)
         self.derived_columns = _derived_columns(record_type)
         self._derive = _DERIVED.get(record_type, ())
@@ -190,7 +198,10 @@ class Codec:
 
     def encode(self, record: Any) -> tuple[Any, ...]:
         """Column values of a record."""
-        values = [getter(record) for getter in self._getters]
+        values = list(self._get(record))
+        for at, convert in self._converters:
+            if values[at] is not None:
+                values[at] = convert(values[at])
         for derive in self._derive:
             values.extend(self._derived_getter(derive(record)))
         return tuple(values)
@@ -246,45 +257,33 @@ def _tuple_getter(names: list[str]) -> Callable[[Any], tuple[Any, ...]]:
     return attrgetter(*names)
 
 
-def _encoders(field: Field) -> list[tuple[Column, Callable[[Any], Any]]]:
-    get = attrgetter(field.name)
+def _json(value: Any) -> str | None:
+    return to_json(value) if value else None
+
+
+def _encoders(field: Field) -> list[tuple[Column, Callable[[Any], Any] | None]]:
+    """Columns of a field, each with what makes its value from the field's (None: taken as it is; never asked for None)."""
     doc = field.xml.doc
     if field.item is Flags:
         flags = codec(Flags)
-        spread = [
-            (column, _flag_getter(get, position)) for position, column in enumerate(flags.stored_columns[:-1])
-        ]
-        present = Column("has_flags", "bool", "1 when the element Flags is present")
         return [
-            (present, lambda record: get(record) is not None),
-            *spread,
+            (Column("has_flags", "bool", "1 when the element Flags is present"), lambda value: True),
+            *((column, attrgetter(column.name)) for column in flags.stored_columns[:-1]),
             (
                 Column("flags_spelling", "json", "Vendor's text of flags that are not spelled canonically, JSON"),
-                _flag_getter(get, len(spread)),
+                lambda value: _json(value.spelling),
             ),
         ]
     if field.name == "names" and field.item is Name:
         return [
-            (Column("name", "text", "Name to show: English, else the first"), lambda record: display_text(get(record))),
-            (Column("names", "json", f"{doc}, JSON; NULL when name says it all"), lambda record: _names_json(get(record))),
+            (Column("name", "text", "Name to show: English, else the first"), display_text),
+            (Column("names", "json", f"{doc}, JSON; NULL when name says it all"), _names_json),
         ]
     if field.xml.kind is IMAGE:
-        column = Column(field.name.replace("image_data", "image_sha256"), "text", "Image, key in images")
-        return [(column, lambda record: image_key(get(record)))]
+        return [(Column(field.name.replace("image_data", "image_sha256"), "text", "Image, key in images"), image_key)]
     if field.many or _is_record(field.item):
-        column = Column(field.name, "json", doc if "JSON" in doc else f"{doc}, as JSON")
-        return [(column, lambda record: to_json(value) if (value := get(record)) else None)]
-    return [(Column(field.name, _KINDS[field.item], doc), get)]
-
-
-def _flag_getter(get: Callable[[Any], Any], position: int) -> Callable[[Any], Any]:
-    encoders = codec(Flags)
-
-    def value(record: Any) -> Any:
-        flags = get(record)
-        return None if flags is None else encoders._getters[position](flags)
-
-    return value
+        return [(Column(field.name, "json", doc if "JSON" in doc else f"{doc}, as JSON"), _json)]
+    return [(Column(field.name, _KINDS[field.item], doc), None)]
 
 
 def _decoder(field: Field) -> Callable[[Any, int], Any]:

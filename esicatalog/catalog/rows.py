@@ -4,20 +4,23 @@ Rows are lists of column values in the order of the table's codec. A row of a ch
 its parent row within the same description. Nothing in here knows a database.
 """
 
+from collections.abc import Iterable
 from typing import Any
 
 import msgspec
 
 from esicatalog.catalog.digests import Digests
 from esicatalog.catalog.mapping import CHILDREN, codec, extension_rows, image_key, to_json
+from esicatalog.esi.binding import Record
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.reader import ReadDocument
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Object, SubItem
 from esicatalog.esi.records.document import EsiInfo, Group, Vendor
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.diagnostics import Diagnostics
+from esicatalog.esi.records.diagnostics import Diagnostics, DiagMessage
 from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.profile import Profile
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
 from esicatalog.model.modules import reachable_modules
 from esicatalog.model.sync import default_op_mode
@@ -43,6 +46,14 @@ class ObjectRows(msgspec.Struct):
     entries: list[Row]
 
 
+class DiagnosticsRows(msgspec.Struct):
+    """Diagnosis texts."""
+
+    key: bytes
+    row: Row
+    messages: list[Row]
+
+
 class DictionaryRows(msgspec.Struct):
     """A dictionary: its own row and the keys of its types and objects in document order."""
 
@@ -59,7 +70,8 @@ class OwnerRows(msgspec.Struct):
     vendor_id: int | None
     row: Row
     tables: dict[str, list[Row]]
-    profile_dictionaries: list[bytes | None]
+    profile_parts: list[tuple[bytes | None, bytes | None]]
+    """Keys of dictionary and diagnosis texts of each profile."""
     extensions: list[tuple[str, int, str, str]]
     unmapped: list[tuple[str, str]]
     images: list[tuple[str, bytes | None, str | None]]
@@ -112,13 +124,14 @@ class DocumentRows(msgspec.Struct):
     devices: list[Placement]
     modules: list[Placement]
     dictionary: bytes | None
-    diag_messages: str | None
+    diagnostics: bytes | None
     references: list[tuple[str, str, str | None, str | None]]
     findings: list[tuple[str, str, str, int, str]]
     unmapped: list[tuple[str, str]]
     new_types: list[TypeRows] = []
     new_objects: list[ObjectRows] = []
     new_dictionaries: list[DictionaryRows] = []
+    new_diagnostics: list[DiagnosticsRows] = []
     new_modules: list[ModuleRows] = []
     new_devices: list[DeviceRows] = []
 
@@ -143,18 +156,21 @@ class RowMaker:
             devices=[],
             modules=[],
             dictionary=None,
-            diag_messages=_diagnostics(document.diag_messages),
+            diagnostics=None,
             references=[(ref.kind, ref.text, ref.location, ref.sha256) for ref in document.references],
             findings=[(f.rule, f.severity, f.message, f.line, f.path) for f in read.findings],
             unmapped=[(item.path, item.value) for item in document.unmapped],
             new_types=[],
             new_objects=[],
             new_dictionaries=[],
+            new_diagnostics=[],
             new_modules=[],
             new_devices=[],
         )
         if document.dictionary is not None:
             out.dictionary = self._dictionary(document.dictionary)
+        if document.diag_messages is not None:
+            out.diagnostics = self._diagnostics(document.diag_messages)
         for section, info in enumerate(document.infos):
             self._info(section, info, document.referenced_modules[section], read)
         return out
@@ -208,13 +224,27 @@ class RowMaker:
             "vendor_id": vendor_id,
             "row": codec(type(owner)).encode(owner),
             "tables": tables,
-            "profile_dictionaries": [self._dictionary(d) if d is not None else None for d in dictionaries],
+            "profile_parts": [self._profile_parts(profile) for profile in owner.profiles],
             "extensions": extensions,
             "unmapped": [(item.path, item.value) for item in owner.unmapped],
             "images": images,
             "texts": _texts(owner),
             "element_count": objects + entries,
         }
+
+    def _profile_parts(self, profile: Profile) -> tuple[bytes | None, bytes | None]:
+        return (
+            self._dictionary(profile.dictionary) if profile.dictionary is not None else None,
+            self._diagnostics(profile.diag_messages) if profile.diag_messages is not None else None,
+        )
+
+    def _diagnostics(self, diagnostics: Diagnostics) -> bytes:
+        key = self._digests.diagnostics(diagnostics)
+        if self._new(key):
+            messages = _positioned(DiagMessage, diagnostics.diag_messages)
+            row = codec(Diagnostics).encode(diagnostics)
+            self._out.new_diagnostics.append(DiagnosticsRows(key, row, messages))
+        return key
 
     def _dictionary(self, dictionary: Dictionary) -> bytes:
         key = self._digests.dictionary(dictionary)
@@ -232,16 +262,22 @@ class RowMaker:
     def _data_type(self, data_type: DataType) -> bytes:
         key = self._digests.data_type(data_type)
         if self._new(key):
-            sub_items = [codec(SubItem).encode(item) for item in data_type.sub_items]
-            enum_values = [codec(EnumInfo).encode(item) for item in data_type.enum_infos]
+            sub_items = _positioned(SubItem, data_type.sub_items)
+            enum_values = _positioned(EnumInfo, data_type.enum_infos)
             self._out.new_types.append(TypeRows(key, codec(DataType).encode(data_type), sub_items, enum_values))
         return key
 
 
 def _object_rows(declared: Object, types: dict[str, DataType], key: bytes) -> ObjectRows:
     resolved = resolve_object(declared, types)
-    entries: list[Row] = [codec(ObjectEntry).encode(entry) for entry in resolved.entries]
+    entries = _positioned(ObjectEntry, resolved.entries)
     return ObjectRows(key, codec(Object).encode(declared), resolved.object_code, entries)
+
+
+def _positioned(record_type: type[Record], records: Iterable[Record]) -> list[Row]:
+    """Rows of a list of records, each behind its position."""
+    encode = codec(record_type).encode
+    return [(position, *encode(record)) for position, record in enumerate(records)]
 
 
 def _collect(
@@ -298,7 +334,3 @@ def _section(info: EsiInfo) -> Section:
         shared_pdos=to_json(info.shared_pdos) if info.shared_pdos else None,
         images=images,
     )
-
-
-def _diagnostics(diagnostics: Diagnostics | None) -> str | None:
-    return to_json(diagnostics) if diagnostics is not None else None

@@ -34,6 +34,11 @@ def _boolean(name: str, comment: str, **options: Any) -> sa.Column[Any]:
     return sa.Column(name, types.boolean(), comment=comment, **options)
 
 
+def parent_column(parent: str) -> str:
+    """Name of the column that refers to a parent table: ``pdo_id`` for ``pdos``."""
+    return {"diagnostics": "diagnostics_id"}.get(parent, f"{parent[:-1]}_id")
+
+
 def _key(comment: str = "Row number; not stable between catalogs") -> sa.Column[Any]:
     return _integer("id", comment, primary_key=True, autoincrement=True)
 
@@ -77,7 +82,7 @@ def _part(name: str, parent: str, comment: str, *extra: sa.Column[Any]) -> sa.Ta
         name,
         comment,
         _key(),
-        _reference(f"{parent}.id", "Row it belongs to", nullable=False, index=True),
+        _reference(f"{parent}.id", "Row it belongs to", name=parent_column(parent), nullable=False, index=True),
         _integer("position", "Position in document order, from 0", nullable=False),
         *extra,
         *_recorded(name),
@@ -117,7 +122,7 @@ sources = _table(
     _integer("device_count", "Device elements in the document", nullable=False),
     _integer("module_count", "Module elements in the document", nullable=False),
     _reference("dictionaries.id", "Dictionary of an EtherCATDict document", index=True),
-    _text("diag_messages", "Diagnosis texts of an EtherCATDiag document, as JSON"),
+    _reference("diagnostics.id", "Diagnosis texts of an EtherCATDiag document", name="diagnostics_id", index=True),
 )
 
 source_references = _table(
@@ -263,6 +268,7 @@ profiles = _owned(
     "profiles",
     "Profiles of devices and modules: profile numbers, channels, dictionary, diagnosis texts.",
     _reference("dictionaries.id", "Object dictionary", index=True),
+    _reference("diagnostics.id", "Diagnosis texts", name="diagnostics_id", index=True),
 )
 fmmus = _owned("fmmus", "FMMUs; the position is the FMMU's number.")
 sync_managers = _owned("sync_managers", "SyncManagers; the position is the SyncManager's number.")
@@ -294,6 +300,13 @@ dictionaries = _table(
     *_recorded("dictionaries"),
     _integer("object_count", "Number of objects", nullable=False),
 )
+diagnostics = _table(
+    "diagnostics",
+    "Diagnosis texts of a device or document as a whole, each distinct set once.",
+    _key(),
+    sa.Column("content_hash", types.blob(), nullable=False, unique=True, comment="Digest of the content"),
+    *_recorded("diagnostics"),
+)
 data_types = _table(
     "data_types",
     "Data types as declared, each distinct one once; a name is valid within one dictionary only.",
@@ -301,6 +314,7 @@ data_types = _table(
     sa.Column("content_hash", types.blob(), nullable=False, unique=True, comment="Digest of the content"),
     *_recorded("data_types"),
 )
+diag_messages = _part("diag_messages", "diagnostics", "Diagnosis texts by text id, as object 0x10F3 refers to them.")
 sub_items = _part("sub_items", "data_types", "Members of composite data types.")
 enum_values = _part("enum_values", "data_types", "Values of enumerations.")
 dictionary_data_types = _table(

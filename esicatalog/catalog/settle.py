@@ -201,6 +201,12 @@ _UNREFERENCED: tuple[tuple[str, str, tuple[tuple[str, str], ...], tuple[tuple[st
         (("profiles", "dictionary_id"), ("sources", "dictionary_id")),
         (("dictionary_objects", "dictionary_id"), ("dictionary_data_types", "dictionary_id")),
     ),
+    (
+        "diagnostics",
+        "id",
+        (("profiles", "diagnostics_id"), ("sources", "diagnostics_id")),
+        (("diag_messages", "diagnostics_id"),),
+    ),
     ("objects", "id", (("dictionary_objects", "object_id"),), (("object_entries", "object_id"),)),
     (
         "data_types",

@@ -13,6 +13,7 @@ from esicatalog.catalog.bulk import RowBuffer, chunks
 from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, codec, to_json
 from esicatalog.catalog.rows import (
     DeviceRows,
+    DiagnosticsRows,
     DictionaryRows,
     DocumentRows,
     ModuleRows,
@@ -67,7 +68,7 @@ class Writer:
         self._buffer = RowBuffer(connection)
         self._keys = {
             table: _KeyMap(connection, schema.metadata.tables[table])
-            for table in ("data_types", "objects", "dictionaries", "modules", "devices", "groups")
+            for table in ("data_types", "objects", "dictionaries", "diagnostics", "modules", "devices", "groups")
         }
         self._vendors = {row[0] for row in connection.execute(sa.select(schema.vendors.c.vendor_id))}
         self._images = {row[0] for row in connection.execute(sa.select(schema.images.c.sha256))}
@@ -78,7 +79,7 @@ class Writer:
         """Store a document in place of what its location held before; None for skipped and failed ones."""
         self.forget(source.location)
         if document is None:
-            self._add_source(source, None, None)
+            self._add_source(source, None)
             return
         for types in document.new_types:
             self._add_type(types)
@@ -86,6 +87,8 @@ class Writer:
             self._add_object(objects)
         for dictionary in document.new_dictionaries:
             self._add_dictionary(dictionary)
+        for diagnostics in document.new_diagnostics:
+            self._add_diagnostics(diagnostics)
         vendor_ids = [section.vendor_id for section in document.sections]
         for vendor_id in vendor_ids:
             self._add_vendor(vendor_id)
@@ -93,7 +96,7 @@ class Writer:
             self._add_module(module)
         for device in document.new_devices:
             self._add_device(device)
-        source_id = self._add_source(source, document, document.dictionary)
+        source_id = self._add_source(source, document)
         for position, section in enumerate(document.sections):
             self._add_section(source_id, position, section)
         for placed in document.devices:
@@ -106,6 +109,7 @@ class Writer:
             row = (module_id, source_id, placed.section, placed.position, placed.line)
             self._buffer.add_numbered("module_sources", [row])
         self._add_notes(source_id, document)
+        self._buffer.flush_if_full()
 
     def forget(self, location: str) -> None:
         """Drop what a location brought; descriptions that nobody else carries go with the next commit."""
@@ -180,7 +184,7 @@ class Writer:
                 self._images.add(sha256)
                 self._buffer.add("images", [(sha256, data, malformed)])
 
-    def _add_source(self, source: SourceRow, document: DocumentRows | None, dictionary: bytes | None) -> int:
+    def _add_source(self, source: SourceRow, document: DocumentRows | None) -> int:
         number = self._buffer.take_ids("sources")
         row = (
             number,
@@ -196,8 +200,8 @@ class Writer:
             document.encoding if document else None,
             len(document.devices) if document else 0,
             len(document.modules) if document else 0,
-            self._keys["dictionaries"].require(dictionary) if dictionary is not None else None,
-            document.diag_messages if document else None,
+            self._part_id("dictionaries", document.dictionary if document else None),
+            self._part_id("diagnostics", document.diagnostics if document else None),
         )
         self._buffer.add("sources", [row])
         return number
@@ -236,8 +240,8 @@ class Writer:
             return
         number = self._buffer.add_numbered("data_types", [(types.key, *types.row)])
         keys.put(types.key, number)
-        self._buffer.add_numbered("sub_items", list(map(_numbered, enumerate(types.sub_items))), number)
-        self._buffer.add_numbered("enum_values", list(map(_numbered, enumerate(types.enum_values))), number)
+        self._buffer.add_numbered("sub_items", types.sub_items, number)
+        self._buffer.add_numbered("enum_values", types.enum_values, number)
 
     def _add_object(self, rows: ObjectRows) -> None:
         keys = self._keys["objects"]
@@ -245,7 +249,7 @@ class Writer:
             return
         number = self._buffer.add_numbered("objects", [(rows.key, *rows.row, rows.object_code)])
         keys.put(rows.key, number)
-        self._buffer.add_numbered("object_entries", list(map(_numbered, enumerate(rows.entries))), number)
+        self._buffer.add_numbered("object_entries", rows.entries, number)
 
     def _add_dictionary(self, rows: DictionaryRows) -> None:
         keys = self._keys["dictionaries"]
@@ -260,6 +264,17 @@ class Writer:
             self._keys[source].load(parts)
             numbers = self._keys[source]
             self._buffer.add(table, [(number, at, numbers.require(key)) for at, key in enumerate(parts)])
+
+    def _add_diagnostics(self, rows: DiagnosticsRows) -> None:
+        keys = self._keys["diagnostics"]
+        if keys.get(rows.key) is not None:
+            return
+        number = self._buffer.add_numbered("diagnostics", [(rows.key, *rows.row)])
+        keys.put(rows.key, number)
+        self._buffer.add_numbered("diag_messages", rows.messages, number)
+
+    def _part_id(self, table: str, key: bytes | None) -> int | None:
+        return self._keys[table].require(key) if key is not None else None
 
     def _add_module(self, rows: ModuleRows) -> None:
         keys = self._keys["modules"]
@@ -304,17 +319,11 @@ class Writer:
         self._buffer.add_numbered("unmapped", [(None, *row) for row in unmapped], device_id, module_id)
 
     def _add_profiles(self, rows: OwnerRows, device_id: int | None, module_id: int | None) -> None:
-        dictionaries = self._keys["dictionaries"]
-        with_dictionary = [
-            (row[0], dictionaries.require(key) if key is not None else None, *row[1:])
-            for row, key in zip(rows.tables["profiles"], rows.profile_dictionaries, strict=True)
+        profiles = [
+            (row[0], self._part_id("dictionaries", dictionary), self._part_id("diagnostics", diagnostics), *row[1:])
+            for row, (dictionary, diagnostics) in zip(rows.tables["profiles"], rows.profile_parts, strict=True)
         ]
-        self._buffer.add_numbered("profiles", with_dictionary, device_id, module_id)
-
-
-def _numbered(item: tuple[int, Any]) -> tuple[Any, ...]:
-    position, row = item
-    return (position, *row)
+        self._buffer.add_numbered("profiles", profiles, device_id, module_id)
 
 
 class _KeyMap:

@@ -66,6 +66,8 @@ class Field(msgspec.Struct, frozen=True):
     """Record subclass, or the Python type of a scalar."""
 
 
+_MAX_LEAVES = 50_000
+
 R = TypeVar("R", bound=Record)
 
 
@@ -94,7 +96,7 @@ class _Slot(msgspec.Struct, frozen=True):
 class _Node:
     """What the reader does with one element: the compiled tree of a record's paths."""
 
-    __slots__ = ("attributes", "children", "many", "raw", "record", "text", "whole")
+    __slots__ = ("attributes", "children", "leaves", "many", "plain", "raw", "record", "text", "whole")
 
     def __init__(self) -> None:
         self.attributes: dict[str, _Slot] = {}
@@ -105,6 +107,10 @@ class _Node:
         """Field that takes the element as a whole (record, raw XML or presence)."""
         self.many = False
         self.raw = False
+        self.plain: _Slot | None = None
+        """The text slot of an element that has nothing but text: the common case, read without descending."""
+        self.leaves: dict[tuple[Any, ...], Record] = {}
+        """Records without child elements, by text and attributes: names, exclusions, sync managers repeat."""
 
 
 _compiled: dict[type[Record], _Node] = {}
@@ -129,8 +135,16 @@ def _compile(record_type: type[Record]) -> _Node:
             node.attributes[attribute] = _Slot(field.name, field.xml.kind, False)
         else:
             node.text = _Slot(field.name, field.xml.kind, field.many)
+    _mark_plain(root)
     _compiled[record_type] = root
     return root
+
+
+def _mark_plain(node: _Node) -> None:
+    for child in node.children.values():
+        if child.text is not None and child.whole is None and not child.text.many:
+            child.plain = child.text
+        _mark_plain(child)
 
 
 def canonical_xml(element: etree._Element) -> str:
@@ -176,6 +190,10 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
         if taken is None:
             notes.unmapped_element(child)
             continue
+        plain = taken.plain
+        if plain is not None and not len(child) and plain.name not in values and not child.keys():
+            _store(plain, child.text or "", values, child, notes)
+            continue
         if taken.whole is not None:
             _take_whole(taken, child, values, notes)
         if taken.whole is None or (taken.record is None and not taken.raw):
@@ -192,12 +210,27 @@ def _take_whole(node: _Node, child: etree._Element, values: dict[str, Any], note
         value = canonical_xml(child)
     elif node.record is None:
         value = True
-    else:
+    elif node.record in notes.watched:
         value = notes.read_child(node.record, child, read_record)
+    elif len(child):
+        value = read_record(node.record, child, notes)
+    else:
+        value = _read_leaf(node, node.record, child, notes)
     if node.many:
         values.setdefault(name, []).append(value)
     else:
         values[name] = value
+
+
+def _read_leaf(node: _Node, record_type: type[Record], element: etree._Element, notes: Notes) -> Record:
+    key = (element.text, *element.items())
+    record = node.leaves.get(key)
+    if record is None:
+        before = len(notes.findings)
+        record = read_record(record_type, element, notes)
+        if before == len(notes.findings) and len(node.leaves) < _MAX_LEAVES:
+            node.leaves[key] = record
+    return record
 
 
 def _store(slot: _Slot, text: str, values: dict[str, Any], element: etree._Element, notes: Notes) -> None:

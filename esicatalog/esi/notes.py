@@ -56,6 +56,8 @@ class Notes:
         self._base: etree._Element | None = None
         self._cache = cache
         self._owners = owners
+        self.watched: frozenset[Any] = owners | (cache.record_types if cache is not None else frozenset())
+        """Record types that :meth:`read_child` has to be asked for."""
 
     def remark(self, element: etree._Element, remark: Remark) -> None:
         """A scalar that breaks the format, at ``element``."""
@@ -98,25 +100,24 @@ class Notes:
         self.unmapped.append(Unmapped(path, value))
 
     def read_child(self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]) -> Any:
-        """``read(record_type, element, self)``, or the record of an equal subtree read before.
+        """``read(record_type, element, self)`` for a record type that is cacheable or an owner.
 
-        A record of an owner type takes the unmapped values found below it.
+        An equal subtree read before gives its record again; an owner takes the unmapped values found below it.
         """
-        if self._cache is None or record_type not in self._cache.record_types:
-            return read(record_type, element, self)
+        if record_type in self._owners:
+            return self._read_owner(record_type, element, read)
+        assert self._cache is not None
         subtree = etree.tostring(element, with_tail=False)
         key = (record_type, digest(subtree))
         record = self._cache.records.get(key)
         if record is None:
             before = len(self.findings)
-            record = self._read_owner(record_type, element, read)
+            record = read(record_type, element, self)
             if before == len(self.findings):
                 self._cache.add(key, len(subtree), record)
         return record
 
     def _read_owner(self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]) -> Any:
-        if record_type not in self._owners:
-            return read(record_type, element, self)
         outer_base, outer_unmapped = self._base, self.unmapped
         self._base, self.unmapped = element, []
         record = read(record_type, element, self)

@@ -31,8 +31,10 @@ from esicatalog.esi.records.profile import Profile
 OWNERS: frozenset[type] = frozenset({Device, Module})
 """Records that keep the unmapped values found below them."""
 
-_CACHED: frozenset[type] = frozenset({Device, Module, DataType, Object, Pdo})
-_MAX_REFERENCED = 2_000
+_CACHED: frozenset[type] = frozenset({DataType, Object, Pdo})
+"""Records that repeat from device to device and from revision to revision."""
+_WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
+_MAX_STANDALONE = 1_000
 
 
 class ReadDocument(msgspec.Struct, frozen=True):
@@ -47,7 +49,7 @@ class Reader:
 
     def __init__(self) -> None:
         self._cache = SubtreeCache(_CACHED)
-        self._external: dict[tuple[str, str], Any] = {}
+        self._standalone: dict[str, ReadDocument] = {}
 
     def read(self, content: bytes, member: str = "", container: Container | None = None) -> ReadDocument:
         """Read one document of any ESI kind.
@@ -55,6 +57,12 @@ class Reader:
         ``member`` is its name within ``container``, against which references are resolved; without a container
         they stay unresolved. Raises :class:`NotAnEsiDocument` and :class:`BrokenDocument`.
         """
+        known = self._standalone.get(sha256_hex(content)) if self._standalone else None
+        if known is not None and known.document.root in _WITHOUT_REFERENCES:
+            return known
+        return self._read(content, member, container)
+
+    def _read(self, content: bytes, member: str, container: Container | None) -> ReadDocument:
         parsed = parse_document(content)
         notes = Notes(self._cache, OWNERS)
         if parsed.recovered:
@@ -93,20 +101,25 @@ class Reader:
 
     def external(self, kind: str, content: bytes) -> Any:
         """Dictionary, diagnosis texts or modules of a referenced document; raises :class:`DocumentError`."""
-        key = (kind, sha256_hex(content))
-        if key not in self._external:
-            if len(self._external) >= _MAX_REFERENCED:
-                self._external.clear()
-            document = self.read(content).document
-            held = {
-                "DictionaryFile": document.dictionary,
-                "DiagFile": document.diag_messages,
-                "InfoReference": tuple(module for info in document.infos for module in info.modules) or None,
-            }[kind]
-            if held is None:
-                raise NotAnEsiDocument(f"its root {document.root} does not fit {kind}")
-            self._external[key] = held
-        return self._external[key]
+        document = self._read_standalone(content).document
+        held = {
+            "DictionaryFile": document.dictionary,
+            "DiagFile": document.diag_messages,
+            "InfoReference": tuple(module for info in document.infos for module in info.modules) or None,
+        }[kind]
+        if held is None:
+            raise NotAnEsiDocument(f"its root {document.root} does not fit {kind}")
+        return held
+
+    def _read_standalone(self, content: bytes) -> ReadDocument:
+        """Read a document that others refer to, and keep it: it is asked for again, as itself too."""
+        key = sha256_hex(content)
+        known = self._standalone.get(key)
+        if known is None:
+            if len(self._standalone) >= _MAX_STANDALONE:
+                self._standalone.clear()
+            known = self._standalone[key] = self._read(content, "", None)
+        return known
 
 
 def _sections(root: etree._Element, notes: Notes) -> tuple[list[etree._Element], list[EsiInfo]]:

@@ -31,13 +31,31 @@ def run_tasks(tasks: Sequence[Task], jobs: int, deadline_seconds: float = DEADLI
 
 class _Pool:
     def __init__(self, tasks: Sequence[Task], jobs: int, deadline_seconds: float) -> None:
-        self._tasks = deque(tasks)
+        self._tasks = {_place(task): task for task in tasks}
         self._total = len(tasks)
+        self._lock = threading.Lock()
         self._deadline_seconds = deadline_seconds
         self._outcomes: queue.Queue[Outcome | BaseException] = queue.Queue(_WAITING_OUTCOMES)
         self._processes: set[subprocess.Popen[bytes]] = set()
         self._stopped = False
         self._threads = [threading.Thread(target=self._serve, daemon=True) for _ in range(jobs)]
+
+    def _next(self, held: deque[Task]) -> Task | None:
+        with self._lock:
+            if held:
+                return held.popleft()
+            place = next(iter(self._tasks), None)
+            return self._tasks.pop(place) if place is not None else None
+
+    def _hold(self, task: Task, outcome: Outcome, held: deque[Task]) -> None:
+        """Keep the documents that this worker has just read as references: it need not parse them again."""
+        if outcome.rows is None:
+            return
+        with self._lock:
+            for _, _, location, _ in outcome.rows.references:
+                place = (task.root, task.nested, location or "")
+                if place in self._tasks:
+                    held.append(self._tasks.pop(place))
 
     def outcomes(self) -> Iterator[Outcome]:
         for thread in self._threads:
@@ -56,15 +74,16 @@ class _Pool:
     def _serve(self) -> None:
         """One thread per worker process: hand out tasks, wait for answers, replace the process when it dies."""
         process: subprocess.Popen[bytes] | None = None
+        held: deque[Task] = deque()
         try:
             while not self._stopped:
-                try:
-                    task = self._tasks.popleft()
-                except IndexError:
+                task = self._next(held)
+                if task is None:
                     break
                 if process is None:
                     process = self._start()
                 outcome = self._ask(process, task)
+                self._hold(task, outcome, held)
                 if outcome.sha256 is None and process.poll() is not None:
                     self._processes.discard(process)
                     process = None
@@ -115,6 +134,10 @@ class _Pool:
             process.wait()
             return Outcome(task.number, "failed", "the reading process died (out of memory or a crash)")
         return _decode(answer)
+
+
+def _place(task: Task) -> tuple[str, tuple[str, ...], str]:
+    return (task.root, task.nested, task.member)
 
 
 _decode = msgspec.msgpack.Decoder(Outcome).decode

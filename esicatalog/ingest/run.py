@@ -151,7 +151,7 @@ class _Run:
             writer.forget(location)
         archive_ids = {location: writer.archive(location) for location in opened}
         writer.commit()
-        todo.sort(key=lambda item: (-item.size_bytes, item.location))
+        todo.sort(key=_reading_order)
         tasks = [self._task(number, item) for number, item in enumerate(todo) if item.problem is None]
         problems = [
             Outcome(number, item.problem[0], item.problem[1]) for number, item in enumerate(todo) if item.problem
@@ -195,6 +195,12 @@ class _Run:
     def _tell(self, line: DocumentLine, done: int) -> None:
         if self._progress is not None:
             self._progress(line, done, self._total)
+
+
+def _reading_order(item: Found) -> tuple[int, int, str]:
+    """Short paths first: a document comes before those it refers to, which lie beside or below it; small ones first,
+    because a small document may pull in large ones."""
+    return (item.member.count("/"), item.size_bytes, item.location)
 
 
 def _unchanged_line(held: _Stored) -> DocumentLine:

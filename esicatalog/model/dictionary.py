@@ -45,10 +45,8 @@ class ObjectEntry(Record):
     default_int: Annotated[int | None, Doc("Default as integer")] = None
     default_real: Annotated[float | None, Doc("Default as floating point number")] = None
     default_text: Annotated[str | None, Doc("Default as text")] = None
-    min_raw: Annotated[str | None, Doc("Minimum as written")] = None
     min_int: Annotated[int | None, Doc("Minimum as integer")] = None
     min_real: Annotated[float | None, Doc("Minimum as floating point number")] = None
-    max_raw: Annotated[str | None, Doc("Maximum as written")] = None
     max_int: Annotated[int | None, Doc("Maximum as integer")] = None
     max_real: Annotated[float | None, Doc("Maximum as floating point number")] = None
     unit: Annotated[int | None, Doc("Unit, packed 32-bit notation of ETG.1004")] = None
@@ -132,10 +130,15 @@ def resolve_object(declared: Object, types: Mapping[str, DataType]) -> ResolvedO
         ]
         values = {0: declared}
         code = OBJECT_CODES["VAR"]
-    entries = tuple(
-        _entry(member, values.get(position), declared.flags, types) for position, member in enumerate(members)
-    )
-    return ResolvedObject(declared, code, entries, tuple(remarks))
+    entries = []
+    shared: dict[tuple[int, str | None], _Traits] = {}
+    for position, member in enumerate(members):
+        flags = member.flags or declared.flags
+        traits = shared.get((id(flags), member.type))
+        if traits is None:
+            traits = shared[(id(flags), member.type)] = _traits(flags, member.type, types)
+        entries.append(_entry(member, values.get(position), traits))
+    return ResolvedObject(declared, code, tuple(entries), tuple(remarks))
 
 
 def _simple_size(declared: Object, data_type: DataType | None) -> int | None:
@@ -257,71 +260,98 @@ def _pair_array_leftovers(members: list[_Member], unmatched: list[InfoSubItem], 
 _FLAG_DEFAULTS = Flags()
 
 
-def _entry(
-    member: _Member, values: DeclaredValues | None, object_flags: Flags | None, types: Mapping[str, DataType]
-) -> ObjectEntry:
-    base = resolve_base(member.type, types)
-    flags = member.flags or object_flags or _FLAG_DEFAULTS
-    default, minimum, maximum = _values(values, member.sub_item, base)
+class _Traits(NamedTuple):
+    """What members with the same flags and type share."""
+
+    base: BaseType | None
+    base_name: str | None
+    access: str
+    access_word: int
+    category: str | None
+    pdo_mapping: str | None
+    safety_mapping: str | None
+
+
+def _traits(member_flags: Flags | None, type_name: str | None, types: Mapping[str, DataType]) -> _Traits:
+    base = resolve_base(type_name, types)
+    flags = member_flags or _FLAG_DEFAULTS
     mapping = normalised_pdo_mapping(flags.pdo_mapping)
+    return _Traits(
+        base,
+        base.name if base is not None else None,
+        flags.access or "ro",
+        access_word(flags, mapping),
+        flags.category,
+        mapping,
+        flags.safety_mapping.lower() if flags.safety_mapping else None,
+    )
+
+
+def _entry(member: _Member, values: DeclaredValues | None, traits: _Traits) -> ObjectEntry:
+    default, minimum, maximum = _values(values, member.sub_item, traits.base)
     display = values.display_names if values is not None else ()
     return ObjectEntry(
         subindex=member.subindex,
         name=member.name,
         data_type=member.type,
-        base_type=base.name if base is not None else None,
+        base_type=traits.base_name,
         bit_size=member.bit_size,
         bit_offset=member.bit_offset,
-        access=flags.access or "ro",
-        access_word=access_word(flags, mapping),
-        category=flags.category,
-        pdo_mapping=mapping,
-        safety_mapping=flags.safety_mapping.lower() if flags.safety_mapping else None,
-        default_raw=default.raw if default else None,
-        default_kind=default.kind if default else None,
-        default_int=default.number if default else None,
-        default_real=default.real if default else None,
-        default_text=default.text if default else None,
-        min_raw=minimum.raw if minimum else None,
-        min_int=minimum.number if minimum else None,
-        min_real=minimum.real if minimum else None,
-        max_raw=maximum.raw if maximum else None,
-        max_int=maximum.number if maximum else None,
-        max_real=maximum.real if maximum else None,
+        access=traits.access,
+        access_word=traits.access_word,
+        category=traits.category,
+        pdo_mapping=traits.pdo_mapping,
+        safety_mapping=traits.safety_mapping,
+        default_raw=default.raw,
+        default_kind=default.kind,
+        default_int=default.number,
+        default_real=default.real,
+        default_text=default.text,
+        min_int=minimum.number,
+        min_real=minimum.real,
+        max_int=maximum.number,
+        max_real=maximum.real,
         unit=values.unit if values is not None else None,
         display_name=display_text(display or member.display_names),
     )
 
 
+_NO_VALUE = Value(None, None)
+
+
 def _values(
     values: DeclaredValues | None, sub_item: SubItem | None, base: BaseType | None
-) -> tuple[Value | None, Value | None, Value | None]:
+) -> tuple[Value, Value, Value]:
     """Default, minimum and maximum: those of Info, else the obsolete ones of the data type's sub-item."""
-    default = minimum = maximum = None
+    default = minimum = maximum = _NO_VALUE
     for source in (values, sub_item):
         if source is None:
             continue
-        spelling = source.spelling or {}
-        if default is None:
-            if source.default_data:
-                default = decode_data(source.default_data, base)
-            elif source.default_value is not None or "default_value" in spelling:
-                default = decode_value(source.default_value, _raw(source, "default_value"), base)
-            elif source.default_string is not None:
-                default = decode_string(source.default_string, base)
-        if minimum is None:
-            minimum = _bound(source, "min", base)
-        if maximum is None:
-            maximum = _bound(source, "max", base)
+        if default is _NO_VALUE:
+            default = _default(source, base)
+        if minimum is _NO_VALUE:
+            minimum = _bound(source, "min_data", "min_value", base)
+        if maximum is _NO_VALUE:
+            maximum = _bound(source, "max_data", "max_value", base)
     return default, minimum, maximum
 
 
-def _bound(source: DeclaredValues | SubItem, which: str, base: BaseType | None) -> Value | None:
-    data = getattr(source, f"{which}_data", None)
+def _default(source: DeclaredValues | SubItem, base: BaseType | None) -> Value:
+    if source.default_data:
+        return decode_data(source.default_data, base)
+    if source.default_value is not None or (source.spelling and "default_value" in source.spelling):
+        return decode_value(source.default_value, _raw(source, "default_value"), base)
+    if source.default_string is not None:
+        return decode_string(source.default_string, base)
+    return _NO_VALUE
+
+
+def _bound(source: DeclaredValues | SubItem, data_field: str, value_field: str, base: BaseType | None) -> Value:
+    data = getattr(source, data_field, None)
     if data:
         return decode_data(data, base)
-    number = getattr(source, f"{which}_value")
-    return None if number is None else decode_value(number, _raw(source, f"{which}_value"), base)
+    number = getattr(source, value_field)
+    return _NO_VALUE if number is None else decode_value(number, _raw(source, value_field), base)
 
 
 def _raw(source: Record, field: str) -> str:

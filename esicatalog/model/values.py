@@ -10,8 +10,8 @@ from esicatalog.model.base_types import BaseType
 class Value(NamedTuple):
     """A declared value: text as in the file, kind (data, value or string) and what it decodes to."""
 
-    raw: str
-    kind: str
+    raw: str | None
+    kind: str | None
     number: int | None = None
     real: float | None = None
     text: str | None = None

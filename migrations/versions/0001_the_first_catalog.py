@@ -52,6 +52,19 @@ def upgrade() -> None:
         sqlite_strict=True,
     )
     op.create_table(
+        "diagnostics",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("content_hash", BLOB, nullable=False, comment="Digest of the content"),
+        sa.Column("diag_resets", TEXT, comment="Ways to reset, as JSON"),
+        sa.Column("diag_reactions", TEXT, comment="Reactions of the device, as JSON"),
+        sa.Column("diag_types", TEXT, comment="Types of diagnosis, as JSON"),
+        sa.Column("spelling", TEXT, comment="Vendor's text of values that are not spelled canonically, JSON"),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_diagnostics")),
+        sa.UniqueConstraint("content_hash", name=op.f("uq_diagnostics_content_hash")),
+        comment="Diagnosis texts of a device or document as a whole, each distinct set once.",
+        sqlite_strict=True,
+    )
+    op.create_table(
         "dictionaries",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
         sa.Column("content_hash", BLOB, nullable=False, comment="Digest of the content"),
@@ -275,6 +288,29 @@ def upgrade() -> None:
     )
     op.create_index("ix_devices_vendor_type", "devices", ["vendor_id", "type"], unique=False)
     op.create_table(
+        "diag_messages",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("diagnostics_id", INTEGER, nullable=False, comment="Row it belongs to"),
+        sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
+        sa.Column("text_id", INTEGER, comment="Text id as in 0x10F3"),
+        sa.Column("message_texts", TEXT, comment="Message in all languages, as JSON"),
+        sa.Column("descriptions", TEXT, comment="Description in all languages, as JSON"),
+        sa.Column("diag_class", TEXT, comment="error, warning or information"),
+        sa.Column("diag_reset", INTEGER, comment="Value of DiagReset"),
+        sa.Column("diag_reaction", INTEGER, comment="Value of DiagReaction"),
+        sa.Column("diag_type", INTEGER, comment="Value of DiagType"),
+        sa.Column("cause_remedies", TEXT, comment="Causes and remedies, as JSON"),
+        sa.Column("infos", TEXT, comment="Further information in all languages, as JSON"),
+        sa.Column("hints", TEXT, comment="Hints in all languages, as JSON"),
+        sa.Column("urls", TEXT, comment="Links in all languages, as JSON"),
+        sa.Column("spelling", TEXT, comment="Vendor's text of values that are not spelled canonically, JSON"),
+        sa.ForeignKeyConstraint(["diagnostics_id"], ["diagnostics.id"], name=op.f("fk_diag_messages_diagnostics_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_diag_messages")),
+        comment="Diagnosis texts by text id, as object 0x10F3 refers to them.",
+        sqlite_strict=True,
+    )
+    op.create_index(op.f("ix_diag_messages_diagnostics_id"), "diag_messages", ["diagnostics_id"], unique=False)
+    op.create_table(
         "dictionary_data_types",
         sa.Column("dictionary_id", INTEGER, nullable=False, comment="Dictionary"),
         sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
@@ -375,10 +411,8 @@ def upgrade() -> None:
         sa.Column("default_int", INTEGER, comment="Default as integer"),
         sa.Column("default_real", REAL, comment="Default as floating point number"),
         sa.Column("default_text", TEXT, comment="Default as text"),
-        sa.Column("min_raw", TEXT, comment="Minimum as written"),
         sa.Column("min_int", INTEGER, comment="Minimum as integer"),
         sa.Column("min_real", REAL, comment="Minimum as floating point number"),
-        sa.Column("max_raw", TEXT, comment="Maximum as written"),
         sa.Column("max_int", INTEGER, comment="Maximum as integer"),
         sa.Column("max_real", REAL, comment="Maximum as floating point number"),
         sa.Column("unit", INTEGER, comment="Unit, packed 32-bit notation of ETG.1004"),
@@ -415,8 +449,9 @@ def upgrade() -> None:
         sa.Column("device_count", INTEGER, nullable=False, comment="Device elements in the document"),
         sa.Column("module_count", INTEGER, nullable=False, comment="Module elements in the document"),
         sa.Column("dictionary_id", INTEGER, comment="Dictionary of an EtherCATDict document"),
-        sa.Column("diag_messages", TEXT, comment="Diagnosis texts of an EtherCATDiag document, as JSON"),
+        sa.Column("diagnostics_id", INTEGER, comment="Diagnosis texts of an EtherCATDiag document"),
         sa.ForeignKeyConstraint(["archive_id"], ["archives.id"], name=op.f("fk_sources_archive_id")),
+        sa.ForeignKeyConstraint(["diagnostics_id"], ["diagnostics.id"], name=op.f("fk_sources_diagnostics_id")),
         sa.ForeignKeyConstraint(["dictionary_id"], ["dictionaries.id"], name=op.f("fk_sources_dictionary_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_sources")),
         sa.UniqueConstraint("location", name=op.f("uq_sources_location")),
@@ -424,6 +459,7 @@ def upgrade() -> None:
         sqlite_strict=True,
     )
     op.create_index(op.f("ix_sources_archive_id"), "sources", ["archive_id"], unique=False)
+    op.create_index(op.f("ix_sources_diagnostics_id"), "sources", ["diagnostics_id"], unique=False)
     op.create_index(op.f("ix_sources_dictionary_id"), "sources", ["dictionary_id"], unique=False)
     op.create_index(op.f("ix_sources_sha256"), "sources", ["sha256"], unique=False)
     op.create_index(op.f("ix_sources_status"), "sources", ["status"], unique=False)
@@ -813,6 +849,7 @@ def upgrade() -> None:
         sa.Column("module_id", INTEGER, comment="Module that the row belongs to; NULL for a device's"),
         sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
         sa.Column("dictionary_id", INTEGER, comment="Object dictionary"),
+        sa.Column("diagnostics_id", INTEGER, comment="Diagnosis texts"),
         sa.Column("channel", INTEGER, comment="Channel (obsolete)"),
         sa.Column("profile_no", INTEGER, comment="Profile number, e.g. 402 drives, 5001 modular"),
         sa.Column("add_info", INTEGER, comment="Module profile, e.g. 100 digital input under 5001"),
@@ -821,10 +858,10 @@ def upgrade() -> None:
         sa.Column("channel_infos", TEXT, comment="Profiles of the channels, as JSON"),
         sa.Column("dictionary_file", TEXT, comment="External dictionary (EtherCATDict), path as the vendor wrote it"),
         sa.Column("diag_files", TEXT, comment="External diagnosis texts (EtherCATDiag), as JSON"),
-        sa.Column("diag_messages", TEXT, comment="Diagnosis texts, as JSON"),
         sa.Column("spelling", TEXT, comment="Vendor's text of values that are not spelled canonically, JSON"),
         sa.CheckConstraint("(device_id IS NULL) <> (module_id IS NULL)", name=op.f("ck_profiles_one_owner")),
         sa.ForeignKeyConstraint(["device_id"], ["devices.id"], name=op.f("fk_profiles_device_id")),
+        sa.ForeignKeyConstraint(["diagnostics_id"], ["diagnostics.id"], name=op.f("fk_profiles_diagnostics_id")),
         sa.ForeignKeyConstraint(["dictionary_id"], ["dictionaries.id"], name=op.f("fk_profiles_dictionary_id")),
         sa.ForeignKeyConstraint(["module_id"], ["modules.id"], name=op.f("fk_profiles_module_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_profiles")),
@@ -832,6 +869,7 @@ def upgrade() -> None:
         sqlite_strict=True,
     )
     op.create_index(op.f("ix_profiles_device_id"), "profiles", ["device_id"], unique=False)
+    op.create_index(op.f("ix_profiles_diagnostics_id"), "profiles", ["diagnostics_id"], unique=False)
     op.create_index(op.f("ix_profiles_dictionary_id"), "profiles", ["dictionary_id"], unique=False)
     op.create_index(op.f("ix_profiles_module_id"), "profiles", ["module_id"], unique=False)
     op.create_table(

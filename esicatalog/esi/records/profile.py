@@ -36,5 +36,6 @@ class Profile(Record):
     diag_files: Annotated[
         tuple[str, ...], Xml("DiagFile", doc="External diagnosis texts (EtherCATDiag), as JSON")
     ] = ()
-    diag_messages: Annotated[Diagnostics | None, Xml("DiagMessages", doc="Diagnosis texts, as JSON")] = None
+    diag_messages: Annotated[Diagnostics | None, Xml("DiagMessages")] = None
+    """The inline texts, or those of the documents that ``diag_files`` name."""
     vendor_specific: Annotated[str | None, Xml("VendorSpecific", RAW)] = None
