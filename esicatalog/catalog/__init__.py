@@ -1,1 +1,1 @@
-"""The relational catalog. The modules mapping, digests and rows are pure: worker processes use them without SQLAlchemy."""
+"""The relational catalog. Mapping, digests and rows are pure: worker processes use them without SQLAlchemy."""

@@ -71,8 +71,34 @@ def open_catalog(target: str | os.PathLike[str], create: bool = False) -> sa.Eng
         elif version != SCHEMA_VERSION:
             raise CatalogError(_version_message(str(target), version))
     except sa.exc.DBAPIError as error:
-        raise CatalogError(_database_message(str(target), error)) from error
+        raise database_error(str(target), error) from error
     return engine
+
+
+def upgrade_catalog(target: str | os.PathLike[str]) -> tuple[str, str]:
+    """Bring a catalog of an older version to the current schema; returns the versions before and after.
+
+    Raises :class:`CatalogError` when there is no catalog or when it is newer than this version.
+    """
+    url = catalog_url(target)
+    path = sqlite_path(url)
+    if path is not None and not path.exists():
+        raise CatalogError(f"{path}: no such catalog; make one with: esicatalog ingest PATH --db {path}")
+    engine = make_engine(url)
+    try:
+        with engine.connect() as connection:
+            version = schema_version(connection)
+        if version is None:
+            raise CatalogError(f"{target}: not a catalog; make one with: esicatalog ingest PATH --db {target}")
+        if version > SCHEMA_VERSION:
+            raise CatalogError(_version_message(str(target), version))
+        if version != SCHEMA_VERSION:
+            upgrade(engine)
+    except sa.exc.DBAPIError as error:
+        raise database_error(str(target), error) from error
+    finally:
+        engine.dispose()
+    return version, SCHEMA_VERSION
 
 
 def _version_message(target: str, version: str) -> str:
@@ -81,7 +107,9 @@ def _version_message(target: str, version: str) -> str:
             f"{target}: made by a newer esicatalog (schema {version}, this one knows {SCHEMA_VERSION}); "
             "use that version or ingest into a new catalog"
         )
-    return f"{target}: made by an older esicatalog (schema {version}); upgrade it with: esicatalog migrate --db {target}"
+    return (
+        f"{target}: made by an older esicatalog (schema {version}); upgrade it with: esicatalog migrate --db {target}"
+    )
 
 
 def _database_message(target: str, error: sa.exc.DBAPIError) -> str:
@@ -125,4 +153,3 @@ def upgrade(engine: sa.Engine) -> None:
         config.attributes["connection"] = connection
         command.upgrade(config, "head")
         views.create_views(connection)
-

@@ -10,14 +10,15 @@ from typing import Any
 import msgspec
 
 from esicatalog.esi.content import digest
+from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import Diagnostics
 from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
-from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.dictionary import type_table, used_types
 
 _encode = msgspec.msgpack.Encoder().encode
 _MEMO_LIMIT = 200_000
+_MAX_DICTIONARIES = 2_000
 
 
 class _Memo:
@@ -43,6 +44,7 @@ class Digests:
         self._dictionaries = _Memo()
         self._objects: dict[tuple[int, bytes], tuple[Object, bytes]] = {}
         self._keys: dict[int, tuple[Dictionary, list[bytes]]] = {}
+        self._types: dict[tuple[int, ...], DeclaredTypes] = {}
 
     def data_type(self, data_type: DataType) -> bytes:
         """Digest of a data type as declared."""
@@ -62,12 +64,22 @@ class Digests:
         """Digests of the objects of a dictionary in document order."""
         known = self._keys.get(id(dictionary))
         if known is None:
-            closures = _Closures(self, type_table(dictionary.data_types))
-            if len(self._keys) >= 2_000:
+            closure = self.types(dictionary).closure
+            if len(self._keys) >= _MAX_DICTIONARIES:
                 self._keys.clear()
-            known = (dictionary, [self.object(declared, closures.of(declared.type)) for declared in dictionary.objects])
+            known = (dictionary, [self.object(declared, closure(declared.type)) for declared in dictionary.objects])
             self._keys[id(dictionary)] = known
         return known[1]
+
+    def types(self, dictionary: Dictionary) -> "DeclaredTypes":
+        """The data types of a dictionary; dictionaries that declare the same ones share them."""
+        key = tuple(map(id, dictionary.data_types))
+        known = self._types.get(key)
+        if known is None:
+            if len(self._types) >= _MAX_DICTIONARIES:
+                self._types.clear()
+            known = self._types[key] = DeclaredTypes(self, dictionary.data_types)
+        return known
 
     def dictionary(self, dictionary: Dictionary) -> bytes:
         """Digest of a dictionary: units, data types, objects."""
@@ -75,7 +87,7 @@ class Digests:
 
     def _dictionary(self, dictionary: Dictionary) -> bytes:
         rest = _encode(msgspec.structs.replace(dictionary, data_types=(), objects=()))
-        types = b"".join(map(self.data_type, dictionary.data_types))
+        types = b"".join(self.types(dictionary).digests)
         return digest(rest + b"types" + types + b"objects" + b"".join(self.objects(dictionary)))
 
     def diagnostics(self, diagnostics: Diagnostics) -> bytes:
@@ -102,20 +114,22 @@ class Digests:
         return b"".join(parts)
 
 
-class _Closures:
-    """Digests of type names within one dictionary: the type and everything it leads to."""
+class DeclaredTypes:
+    """The data types of a dictionary with their digests."""
 
-    def __init__(self, digests: Digests, types: Mapping[str, DataType]) -> None:
-        self._digests = digests
-        self._types = types
-        self._known: dict[str | None, bytes] = {None: b""}
+    def __init__(self, digests: Digests, data_types: tuple[DataType, ...]) -> None:
+        self.by_name: Mapping[str, DataType] = type_table(data_types)
+        self.digests = [digests.data_type(data_type) for data_type in data_types]
+        self._digest_of = digests.data_type
+        self._declared = data_types  # keeps the identities valid that this was found by
+        self._closures: dict[str | None, bytes] = {None: b""}
 
-    def of(self, name: str | None) -> bytes:
-        """Digest of what ``name`` means here; empty for a name that is not declared."""
-        known = self._known.get(name)
+    def closure(self, name: str | None) -> bytes:
+        """Digest of the type ``name`` and everything it leads to; empty for a name that is not declared."""
+        known = self._closures.get(name)
         if known is None:
-            used = b"".join(self._digests.data_type(data_type) for data_type in used_types(name, self._types))
-            known = self._known[name] = digest(used) if used else b""
+            used = b"".join(map(self._digest_of, used_types(name, self.by_name)))
+            known = self._closures[name] = digest(used) if used else b""
         return known
 
 

@@ -1,7 +1,7 @@
 """Full-text search over devices: vendors, types, names and identities in every notation people type.
 
 The FTS5 table splits at word boundaries (unicode61), so words of one or two characters are found. To find ``1100``
-in ``EL1100`` the column ``words`` holds the endings of longer words, and every search word is a prefix search.
+in ``EL1100`` the column ``words`` holds the endings of types' and names' words, and a search word is a prefix.
 """
 
 import re
@@ -14,20 +14,28 @@ from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.views import FULL_TEXT
 
 _WORD = re.compile(r"\w+")
-_SHORTEST_ENDING = 2
+_SHORTEST_ENDING = 3
+_NOTHING = '""'
 
 
 def search_expression(text: str) -> str:
-    """The FTS5 query for what a user typed: all words, each as a prefix; ``#x…`` counts as ``0x…``."""
+    """The FTS5 query for what a user typed: every word must match.
+
+    A word matches the beginning of a word in vendor, type or name, from three characters on also the inside of one,
+    or a whole number of the identity; ``#x…`` counts as ``0x…``.
+    """
     words = _WORD.findall(text.replace("#x", "0x").replace("#X", "0x"))
-    return " ".join(f'"{word}"*' for word in words) or '""'
+    return " AND ".join(map(_word_expression, words)) or _NOTHING
 
 
-def identity_notations(number: int | None, digits: int = 8) -> list[str]:
+def _word_expression(word: str) -> str:
+    columns = "vendor type name" if len(word) < _SHORTEST_ENDING else "vendor type name words"
+    return f'({{{columns}}} : "{word}"* OR identity : "{word}")'
+
+
+def identity_notations(number: int | None) -> list[str]:
     """Notations of a number: ``0x044c2c52``, ``0x44c2c52`` and decimal (``#x`` is searched as ``0x``)."""
-    if number is None:
-        return []
-    return list(dict.fromkeys((f"0x{number:0{digits}x}", f"0x{number:x}", f"{number:x}", str(number))))
+    return [] if number is None else list(dict.fromkeys((f"0x{number:08x}", f"0x{number:x}", str(number))))
 
 
 def word_endings(text: str) -> list[str]:
@@ -71,7 +79,7 @@ def index_devices(connection: sa.Connection, device_ids: Iterable[int]) -> None:
                 for notation in identity_notations(number)
             ]
             name = " ".join(dict.fromkeys(names.get(row.id, [])))
-            endings = word_endings(f"{row.vendor or ''} {row.type or ''} {name}")
+            endings = word_endings(f"{row.type or ''} {name}")
             rows.append((row.id, row.vendor, row.type, name, " ".join(identity), " ".join(endings)))
         connection.exec_driver_sql(
             f"DELETE FROM {FULL_TEXT} WHERE rowid IN ({', '.join('?' * len(part))})", tuple(part)

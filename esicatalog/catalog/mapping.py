@@ -18,13 +18,13 @@ from esicatalog.esi.numbers import IMAGE, decode_hex_binary
 from esicatalog.esi.records.common import Name, display_text
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, Eeprom, Fmmu, HideType, SyncManager, SyncUnit
-from esicatalog.esi.records.diagnostics import Diagnostics, DiagMessage
+from esicatalog.esi.records.diagnostics import DiagMessage, Diagnostics
 from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Flags, Object, SubItem
 from esicatalog.esi.records.document import Group, Vendor
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
-from esicatalog.esi.records.profile import Profile
+from esicatalog.esi.records.profile import ChannelInfo, Profile
 from esicatalog.esi.records.slots import Slot, SlotModuleClass, SlotModuleIdent
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.pdo_facts import entry_facts, pdo_facts
@@ -81,6 +81,7 @@ CHILDREN: dict[type[Record], tuple[Child, ...]] = {
         Child("entries", "pdo_entries", under_parent=True),
         Child("excludes", "pdo_exclusions", under_parent=True),
     ),
+    Profile: (Child("channel_infos", "profile_channels", under_parent=True),),
     Mailbox: tuple(
         Child(f"{protocol.lower()}_init_cmds", "initcmds", ("protocol", protocol))
         for protocol in ("CoE", "SoE", "EoE", "AoE")
@@ -114,6 +115,7 @@ _DERIVED: dict[type[Record], tuple[Derive, ...]] = {
 TABLE_RECORDS: dict[str, type[Record]] = {
     "hidden_revisions": HideType,
     "profiles": Profile,
+    "profile_channels": ChannelInfo,
     "fmmus": Fmmu,
     "sync_managers": SyncManager,
     "sync_units": SyncUnit,
@@ -190,6 +192,8 @@ class Codec:
         self.derived_columns = _derived_columns(record_type)
         self._derive = _DERIVED.get(record_type, ())
         self._derived_getter = _tuple_getter([column.name for column in self.derived_columns])
+        self._is_plain = len(self._converters) == 1 and not self._derive
+        """Nothing but the spelling may need converting: true of object entries, the largest table by far."""
 
     @property
     def columns(self) -> tuple[Column, ...]:
@@ -198,7 +202,10 @@ class Codec:
 
     def encode(self, record: Any) -> tuple[Any, ...]:
         """Column values of a record."""
-        values = list(self._get(record))
+        taken: tuple[Any, ...] = self._get(record)
+        if self._is_plain and taken[-1] is None:
+            return taken
+        values = list(taken)
         for at, convert in self._converters:
             if values[at] is not None:
                 values[at] = convert(values[at])
@@ -262,7 +269,7 @@ def _json(value: Any) -> str | None:
 
 
 def _encoders(field: Field) -> list[tuple[Column, Callable[[Any], Any] | None]]:
-    """Columns of a field, each with what makes its value from the field's (None: taken as it is; never asked for None)."""
+    """Columns of a field, each with what makes its value from the field's; None: taken as it is."""
     doc = field.xml.doc
     if field.item is Flags:
         flags = codec(Flags)

@@ -4,7 +4,7 @@ Rows are lists of column values in the order of the table's codec. A row of a ch
 its parent row within the same description. Nothing in here knows a database.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import msgspec
@@ -15,14 +15,14 @@ from esicatalog.esi.binding import Record
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.reader import ReadDocument
 from esicatalog.esi.records.common import Name
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.diagnostics import DiagMessage, Diagnostics
 from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Object, SubItem
 from esicatalog.esi.records.document import EsiInfo, Group, Vendor
-from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.diagnostics import Diagnostics, DiagMessage
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
-from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
-from esicatalog.model.modules import reachable_modules
+from esicatalog.model.dictionary import ObjectEntry, resolve_object
+from esicatalog.model.slots import reachable_modules
 from esicatalog.model.sync import default_op_mode
 
 Row = tuple[Any, ...]
@@ -249,7 +249,7 @@ class RowMaker:
     def _dictionary(self, dictionary: Dictionary) -> bytes:
         key = self._digests.dictionary(dictionary)
         if self._new(key):
-            types = type_table(dictionary.data_types)
+            types = self._digests.types(dictionary).by_name
             object_keys = self._digests.objects(dictionary)
             for declared, object_key in zip(dictionary.objects, object_keys, strict=True):
                 if self._new(object_key):
@@ -268,7 +268,7 @@ class RowMaker:
         return key
 
 
-def _object_rows(declared: Object, types: dict[str, DataType], key: bytes) -> ObjectRows:
+def _object_rows(declared: Object, types: Mapping[str, DataType], key: bytes) -> ObjectRows:
     resolved = resolve_object(declared, types)
     entries = _positioned(ObjectEntry, resolved.entries)
     return ObjectRows(key, codec(Object).encode(declared), resolved.object_code, entries)

@@ -270,6 +270,7 @@ profiles = _owned(
     _reference("dictionaries.id", "Object dictionary", index=True),
     _reference("diagnostics.id", "Diagnosis texts", name="diagnostics_id", index=True),
 )
+profile_channels = _part("profile_channels", "profiles", "Profiles of single channels (ChannelInfo).")
 fmmus = _owned("fmmus", "FMMUs; the position is the FMMU's number.")
 sync_managers = _owned("sync_managers", "SyncManagers; the position is the SyncManager's number.")
 sync_units = _owned("sync_units", "Sync units (Su); the position is what Pdo@Su refers to.")
@@ -279,6 +280,7 @@ pdos = _owned(
     _text("direction", "RxPdo (master to slave), TxPdo (slave to master) or SafetyParaMapping", nullable=False),
 )
 pdo_entries = _part("pdo_entries", "pdos", "Entries of PDOs, padding included, OSFac not expanded.")
+sa.Index("ix_pdo_entries_mapped", pdo_entries.c.entry_index, pdo_entries.c.subindex)
 pdo_exclusions = _part("pdo_exclusions", "pdos", "PDOs that may not be assigned together, as declared (one-sided).")
 mailboxes = _owned("mailboxes", "Mailbox protocols and their options, one row a device or module.")
 initcmds = _owned(

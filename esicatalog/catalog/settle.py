@@ -13,10 +13,12 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.full_text import index_devices
-from esicatalog.catalog.mapping import codec
+from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, codec
 from esicatalog.catalog.schema import device_sources, devices, source_vendors, sources, vendor_names, vendors
 from esicatalog.esi.records.common import ENGLISH
+from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Vendor
+from esicatalog.esi.records.module import Module
 
 CONTENT_HASH = "content_hash"
 
@@ -93,7 +95,9 @@ def _settle_devices(connection: sa.Connection, affected: Affected) -> None:
     update = (
         sa.update(devices)
         .where(devices.c.id == sa.bindparam("number"))
-        .values(recovered=sa.bindparam("is_recovered"), file_version=sa.bindparam("version"), group_type=sa.bindparam("g"))
+        .values(
+            recovered=sa.bindparam("is_recovered"), file_version=sa.bindparam("version"), group_type=sa.bindparam("g")
+        )
     )
     identity = [devices.c.vendor_id, devices.c.product_code, devices.c.revision_no, devices.c.type]
     identities = set(affected.identities)
@@ -141,7 +145,7 @@ def _number_variants(connection: sa.Connection, identities: Iterable[tuple[Any, 
             group = variant_group(row.vendor_id, row.product_code, row.revision_no, row.type)
             if group in wanted:
                 groups[group].append(row)
-    changes = []
+    changes: list[tuple[int, int]] = []
     for rows in groups.values():
         rows.sort(key=lambda r: (bool(r.recovered), -r.element_count, -(r.file_version or 0), r.content_hash))
         changes.extend((row.id, number) for number, row in enumerate(rows, 1) if row.variant != number)
@@ -156,8 +160,9 @@ def collect_garbage(connection: sa.Connection, affected: Affected) -> bool:
     """Delete what no document carries any more; tells whether anything went."""
     orphans = sa.select(devices.c.id).where(~sa.exists().where(device_sources.c.device_id == devices.c.id))
     gone = connection.execute(
-        sa.select(devices.c.id, devices.c.vendor_id, devices.c.product_code, devices.c.revision_no, devices.c.type)
-        .where(devices.c.id.in_(orphans))
+        sa.select(
+            devices.c.id, devices.c.vendor_id, devices.c.product_code, devices.c.revision_no, devices.c.type
+        ).where(devices.c.id.in_(orphans))
     ).all()
     deleted = len(gone)
     for part in chunks([row.id for row in gone]):
@@ -179,17 +184,25 @@ def collect_garbage(connection: sa.Connection, affected: Affected) -> bool:
     return _delete_unreferenced(connection) or deleted > 0
 
 
+_PARTS = [
+    (parent, child.table)
+    for record in (Device, Module)
+    for owned in CHILDREN[record]
+    for parent in (owned.table,)
+    for child in CHILDREN.get(TABLE_RECORDS[parent], ())
+    if child.under_parent
+]
+"""Tables whose rows hang on rows of devices and modules: (parent table, table)."""
+
+
 def _delete_owned(connection: sa.Connection, owner: str, numbers: list[int]) -> None:
     """Delete the rows of devices or modules, those of their rows first."""
-    for parent, child in (("pdos", "pdo_entries"), ("pdos", "pdo_exclusions"), ("slots", "slot_modules"),
-                          ("slots", "slot_module_classes")):
+    for parent, child in _PARTS:
         parents, children = schema.metadata.tables[parent], schema.metadata.tables[child]
         held = sa.select(parents.c.id).where(parents.c[owner].in_(numbers))
-        connection.execute(sa.delete(children).where(children.c[f"{parent[:-1]}_id"].in_(held)))
+        connection.execute(sa.delete(children).where(children.c[schema.parent_column(parent)].in_(held)))
     for table in reversed(schema.metadata.sorted_tables):
-        if owner in table.c and table.name not in ("device_modules",) or (
-            owner == "device_id" and table.name == "device_modules"
-        ):
+        if owner in table.c:
             connection.execute(sa.delete(table).where(table.c[owner].in_(numbers)))
 
 
@@ -224,9 +237,7 @@ _UNREFERENCED: tuple[tuple[str, str, tuple[tuple[str, str], ...], tuple[tuple[st
     (
         "images",
         "sha256",
-        tuple(
-            (table.name, "image_sha256") for table in schema.metadata.sorted_tables if "image_sha256" in table.c
-        ),
+        tuple((table.name, "image_sha256") for table in schema.metadata.sorted_tables if "image_sha256" in table.c),
         (),
     ),
 )

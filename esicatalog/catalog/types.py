@@ -4,6 +4,9 @@ On STRICT tables the generic Boolean, String, BigInteger and Float fail at CREAT
 and texts sort by code point only with COLLATE "C".
 """
 
+from collections.abc import Callable
+from typing import Any
+
 import sqlalchemy as sa
 from sqlalchemy.types import TypeEngine
 
@@ -33,5 +36,5 @@ def blob() -> TypeEngine[bytes]:
     return sa.LargeBinary().with_variant(sa.BLOB(), "sqlite")
 
 
-BY_KIND = {"int": integer, "bool": boolean, "text": text, "json": text, "float": real}
+BY_KIND: dict[str, Callable[[], TypeEngine[Any]]] = {"int": integer, "bool": boolean, "text": text, "json": text, "float": real}
 """Column kinds of :mod:`esicatalog.catalog.mapping`."""

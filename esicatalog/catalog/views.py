@@ -10,7 +10,9 @@ import sqlalchemy as sa
 from esicatalog.catalog.schema import metadata
 
 FULL_TEXT = "device_search"
-FULL_TEXT_DOC = "Full-text index over vendors, types, names and identities in every notation; words match from the start."
+FULL_TEXT_DOC = (
+    "Full-text index over vendors, types, names and identities in every notation; words match from the start."
+)
 
 
 class View(NamedTuple):
@@ -109,7 +111,8 @@ def _owner_views(kind: str, dialect: str) -> list[View]:
                 "device_dc_modes",
                 "One row per OpMode element of a device, with the SYNC signals that AssignActivate means.",
                 f"SELECT {identity}, {hex_text('c.assign_activate', 4, dialect)} AS assign_activate_hex, "
-                f"{_columns('dc_modes', 'c')}, CASE WHEN c.position = d.default_op_mode THEN 1 ELSE 0 END AS is_default, "
+                f"{_columns('dc_modes', 'c')}, "
+                "CASE WHEN c.position = d.default_op_mode THEN 1 ELSE 0 END AS is_default, "
                 f"c.id AS dc_mode_id, c.position {source} JOIN dc_modes c ON c.device_id = d.id",
             )
         )
@@ -129,8 +132,8 @@ def _overview(dialect: str) -> View:
         f"{count('dc_modes')} AS dc_modes, "
         "(SELECT max(CASE WHEN x.sync0 THEN 1 ELSE 0 END) FROM dc_modes x WHERE x.device_id = d.id) AS sync0, "
         "(SELECT max(CASE WHEN x.sync1 THEN 1 ELSE 0 END) FROM dc_modes x WHERE x.device_id = d.id) AS sync1, "
-        f"""{count('pdos', " AND x.direction = 'RxPdo'")} AS rx_pdos, """
-        f"""{count('pdos', " AND x.direction = 'TxPdo'")} AS tx_pdos, """
+        f"""{count("pdos", " AND x.direction = 'RxPdo'")} AS rx_pdos, """
+        f"""{count("pdos", " AND x.direction = 'TxPdo'")} AS tx_pdos, """
         f"{count('slots')} AS slots, {count('device_modules')} AS modules, {count('device_sources')} AS sources "
         f"{_DEVICES} LEFT JOIN mailboxes b ON b.device_id = d.id",
     )

@@ -309,7 +309,7 @@ class Writer:
                 table_rows = [(base + row[0], *row[1:]) for row in table_rows]
                 self._buffer.add_numbered(table, table_rows)
             elif table == "profiles":
-                self._add_profiles(rows, device_id, module_id)
+                first[table] = self._add_profiles(rows, device_id, module_id)
             else:
                 first[table] = self._buffer.add_numbered(table, table_rows, device_id, module_id)
         self._add_images(rows.images)
@@ -318,12 +318,12 @@ class Writer:
         unmapped = [(position, *item) for position, item in enumerate(rows.unmapped)]
         self._buffer.add_numbered("unmapped", [(None, *row) for row in unmapped], device_id, module_id)
 
-    def _add_profiles(self, rows: OwnerRows, device_id: int | None, module_id: int | None) -> None:
+    def _add_profiles(self, rows: OwnerRows, device_id: int | None, module_id: int | None) -> int:
         profiles = [
             (row[0], self._part_id("dictionaries", dictionary), self._part_id("diagnostics", diagnostics), *row[1:])
             for row, (dictionary, diagnostics) in zip(rows.tables["profiles"], rows.profile_parts, strict=True)
         ]
-        self._buffer.add_numbered("profiles", profiles, device_id, module_id)
+        return self._buffer.add_numbered("profiles", profiles, device_id, module_id)
 
 
 class _KeyMap:

@@ -1,0 +1,1 @@
+"""ESI documents (ETG.2000): opening, reading into records, references."""

@@ -22,7 +22,12 @@ from esicatalog.esi.notes import Notes
 from esicatalog.esi.numbers import TEXT, Scalar
 
 
-class Record(msgspec.Struct, frozen=True, gc=False, omit_defaults=True, kw_only=True):
+@typing.dataclass_transform(frozen_default=True, kw_only_default=True)
+class _RecordMeta(msgspec.StructMeta):
+    """Tells type checkers that subclasses inherit the configuration of Record."""
+
+
+class Record(msgspec.Struct, metaclass=_RecordMeta, frozen=True, gc=False, omit_defaults=True, kw_only=True):
     """Base of all ESI records: immutable, comparable, every field optional.
 
     ``spelling`` maps a field name to the vendor's text where that differs from the canonical spelling of the value.

@@ -5,7 +5,6 @@ with Windows separators and another letter case than on disk. Member names are r
 """
 
 import io
-import os
 import posixpath
 import zipfile
 from pathlib import Path, PurePosixPath
@@ -76,7 +75,7 @@ class Folder:
         listing = self._listings.get(folder)
         if listing is None:
             try:
-                names = sorted(os.listdir(self.root / folder), reverse=True)
+                names = sorted((entry.name for entry in (self.root / folder).iterdir()), reverse=True)
             except OSError:
                 names = []
             listing = self._listings[folder] = {name.lower(): name for name in names}

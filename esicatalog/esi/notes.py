@@ -65,9 +65,7 @@ class Notes:
 
     def find(self, element: etree._Element, rule: str, severity: str, message: str) -> None:
         """A finding at ``element``."""
-        self.findings.append(
-            Finding(rule, severity, message, element.sourceline or 0, local_path(element, None))
-        )
+        self.findings.append(Finding(rule, severity, message, element.sourceline or 0, local_path(element, None)))
 
     def unmapped_attribute(self, element: etree._Element, name: str, text: str, repeated: bool = False) -> None:
         """An attribute that no field takes."""

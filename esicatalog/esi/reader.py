@@ -13,6 +13,7 @@ from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.documents import ParsedDocument, parse_document
 from esicatalog.esi.notes import Finding, Notes, SubtreeCache
 from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.diagnostics import Diagnostics
 from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.esi.records.document import (
     DiagInfo,
@@ -23,7 +24,6 @@ from esicatalog.esi.records.document import (
     ModuleInfo,
     Reference,
 )
-from esicatalog.esi.records.diagnostics import Diagnostics
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import Profile

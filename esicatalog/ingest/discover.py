@@ -101,8 +101,13 @@ def _members(archive: FoundArchive, opened: Archive, nested: tuple[str, ...]) ->
     for name, size in opened.members():
         inside = NESTED.join((*nested, name))
         found = Found(
-            f"{archive.location}{NESTED}{inside}", f"{archive.member}{NESTED}{inside}", archive.location, True, nested,
-            name, size,
+            f"{archive.location}{NESTED}{inside}",
+            f"{archive.member}{NESTED}{inside}",
+            archive.location,
+            True,
+            nested,
+            name,
+            size,
         )
         if not name.lower().endswith(".zip"):
             yield found

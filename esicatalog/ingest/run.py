@@ -80,9 +80,7 @@ class _Run:
         self._stored = _read_stored(connection)
         self._archives = {
             row.location: row
-            for row in connection.execute(
-                sa.select(schema.archives.c["id", "location", "sha256", "reader_version"])
-            )
+            for row in connection.execute(sa.select(schema.archives.c["id", "location", "sha256", "reader_version"]))
         }
         self._lines: list[DocumentLine] = []
         self._total = 0
@@ -103,7 +101,9 @@ class _Run:
             else:
                 pending.append(item)
         seen.update(item.location for item in pending)
-        gone = [location for location in self._stored if location not in seen and self._is_gone(location, opened, prune)]
+        gone = [
+            location for location in self._stored if location not in seen and self._is_gone(location, opened, prune)
+        ]
         todo = [item for item in pending if item.problem or not self._file_unchanged(item)]
         self._total = len(self._lines) + len(todo)
         for done, line in enumerate(self._lines, 1):
@@ -199,7 +199,8 @@ class _Run:
 
 def _reading_order(item: Found) -> tuple[int, int, str]:
     """Short paths first: a document comes before those it refers to, which lie beside or below it; small ones first,
-    because a small document may pull in large ones."""
+    because a small document may pull in large ones.
+    """
     return (item.member.count("/"), item.size_bytes, item.location)
 
 
@@ -242,4 +243,3 @@ def _read_stored(connection: sa.Connection) -> dict[str, _Stored]:
             row.status, row.message, row.member, row.device_count, row.module_count, row.archive_id, known
         )
     return found
-

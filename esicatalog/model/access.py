@@ -1,5 +1,6 @@
 """Access rights of object entries: words of the ESI file to the CoE access word (ETG.1000.6, ETG.2000)."""
 
+import functools
 import re
 
 from esicatalog.esi.records.dictionary import Flags
@@ -33,24 +34,23 @@ def normalised_pdo_mapping(text: str | None) -> str | None:
 
 def readable_states(flags: Flags) -> int:
     """States in which the entry can be read: bit 0 PreOP, 1 SafeOP, 2 OP."""
-    access = (flags.access or "ro").lower()
-    old = _OLD_ACCESS.fullmatch(access)
-    if old:
-        return int(old[1])
-    return _allowed(flags.read_restrictions) if _READABLE.get(access, True) else 0
+    return _states(flags.access, flags.read_restrictions, 1)
 
 
 def writable_states(flags: Flags) -> int:
     """States in which the entry can be written: bit 0 PreOP, 1 SafeOP, 2 OP."""
-    access = (flags.access or "ro").lower()
+    return _states(flags.access, flags.write_restrictions, 2)
+
+
+@functools.lru_cache(4096)
+def _states(access_text: str | None, restrictions: str | None, digit: int) -> int:
+    """States in which reading (``digit`` 1 of an old access word) or writing (2) is allowed; few texts, many flags."""
+    access = (access_text or "ro").lower()
     old = _OLD_ACCESS.fullmatch(access)
     if old:
-        return int(old[2])
-    return _allowed(flags.write_restrictions) if _WRITABLE.get(access, False) else 0
-
-
-def _allowed(restrictions: str | None) -> int:
-    return _STATES.get((restrictions or "").lower(), ALL_STATES)
+        return int(old[digit])
+    allowed = _READABLE.get(access, True) if digit == 1 else _WRITABLE.get(access, False)
+    return _STATES.get((restrictions or "").lower(), ALL_STATES) if allowed else 0
 
 
 def access_word(flags: Flags, pdo_mapping: str | None) -> int:

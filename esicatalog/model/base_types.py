@@ -1,5 +1,6 @@
 """Base data types of CoE (ETG.1020, ETG.2000 table 12): code, width, kind; and the names vendors use for them."""
 
+import functools
 import re
 from typing import NamedTuple
 
@@ -78,6 +79,7 @@ _ARRAY = re.compile(r"ARRAY\s*\[\s*(\d+)\s*\.\.\s*(\d+)\s*\]\s*OF\s+(\w+)")
 _ARRAY_KINDS = {"BYTE": "OCTET_STRING", "USINT": "OCTET_STRING", "UINT": "UNICODE_STRING"}
 
 
+@functools.lru_cache(4096)
 def base_type(name: str | None) -> BaseType | None:
     """The base type that a type name means by itself (``UDINT``, ``STRING(16)``, ``ARRAY [0..7] OF BYTE``)."""
     if not name:

@@ -33,7 +33,8 @@ class ObjectEntry(Record):
     bit_offset: Annotated[int | None, Doc("Offset in bits in the complete-access image")] = None
     access: Annotated[str, Doc("Access after inheritance: ro, rw or wo")] = "ro"
     access_word: Annotated[
-        int, Doc("CoE access word: bits 0-2 read, 3-5 write in PreOP, SafeOP, OP; 6 RxPDO, 7 TxPDO, 8 backup, 9 setting")
+        int,
+        Doc("CoE access word: bits 0-2 read, 3-5 write in PreOP, SafeOP, OP; 6 RxPDO, 7 TxPDO, 8 backup, 9 setting"),
     ] = 0
     category: Annotated[str | None, Doc("m mandatory, o optional, c conditional")] = None
     pdo_mapping: Annotated[str | None, Doc("R mappable in an RxPDO, T in a TxPDO, RT in both; NULL not mappable")] = (
@@ -120,13 +121,16 @@ def resolve_object(declared: Object, types: Mapping[str, DataType]) -> ResolvedO
     remarks: list[tuple[str, str]] = []
     if data_type is None and declared.type and base_type(declared.type) is None:
         remarks.append(("L41", f"type {declared.type!r} is not declared in the dictionary"))
+    values: Mapping[int, DeclaredValues]
     if data_type is not None and data_type.sub_items:
         members, is_array = _composite_members(data_type, types)
         values = _pair(members, declared.info_sub_items, is_array, remarks)
         code = OBJECT_CODES["ARRAY" if is_array else "RECORD"]
     else:
         members = [
-            _Member(0, display_text(declared.names), (), declared.type, _simple_size(declared, data_type), 0, None, None)
+            _Member(
+                0, display_text(declared.names), (), declared.type, _simple_size(declared, data_type), 0, None, None
+            )
         ]
         values = {0: declared}
         code = OBJECT_CODES["VAR"]
@@ -324,15 +328,19 @@ def _values(
 ) -> tuple[Value, Value, Value]:
     """Default, minimum and maximum: those of Info, else the obsolete ones of the data type's sub-item."""
     default = minimum = maximum = _NO_VALUE
-    for source in (values, sub_item):
-        if source is None:
-            continue
+    if values is not None:
+        default = _default(values, base)
+        if values.min_data or values.min_value is not None:
+            minimum = _bound(values, values.min_data, "min_value", base)
+        if values.max_data or values.max_value is not None:
+            maximum = _bound(values, values.max_data, "max_value", base)
+    if sub_item is not None:
         if default is _NO_VALUE:
-            default = _default(source, base)
-        if minimum is _NO_VALUE:
-            minimum = _bound(source, "min_data", "min_value", base)
-        if maximum is _NO_VALUE:
-            maximum = _bound(source, "max_data", "max_value", base)
+            default = _default(sub_item, base)
+        if minimum is _NO_VALUE and sub_item.min_value is not None:
+            minimum = _bound(sub_item, None, "min_value", base)
+        if maximum is _NO_VALUE and sub_item.max_value is not None:
+            maximum = _bound(sub_item, None, "max_value", base)
     return default, minimum, maximum
 
 
@@ -346,12 +354,10 @@ def _default(source: DeclaredValues | SubItem, base: BaseType | None) -> Value:
     return _NO_VALUE
 
 
-def _bound(source: DeclaredValues | SubItem, data_field: str, value_field: str, base: BaseType | None) -> Value:
-    data = getattr(source, data_field, None)
+def _bound(source: DeclaredValues | SubItem, data: str | None, value_field: str, base: BaseType | None) -> Value:
     if data:
         return decode_data(data, base)
-    number = getattr(source, value_field)
-    return _NO_VALUE if number is None else decode_value(number, _raw(source, value_field), base)
+    return decode_value(getattr(source, value_field), _raw(source, value_field), base)
 
 
 def _raw(source: Record, field: str) -> str:

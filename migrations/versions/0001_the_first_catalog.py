@@ -855,7 +855,6 @@ def upgrade() -> None:
         sa.Column("add_info", INTEGER, comment="Module profile, e.g. 100 digital input under 5001"),
         sa.Column("sub_add_info", INTEGER, comment="Further part of the profile number"),
         sa.Column("channel_count", INTEGER, comment="Number of channels"),
-        sa.Column("channel_infos", TEXT, comment="Profiles of the channels, as JSON"),
         sa.Column("dictionary_file", TEXT, comment="External dictionary (EtherCATDict), path as the vendor wrote it"),
         sa.Column("diag_files", TEXT, comment="External diagnosis texts (EtherCATDiag), as JSON"),
         sa.Column("spelling", TEXT, comment="Vendor's text of values that are not spelled canonically, JSON"),
@@ -1092,6 +1091,7 @@ def upgrade() -> None:
         comment="Entries of PDOs, padding included, OSFac not expanded.",
         sqlite_strict=True,
     )
+    op.create_index("ix_pdo_entries_mapped", "pdo_entries", ["entry_index", "subindex"], unique=False)
     op.create_index(op.f("ix_pdo_entries_pdo_id"), "pdo_entries", ["pdo_id"], unique=False)
     op.create_table(
         "pdo_exclusions",
@@ -1108,6 +1108,24 @@ def upgrade() -> None:
         sqlite_strict=True,
     )
     op.create_index(op.f("ix_pdo_exclusions_pdo_id"), "pdo_exclusions", ["pdo_id"], unique=False)
+    op.create_table(
+        "profile_channels",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("profile_id", INTEGER, nullable=False, comment="Row it belongs to"),
+        sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
+        sa.Column("profile_no", INTEGER, comment="Profile number, e.g. 402"),
+        sa.Column("add_info", INTEGER, comment="Module profile, e.g. 742 under 5001"),
+        sa.Column("sub_add_info", INTEGER, comment="Further part of the profile number"),
+        sa.Column("display_names", TEXT, comment="Display names, as JSON"),
+        sa.Column("overwritten_by_module", BOOLEAN, comment="Replaced by a module's"),
+        sa.Column("channel_group", INTEGER, comment="Channel group"),
+        sa.Column("spelling", TEXT, comment="Vendor's text of values that are not spelled canonically, JSON"),
+        sa.ForeignKeyConstraint(["profile_id"], ["profiles.id"], name=op.f("fk_profile_channels_profile_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_profile_channels")),
+        comment="Profiles of single channels (ChannelInfo).",
+        sqlite_strict=True,
+    )
+    op.create_index(op.f("ix_profile_channels_profile_id"), "profile_channels", ["profile_id"], unique=False)
     op.create_table(
         "slot_module_classes",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),

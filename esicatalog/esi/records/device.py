@@ -4,7 +4,7 @@ from typing import Annotated
 
 from esicatalog.esi.binding import PRESENT, RAW, Record, Xml
 from esicatalog.esi.notes import Unmapped
-from esicatalog.esi.numbers import BOOL, DEC, FLOAT, HEX, HEX_BINARY, IMAGE, IDENTITY, INT
+from esicatalog.esi.numbers import BOOL, DEC, FLOAT, HEX, HEX_BINARY, IDENTITY, IMAGE, INT
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.mailbox import Mailbox
@@ -219,9 +219,7 @@ class Device(Record):
     e_bus_current_ma: Annotated[
         int | None, Xml("Info/Electrical/EBusCurrent", INT, "E-bus consumption in mA; negative = supplies current")
     ] = None
-    ether_cat_p: Annotated[
-        EtherCatP | None, Xml("Info/Electrical/EtherCATp", doc="EtherCAT P rails, as JSON")
-    ] = None
+    ether_cat_p: Annotated[EtherCatP | None, Xml("Info/Electrical/EtherCATp", doc="EtherCAT P rails, as JSON")] = None
     preop_timeout_ms: Annotated[
         int | None, Xml("Info/StateMachine/Timeout/PreopTimeout", INT, "INIT to PREOP or BOOT, ms")
     ] = None
@@ -313,17 +311,15 @@ class Device(Record):
     slot_group_pdo_increment: Annotated[
         int | None, Xml("Slots@SlotGroupPdoIncrement", DEC, "PDO index step per slot group")
     ] = None
-    slot_index_increment: Annotated[
-        int | None, Xml("Slots@SlotIndexIncrement", HEX, "Object index step per slot")
-    ] = None
+    slot_index_increment: Annotated[int | None, Xml("Slots@SlotIndexIncrement", HEX, "Object index step per slot")] = (
+        None
+    )
     slot_group_index_increment: Annotated[
         int | None, Xml("Slots@SlotGroupIndexIncrement", HEX, "Object index step per slot group")
     ] = None
     identify_module_by: Annotated[str | None, Xml("Slots@IdentifyModuleBy", doc="Obsolete")] = None
     slots: Annotated[tuple[Slot, ...], Xml("Slots/Slot")] = ()
-    slot_group_data: Annotated[
-        tuple[SlotGroupData, ...], Xml("Slots/SlotGroupData", doc="Slot groups, as JSON")
-    ] = ()
+    slot_group_data: Annotated[tuple[SlotGroupData, ...], Xml("Slots/SlotGroupData", doc="Slot groups, as JSON")] = ()
     module_pdo_groups: Annotated[
         tuple[ModulePdoGroup, ...], Xml("Slots/ModulePdoGroup", doc="Module PDO groups, as JSON")
     ] = ()

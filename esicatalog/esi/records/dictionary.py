@@ -41,9 +41,7 @@ class Flags(Record):
     write_restrictions: Annotated[
         str | None, Xml("Access@WriteRestrictions", doc="States in which writing is allowed, e.g. PreOP")
     ] = None
-    category: Annotated[str | None, Xml("Category", doc="m mandatory, o optional (default), c conditional")] = (
-        None
-    )
+    category: Annotated[str | None, Xml("Category", doc="m mandatory, o optional (default), c conditional")] = None
     pdo_mapping: Annotated[
         str | None, Xml("PdoMapping", doc="T TxPDO (slave to master), R RxPDO (master to slave), TR or RT both")
     ] = None

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from esicatalog.esi.binding import RAW, Record, Xml
 from esicatalog.esi.notes import Unmapped
-from esicatalog.esi.numbers import IMAGE, IDENTITY, INT
+from esicatalog.esi.numbers import IDENTITY, IMAGE, INT
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import Diagnostics
@@ -122,4 +122,3 @@ class Document(Record):
     module_lines: tuple[tuple[int, ...], ...] = ()
     unmapped: tuple[Unmapped, ...] = ()
     """Values outside of devices and modules that no field holds."""
-

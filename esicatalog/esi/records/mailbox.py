@@ -92,9 +92,9 @@ class Mailbox(Record):
     ] = None
     soe_init_cmds: Annotated[tuple[InitCmd, ...], Xml("SoE/InitCmd")] = ()
     soe_diag_files: Annotated[tuple[str, ...], Xml("SoE/DiagFile", doc="SoE: external diagnosis texts, as JSON")] = ()
-    soe_diag_messages: Annotated[
-        Diagnostics | None, Xml("SoE/DiagMessages", doc="SoE: diagnosis texts, as JSON")
-    ] = None
+    soe_diag_messages: Annotated[Diagnostics | None, Xml("SoE/DiagMessages", doc="SoE: diagnosis texts, as JSON")] = (
+        None
+    )
 
     voe: Annotated[bool, Xml("VoE", PRESENT, "Vendor protocol over EtherCAT supported")] = False
     vendor_specific: Annotated[str | None, Xml("VendorSpecific", RAW)] = None

@@ -4,7 +4,7 @@ from typing import Annotated
 
 from esicatalog.esi.binding import RAW, Record, Xml
 from esicatalog.esi.notes import Unmapped
-from esicatalog.esi.numbers import BOOL, HEX, IMAGE, IDENTITY, INT
+from esicatalog.esi.numbers import BOOL, HEX, IDENTITY, IMAGE, INT
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.mailbox import Mailbox
 from esicatalog.esi.records.pdo import Pdo

@@ -32,9 +32,9 @@ class Exclude(Record):
 
     pdo_index: Annotated[int | None, Xml(".", HEX, "Index of the excluded PDO")] = None
     depend_on_slot: Annotated[bool | None, Xml("@DependOnSlot", BOOL, "Index is shifted per slot")] = None
-    depend_on_slot_group: Annotated[
-        bool | None, Xml("@DependOnSlotGroup", BOOL, "Index is shifted per slot group")
-    ] = None
+    depend_on_slot_group: Annotated[bool | None, Xml("@DependOnSlotGroup", BOOL, "Index is shifted per slot group")] = (
+        None
+    )
 
 
 class Pdo(Record):

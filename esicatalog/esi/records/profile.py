@@ -28,14 +28,12 @@ class Profile(Record):
     add_info: Annotated[int | None, Xml("AddInfo", INT, "Module profile, e.g. 100 digital input under 5001")] = None
     sub_add_info: Annotated[int | None, Xml("SubAddInfo", INT, "Further part of the profile number")] = None
     channel_count: Annotated[int | None, Xml("ChannelCount", INT, "Number of channels")] = None
-    channel_infos: Annotated[tuple[ChannelInfo, ...], Xml("ChannelInfo", doc="Profiles of the channels, as JSON")] = ()
+    channel_infos: Annotated[tuple[ChannelInfo, ...], Xml("ChannelInfo")] = ()
     dictionary_file: Annotated[
         str | None, Xml("DictionaryFile", doc="External dictionary (EtherCATDict), path as the vendor wrote it")
     ] = None
     dictionary: Annotated[Dictionary | None, Xml("Dictionary")] = None
-    diag_files: Annotated[
-        tuple[str, ...], Xml("DiagFile", doc="External diagnosis texts (EtherCATDiag), as JSON")
-    ] = ()
+    diag_files: Annotated[tuple[str, ...], Xml("DiagFile", doc="External diagnosis texts (EtherCATDiag), as JSON")] = ()
     diag_messages: Annotated[Diagnostics | None, Xml("DiagMessages")] = None
     """The inline texts, or those of the documents that ``diag_files`` name."""
     vendor_specific: Annotated[str | None, Xml("VendorSpecific", RAW)] = None

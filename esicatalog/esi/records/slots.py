@@ -3,7 +3,7 @@
 from typing import Annotated
 
 from esicatalog.esi.binding import Record, Xml
-from esicatalog.esi.numbers import DEC, HEX, IMAGE, IDENTITY, INT
+from esicatalog.esi.numbers import DEC, HEX, IDENTITY, IMAGE, INT
 from esicatalog.esi.records.common import Name
 
 

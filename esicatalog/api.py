@@ -1,0 +1,160 @@
+"""The Python interface: open a catalog, fill it, ask it.
+
+>>> catalog = Catalog.open("catalog.db", create=True)
+>>> report = catalog.ingest(["vendor-files"])
+>>> answer = catalog.identify(0x1097, 0x2406, 0x8F)
+>>> drives = catalog.devices(sync="sync1", profile_no=402)
+"""
+
+import contextlib
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
+
+import sqlalchemy as sa
+
+from esicatalog.catalog.check import CheckResult, check_catalog
+from esicatalog.catalog.database import database_error, open_catalog, upgrade_catalog
+from esicatalog.catalog.identify import device_sources_of, find_device, identify
+from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification
+from esicatalog.identity import Identity, parse_identity
+
+if TYPE_CHECKING:
+    from esicatalog.catalog.search import Mapped
+    from esicatalog.esi.records.device import Device
+    from esicatalog.esi.records.module import Module
+    from esicatalog.ingest.report import IngestReport
+    from esicatalog.ingest.run import Progress
+
+
+class DeviceDescription(NamedTuple):
+    """A device as the catalog holds it: identity, documents, records of the device and of its modules."""
+
+    found: FoundDevice
+    sources: tuple[DeviceSource, ...]
+    device: "Device"
+    modules: "tuple[Module, ...]"
+
+
+class Catalog:
+    """A catalog of EtherCAT devices in a database."""
+
+    def __init__(self, engine: sa.Engine) -> None:
+        self._engine = engine
+
+    @classmethod
+    def open(cls, target: str | os.PathLike[str], create: bool = False) -> Self:
+        """Open the catalog in a file or at a database URL, creating it when asked.
+
+        Raises :class:`~esicatalog.errors.CatalogError` with what to do when that is not possible.
+        """
+        return cls(open_catalog(target, create=create))
+
+    @staticmethod
+    def migrate(target: str | os.PathLike[str]) -> tuple[str, str]:
+        """Bring a catalog of an older version up to date; returns the schema versions before and after."""
+        return upgrade_catalog(target)
+
+    def close(self) -> None:
+        """Close all connections."""
+        self._engine.dispose()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def ingest(
+        self,
+        paths: Iterable[str | os.PathLike[str]],
+        jobs: int | None = None,
+        prune: bool = False,
+        progress: "Progress | None" = None,
+    ) -> "IngestReport":
+        """Ingest files, folders and zip archives; what is unchanged is skipped.
+
+        ``jobs`` is the number of worker processes (default: one a core, 1 = none); ``prune`` also removes what the
+        given folders no longer hold; ``progress`` is called after every document. Raises
+        :class:`~esicatalog.errors.InputError` for a missing path and
+        :class:`~esicatalog.errors.CatalogError` when the database cannot be written.
+        """
+        from esicatalog.ingest.run import ingest
+
+        return ingest(self._engine, paths, jobs, prune, progress)
+
+    def identify(self, vendor_id: int, product_code: int, revision_no: int | None = None) -> Identification:
+        """What the catalog knows about an identity; see :class:`~esicatalog.catalog.results.Identification`."""
+        with self._connection() as connection:
+            return identify(connection, vendor_id, product_code, revision_no)
+
+    def devices(
+        self,
+        *,
+        vendor_id: int | None = None,
+        vendor: str | None = None,
+        product_code: int | None = None,
+        text: str | None = None,
+        profile_no: int | None = None,
+        sync: str | None = None,
+        protocol: str | None = None,
+        complete_access: bool = False,
+        maps: "Sequence[Mapped]" = (),
+        not_maps: "Sequence[Mapped]" = (),
+        bits: int | None = None,
+        objects: "Sequence[Mapped]" = (),
+        all_variants: bool = False,
+        limit: int | None = None,
+    ) -> list[FoundDevice]:
+        """Devices that fulfil all conditions, each with its evidence.
+
+        ``maps``, ``not_maps`` and ``objects`` take (index, subindex or None); see
+        :class:`~esicatalog.catalog.search.DeviceFilter`. Raises :class:`~esicatalog.errors.InputError`.
+        """
+        from esicatalog.catalog.search import DeviceFilter, find_devices
+
+        wanted = DeviceFilter(
+            vendor_id=vendor_id,
+            vendor=vendor,
+            product_code=product_code,
+            text=text,
+            profile_no=profile_no,
+            sync=sync,
+            protocol=protocol,
+            complete_access=complete_access,
+            maps=tuple(maps),
+            not_maps=tuple(not_maps),
+            bits=bits,
+            objects=tuple(objects),
+            all_variants=all_variants,
+            limit=limit,
+        )
+        with self._connection() as connection:
+            return find_devices(connection, wanted)
+
+    def device(self, identity: str | Identity) -> DeviceDescription:
+        """One device with its records; ``identity`` is ``V:P[:R][@VARIANT]``, without R the latest revision.
+
+        Raises :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
+        """
+        from esicatalog.catalog.reader import RecordReader
+
+        wanted = parse_identity(identity) if isinstance(identity, str) else identity
+        with self._connection() as connection:
+            number, found = find_device(connection, wanted)
+            reader = RecordReader(connection)
+            sources = device_sources_of(connection, number)
+            return DeviceDescription(found, sources, reader.device(number), tuple(reader.modules_of(number)))
+
+    def check(self) -> CheckResult:
+        """Verify the database, its references and the stored content hash."""
+        with self._connection() as connection:
+            return check_catalog(connection)
+
+    @contextlib.contextmanager
+    def _connection(self) -> Iterator[Any]:
+        try:
+            with self._engine.connect() as connection:
+                yield connection
+        except sa.exc.DBAPIError as error:
+            raise database_error(str(self._engine.url.database), error) from error

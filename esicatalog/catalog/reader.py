@@ -1,0 +1,264 @@
+"""Reading records back from the catalog: what comes out equals what the document reader produced."""
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import msgspec
+import sqlalchemy as sa
+
+from esicatalog.catalog import schema
+from esicatalog.catalog.bulk import chunks
+from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, Child, Codec, codec
+from esicatalog.catalog.schema import parent_column
+from esicatalog.errors import NotFound
+from esicatalog.esi.binding import Record
+from esicatalog.esi.notes import Unmapped
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.diagnostics import Diagnostics
+from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.profile import Profile
+
+_TABLES = {record: table for table, record in TABLE_RECORDS.items()}
+
+
+class RecordReader:
+    """Reads devices, modules and dictionaries; what is shared is read once per reader."""
+
+    def __init__(self, connection: sa.Connection) -> None:
+        self._connection = connection
+        self._dictionaries: dict[int, Dictionary] = {}
+        self._diagnostics: dict[int, Diagnostics] = {}
+        self._objects: dict[int, Object] = {}
+        self._types: dict[int, DataType] = {}
+
+    def device(self, device_id: int, source_id: int | None = None) -> Device:
+        """One description; with ``source_id`` in the group that this document puts it in."""
+        device = next(iter(self.devices([device_id])))
+        if source_id is None:
+            return device
+        placed = schema.device_sources.c
+        group = self._connection.execute(
+            sa.select(placed.group_type).where(placed.device_id == device_id, placed.source_id == source_id)
+        ).scalar()
+        return _in_group(device, group_type=group)
+
+    def devices(self, device_ids: Sequence[int]) -> list[Device]:
+        """Descriptions in the order asked for. Raises :class:`NotFound`."""
+        devices: list[Device] = self._owners(Device, device_ids)
+        columns = schema.devices.c
+        groups: dict[int, str | None] = {}
+        for part in chunks(device_ids):
+            query = sa.select(columns.id, columns.group_type).where(columns.id.in_(part))
+            groups.update((number, group) for number, group in self._connection.execute(query))
+        return [
+            _in_group(device, group_type=groups[number]) for number, device in zip(device_ids, devices, strict=True)
+        ]
+
+    def modules(self, module_ids: Sequence[int]) -> list[Module]:
+        """Modules in the order asked for. Raises :class:`NotFound`."""
+        return self._owners(Module, module_ids)
+
+    def modules_of(self, device_id: int) -> list[Module]:
+        """The modules that the slots of a device can reach, in document order."""
+        links = schema.device_modules.c
+        query = sa.select(links.module_id).where(links.device_id == device_id).order_by(links.position)
+        return self.modules(self._connection.execute(query).scalars().all())
+
+    def dictionary(self, dictionary_id: int) -> Dictionary:
+        """A dictionary as declared, with its data types and objects."""
+        found = self._dictionaries.get(dictionary_id)
+        if found is None:
+            found = self._dictionaries[dictionary_id] = self._read_dictionary(dictionary_id)
+        return found
+
+    def diagnostics(self, diagnostics_id: int) -> Diagnostics:
+        """Diagnosis texts."""
+        found = self._diagnostics.get(diagnostics_id)
+        if found is None:
+            found = self._diagnostics[diagnostics_id] = self._plain(Diagnostics, [diagnostics_id])[diagnostics_id]
+        return found
+
+    def _owners(self, record_type: Any, owner_ids: Sequence[int]) -> list[Any]:
+        found: dict[int, Any] = {}
+        for part in chunks(dict.fromkeys(owner_ids), 200):
+            found.update(_OwnerBatch(self, self._connection, record_type, part).read())
+        missing = [number for number in owner_ids if number not in found]
+        if missing:
+            raise NotFound(f"no {record_type.__name__.lower()} with row number {missing[0]}")
+        return [found[number] for number in owner_ids]
+
+    def _read_dictionary(self, dictionary_id: int) -> Dictionary:
+        table, links = schema.dictionaries, schema.dictionary_objects.c
+        own = codec(Dictionary)
+        row = self._connection.execute(
+            sa.select(*(table.c[column.name] for column in own.stored_columns)).where(table.c.id == dictionary_id)
+        ).one()
+        object_ids = self._linked(links.object_id, links.dictionary_id, links.position, dictionary_id)
+        types = schema.dictionary_data_types.c
+        type_ids = self._linked(types.data_type_id, types.dictionary_id, types.position, dictionary_id)
+        self._load(Object, object_ids, self._objects)
+        self._load(DataType, type_ids, self._types)
+        dictionary: Dictionary = own.decode(
+            row,
+            data_types=tuple(self._types[number] for number in type_ids),
+            objects=tuple(self._objects[number] for number in object_ids),
+        )
+        return dictionary
+
+    def _linked(self, target: Any, parent: Any, position: Any, number: int) -> Sequence[int]:
+        query = sa.select(target).where(parent == number).order_by(position)
+        return self._connection.execute(query).scalars().all()
+
+    def _load(self, record_type: type[Record], numbers: Iterable[int], known: dict[int, Any]) -> None:
+        missing = [number for number in dict.fromkeys(numbers) if number not in known]
+        if missing:
+            known.update(self._plain(record_type, missing))
+
+    def _plain(self, record_type: type[Record], numbers: Sequence[int]) -> dict[int, Any]:
+        """Records of a table that is not owned by devices, with the rows that hang on them."""
+        own, table = codec(record_type), schema.metadata.tables[_TABLES[record_type]]
+        columns = [table.c[column.name] for column in own.stored_columns]
+        found = {}
+        for part in chunks(numbers):
+            children: dict[str, dict[int, list[Any]]] = {}
+            for child in CHILDREN.get(record_type, ()):
+                children[child.field] = self._child_records(child, table.name, part)
+            for number, *values in self._connection.execute(
+                sa.select(table.c.id, *columns).where(table.c.id.in_(part))
+            ):
+                elsewhere = {field: tuple(rows.get(number, ())) for field, rows in children.items()}
+                found[number] = own.decode(tuple(values), **elsewhere)
+        return found
+
+    def _child_records(self, child: Child, parent: str, numbers: list[int]) -> dict[int, list[Any]]:
+        own, table = codec(TABLE_RECORDS[child.table]), schema.metadata.tables[child.table]
+        owner = table.c[parent_column(parent)]
+        columns = [table.c[column.name] for column in own.stored_columns]
+        found: dict[int, list[Any]] = defaultdict(list)
+        query = sa.select(owner, *columns).where(owner.in_(numbers)).order_by(owner, table.c.position)
+        for number, *values in self._connection.execute(query):
+            found[number].append(own.decode(tuple(values)))
+        return found
+
+
+class _OwnerBatch:
+    """Reads a batch of devices or modules with one query a table."""
+
+    def __init__(self, reader: RecordReader, connection: sa.Connection, record_type: Any, owner_ids: list[int]) -> None:
+        self._reader = reader
+        self._connection = connection
+        self._record_type = record_type
+        self._ids = owner_ids
+        self._owner = f"{record_type.__name__.lower()}_id"
+        self._rows: dict[str, dict[Any, list[tuple[int, tuple[Any, ...]]]]] = {}
+        self._extensions: dict[tuple[int, str, int, str], str] = {}
+        self._images: dict[str, str] = {}
+
+    def read(self) -> dict[int, Any]:
+        table = schema.metadata.tables[_TABLES[self._record_type]]
+        self._load_owned(self._record_type)
+        self._load_extensions()
+        unmapped = self._unmapped()
+        own = codec(self._record_type)
+        columns = [table.c[column.name] for column in own.stored_columns]
+        rows = self._connection.execute(sa.select(table.c.id, *columns).where(table.c.id.in_(self._ids))).all()
+        self._load_images(own, [row[1:] for row in rows])
+        found = {}
+        for number, *values in rows:
+            extra = {"unmapped": tuple(unmapped.get(number, ()))}
+            found[number] = self._build(own, tuple(values), number, "", 0, number, extra)
+        return found
+
+    def _load_owned(self, record_type: Any) -> None:
+        """Fetch the rows of all tables below a record type."""
+        for child in CHILDREN.get(record_type, ()):
+            if child.table in self._rows:
+                continue
+            self._rows[child.table] = self._fetch(child, _TABLES[record_type])
+            self._load_owned(TABLE_RECORDS[child.table])
+
+    def _fetch(self, child: Child, parent: str) -> dict[Any, list[tuple[int, tuple[Any, ...]]]]:
+        table, own = schema.metadata.tables[child.table], codec(TABLE_RECORDS[child.table])
+        columns = [table.c[column.name] for column in own.stored_columns]
+        extra = [table.c.dictionary_id, table.c.diagnostics_id] if child.table == "profiles" else []
+        discriminator = table.c[child.discriminator[0]] if child.discriminator is not None else sa.literal(None)
+        if child.under_parent:
+            parents = schema.metadata.tables[parent]
+            key = table.c[parent_column(parent)]
+            query = sa.select(table.c.id, key, discriminator, *columns, *extra).join(parents, parents.c.id == key)
+            query = query.where(parents.c[self._owner].in_(self._ids))
+        else:
+            key = table.c[self._owner]
+            query = sa.select(table.c.id, key, discriminator, *columns, *extra).where(key.in_(self._ids))
+        found: dict[Any, list[tuple[int, tuple[Any, ...]]]] = defaultdict(list)
+        rows = self._connection.execute(query.order_by(key, table.c.position)).all()
+        for number, owner, kind, *values in rows:
+            found[(owner, kind)].append((number, tuple(values)))
+        self._load_images(own, [row[3:] for row in rows])
+        return found
+
+    def _build(
+        self,
+        own: Codec,
+        values: tuple[Any, ...],
+        number: int,
+        table: str,
+        position: int,
+        owner: int,
+        extra: dict[str, Any],
+    ) -> Any:
+        fields = dict(extra)
+        for child in CHILDREN.get(own.record_type, ()):
+            kind = child.discriminator[1] if child.discriminator is not None else None
+            rows = self._rows[child.table].get((number if child.under_parent else owner, kind), [])
+            inner = codec(TABLE_RECORDS[child.table])
+            built = tuple(
+                self._build(inner, row, row_number, child.table, at, owner, {})
+                for at, (row_number, row) in enumerate(rows)
+            )
+            fields[child.field] = (built[0] if built else None) if child.single else built
+        if own.record_type is Profile:
+            dictionary_id, diagnostics_id = values[len(own.stored_columns) :]
+            if dictionary_id is not None:
+                fields["dictionary"] = self._reader.dictionary(dictionary_id)
+            if diagnostics_id is not None:
+                fields["diag_messages"] = self._reader.diagnostics(diagnostics_id)
+        for field in own.extensions:
+            fields[field.name] = self._extensions.get((owner, table, position, field.name))
+        if own.image_column is not None and values[own.image_column] is not None:
+            fields["image_data"] = self._images[values[own.image_column]]
+        return own.decode(values, **fields)
+
+    def _load_extensions(self) -> None:
+        table = schema.vendor_extensions.c
+        query = sa.select(table[self._owner], table.owner_table, table.owner_position, table.field, table.xml).where(
+            table[self._owner].in_(self._ids)
+        )
+        self._extensions = {(a, b, c, d): xml for a, b, c, d, xml in self._connection.execute(query)}
+
+    def _unmapped(self) -> dict[int, list[Unmapped]]:
+        table = schema.unmapped.c
+        owner = table[self._owner]
+        found: dict[int, list[Unmapped]] = defaultdict(list)
+        query = sa.select(owner, table.path, table.value).where(owner.in_(self._ids)).order_by(owner, table.position)
+        for number, path, value in self._connection.execute(query):
+            found[number].append(Unmapped(path, value))
+        return found
+
+    def _load_images(self, own: Codec, rows: Iterable[Any]) -> None:
+        if own.image_column is None:
+            return
+        at = own.image_column
+        wanted = {row[at] for row in rows if row[at] is not None} - self._images.keys()
+        images = schema.images.c
+        for part in chunks(sorted(wanted)):
+            query = sa.select(images.sha256, images.data, images.malformed).where(images.sha256.in_(part))
+            for key, data, malformed in self._connection.execute(query):
+                self._images[key] = malformed if data is None else bytes(data).hex().upper()
+
+
+def _in_group(device: Device, group_type: str | None) -> Device:
+    """The device in another group."""
+    return msgspec.structs.replace(device, group_type=group_type)

@@ -1,0 +1,88 @@
+"""What lookups return: plain values that the shell, Python and HTTP print alike."""
+
+from typing import Any
+
+import msgspec
+
+
+class FoundDevice(msgspec.Struct, frozen=True):
+    """A device description in a list."""
+
+    vendor_id: int | None
+    product_code: int | None
+    revision_no: int | None
+    variant: int
+    vendor: str | None
+    type: str | None
+    name: str | None
+    evidence: tuple[str, ...] = ()
+
+    def as_json(self) -> dict[str, Any]:
+        """Identities as integers and as ``…_hex`` text."""
+        return {
+            "vendor_id": self.vendor_id,
+            "vendor_id_hex": hex32(self.vendor_id),
+            "product_code": self.product_code,
+            "product_code_hex": hex32(self.product_code),
+            "revision_no": self.revision_no,
+            "revision_no_hex": hex32(self.revision_no),
+            "variant": self.variant,
+            "vendor": self.vendor,
+            "type": self.type,
+            "name": self.name,
+            "evidence": list(self.evidence),
+        }
+
+
+class DeviceSource(msgspec.Struct, frozen=True):
+    """A document that carries a description."""
+
+    member: str
+    location: str
+    line: int
+    group_type: str | None
+    file_version: int | None
+    status: str
+
+
+class IdentifiedDevice(msgspec.Struct, frozen=True):
+    """A description with the documents it comes from."""
+
+    device: FoundDevice
+    sources: tuple[DeviceSource, ...]
+
+    def as_json(self) -> dict[str, Any]:
+        """The device's JSON with its sources."""
+        sources = [{"member": s.member, "line": s.line, "group_type": s.group_type} for s in self.sources]
+        return {**self.device.as_json(), "sources": sources}
+
+
+class Identification(msgspec.Struct, frozen=True):
+    """The answer to "what is this device"; ``device`` is None when nothing fits."""
+
+    vendor_id: int
+    product_code: int
+    revision_no: int | None
+    match: str
+    """exact, product, vendor or none."""
+    reason: str
+    device: IdentifiedDevice | None
+    variants: tuple[IdentifiedDevice, ...]
+    candidates: tuple[FoundDevice, ...]
+
+    def as_json(self) -> dict[str, Any]:
+        """The answer in the shape of ``esicatalog identify --format json``."""
+        query = {"vendor_id": self.vendor_id, "product_code": self.product_code, "revision_no": self.revision_no}
+        return {
+            "query": query | {f"{key}_hex": hex32(value) for key, value in query.items()},
+            "match": self.match,
+            "reason": self.reason,
+            "device": self.device.as_json() if self.device is not None else None,
+            "variants": [variant.as_json() for variant in self.variants],
+            "candidates": [candidate.as_json() for candidate in self.candidates],
+        }
+
+
+def hex32(value: int | None) -> str | None:
+    """``0x`` and eight digits."""
+    return None if value is None else f"0x{value:08x}"

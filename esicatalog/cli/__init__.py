@@ -1,0 +1,1 @@
+"""The shell command ``esicatalog``: argument parsing and printing, nothing else."""

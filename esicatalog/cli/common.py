@@ -1,0 +1,124 @@
+"""What all commands share: the catalog option, number types, error handling, output formats."""
+
+import csv
+import functools
+import json
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, TypeVar
+
+import click
+
+from esicatalog.errors import EsiCatalogError, NotFound
+from esicatalog.identity import parse_identity, parse_mapped, parse_number
+
+EXIT_NO = 1
+"""The answer is "no": not found, failed documents, problems."""
+EXIT_UNUSABLE = 2
+"""Wrong usage or unusable input."""
+
+_WIDEST_CELL = 60
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+db_option = click.option(
+    "--db",
+    metavar="FILE|URL",
+    default="catalog.db",
+    envvar="ESICATALOG_DB",
+    show_default=True,
+    show_envvar=True,
+    help="The catalog.",
+)
+
+
+def format_option(*formats: str) -> Callable[[Function], Function]:
+    """The option ``--format``; the first is the default."""
+    return click.option(
+        "--format",
+        "output_format",
+        type=click.Choice(formats),
+        default=formats[0],
+        show_default=True,
+        help="How to print.",
+    )
+
+
+def reporting_errors(function: Function) -> Function:
+    """Turn named errors into one line on stderr and the exit code of the contract."""
+
+    @functools.wraps(function)
+    def wrapped(*args: Any, **kwargs: Any) -> Any:
+        try:
+            return function(*args, **kwargs)
+        except EsiCatalogError as error:
+            click.echo(f"esicatalog: {error}", err=True)
+            sys.exit(EXIT_NO if isinstance(error, NotFound) else EXIT_UNUSABLE)
+        except BrokenPipeError:
+            sys.stderr.close()
+            sys.exit(EXIT_NO)
+
+    return wrapped  # type: ignore[return-value]
+
+
+class _Parsed(click.ParamType[Any]):
+    """An argument that a parser of :mod:`esicatalog.identity` reads; its errors are one line."""
+
+    def __init__(self, name: str, parse: Callable[[str], Any]) -> None:
+        self.name = name
+        self._parse = parse
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        if not isinstance(value, str):
+            return value
+        try:
+            return self._parse(value)
+        except EsiCatalogError as error:
+            click.echo(f"esicatalog: {error}", err=True)
+            sys.exit(EXIT_UNUSABLE)
+
+
+NUMBER = _Parsed("number", parse_number)
+IDENTITY = _Parsed("identity", parse_identity)
+MAPPED = _Parsed("index[:subindex]", parse_mapped)
+
+
+def print_json(value: Any) -> None:
+    """JSON alone on stdout, UTF-8."""
+    sys.stdout.buffer.write(json.dumps(value, ensure_ascii=False, indent=2).encode("utf-8", "replace") + b"\n")
+    sys.stdout.buffer.flush()
+
+
+def print_rows(rows: Sequence[Mapping[str, Any]], columns: Sequence[str], output_format: str) -> None:
+    """Rows as JSON (whole), CSV or an aligned table (the named columns)."""
+    if output_format == "json":
+        print_json(rows)
+    elif output_format == "csv":
+        writer = csv.writer(sys.stdout, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows([_cell(row[column]) for column in columns] for row in rows)
+    else:
+        print_table([[_cell(row[column]) for column in columns] for row in rows], columns)
+
+
+def print_table(rows: Sequence[Sequence[str]], head: Sequence[str]) -> None:
+    """An aligned table with a head line; the last column is not padded."""
+    for line in table_lines(rows, head):
+        click.echo(line)
+
+
+def table_lines(rows: Iterable[Sequence[str]], head: Sequence[str]) -> list[str]:
+    """Lines of an aligned table."""
+    cells = [list(head), *map(list, rows)]
+    widths = [max(len(row[at]) for row in cells) for at in range(len(head))]
+    widths[-1] = 0
+    widths[:-1] = [min(width, _WIDEST_CELL) for width in widths[:-1]]
+    return ["  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in cells]
+
+
+def _cell(value: Any) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, list | tuple):
+        return "; ".join(map(str, value))
+    return str(value)

@@ -1,0 +1,77 @@
+"""esicatalog ingest"""
+
+import sys
+import time
+from typing import TYPE_CHECKING
+
+import click
+
+from esicatalog.cli.common import EXIT_NO, db_option, format_option, print_json, reporting_errors
+
+if TYPE_CHECKING:
+    from esicatalog.ingest.report import DocumentLine, IngestReport
+
+_NAMED_STATUSES = ("failed", "recovered", "skipped")
+_REDRAW_SECONDS = 0.1
+_PLAIN_LINE_SECONDS = 2.0
+
+
+@click.command("ingest")
+@click.argument("paths", nargs=-1, required=True, type=click.Path())
+@db_option
+@click.option("--jobs", type=click.IntRange(1), help="Worker processes; 1 = none.  [default: one a core]")
+@click.option("--prune", is_flag=True, help="Remove what the given folders no longer hold.")
+@format_option("table", "json")
+@reporting_errors
+def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, output_format: str) -> None:
+    """Read ESI files, folders (recursively) and zip archives into the catalog.
+
+    Unchanged documents are skipped. Exit code 1 when a document failed.
+    """
+    from esicatalog.api import Catalog
+
+    with Catalog.open(db, create=True) as catalog:
+        report = catalog.ingest(paths, jobs, prune, _Progress())
+    if sys.stderr.isatty():
+        click.echo("\r\033[K", nl=False, err=True)
+    if output_format == "json":
+        print_json(report.as_json())
+    else:
+        _print_summary(report, db)
+    if report.counts["failed"]:
+        sys.exit(EXIT_NO)
+
+
+class _Progress:
+    """A bar on a terminal, a plain line every few seconds elsewhere."""
+
+    def __init__(self) -> None:
+        self._started = self._told = time.monotonic()
+        self._devices = 0
+        self._terminal = sys.stderr.isatty()
+
+    def __call__(self, line: "DocumentLine", done: int, total: int) -> None:
+        self._devices += line.devices
+        now = time.monotonic()
+        if now - self._told < (_REDRAW_SECONDS if self._terminal else _PLAIN_LINE_SECONDS):
+            return
+        self._told = now
+        rate = done / max(now - self._started, 0.001)
+        words = f"{done}/{total} documents, {self._devices} devices, {rate:.0f} documents/s"
+        if self._terminal:
+            filled = 30 * done // max(total, 1)
+            click.echo(f"\r[{'#' * filled}{'-' * (30 - filled)}] {words}\033[K", nl=False, err=True)
+        else:
+            click.echo(words, err=True)
+
+
+def _print_summary(report: "IngestReport", db: str) -> None:
+    for line in report.documents:
+        if line.status in _NAMED_STATUSES:
+            click.echo(f"{line.status:9}  {line.path}: {line.message}")
+    counts = report.counts
+    click.echo(
+        f"{counts['stored']} stored ({counts['recovered']} after recovery), {counts['unchanged']} unchanged, "
+        f"{counts['skipped']} skipped, {counts['failed']} failed; "
+        f"{report.devices} devices, {report.modules} modules in {report.seconds:.1f} s -> {db}"
+    )

@@ -1,0 +1,39 @@
+"""The command group; every command is loaded only when it is called."""
+
+import importlib
+from typing import Any
+
+import click
+
+from esicatalog import __version__
+
+COMMANDS = {
+    "ingest": "Read ESI files, folders and archives into the catalog.",
+    "devices": "List the devices that fulfil conditions, with evidence.",
+    "identify": "Say what a device with this identity is.",
+    "show": "Print the sheet of one device.",
+    "serve": "Browse the catalog in Datasette.",
+    "check": "Verify the catalog and print its content hash.",
+    "migrate": "Bring a catalog of an older version up to date.",
+}
+
+
+class _LazyGroup(click.Group):
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in COMMANDS:
+            return None
+        command: click.Command = importlib.import_module(f"esicatalog.cli.{cmd_name}").command
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: Any) -> None:
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+
+@click.group(cls=_LazyGroup, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="esicatalog")
+def cli() -> None:
+    """The catalog of EtherCAT devices, made from the vendors' ESI files."""

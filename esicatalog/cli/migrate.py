@@ -1,0 +1,16 @@
+"""esicatalog migrate"""
+
+import click
+
+from esicatalog.cli.common import db_option, reporting_errors
+
+
+@click.command("migrate")
+@db_option
+@reporting_errors
+def command(db: str) -> None:
+    """Bring a catalog of an older version up to date. A catalog is never downgraded."""
+    from esicatalog.api import Catalog
+
+    before, after = Catalog.migrate(db)
+    click.echo(f"{db}: schema {after}, nothing to do" if before == after else f"{db}: schema {before} -> {after}")

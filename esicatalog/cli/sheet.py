@@ -1,0 +1,269 @@
+"""The sheet of one device, as text and as JSON."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import msgspec
+
+from esicatalog.api import DeviceDescription
+from esicatalog.cli.common import table_lines
+from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.model.process_image import SmImage, byte_bit, default_process_image
+from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.sync import default_op_mode, sync_signals
+
+_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
+_COE_DETAILS = {
+    "coe_sdo_info": "SdoInfo",
+    "coe_pdo_assign": "PdoAssign",
+    "coe_pdo_config": "PdoConfig",
+    "coe_pdo_upload": "PdoUpload",
+    "coe_complete_access": "CompleteAccess",
+    "coe_segmented_sdo": "SegmentedSdo",
+    "coe_diag_history": "DiagHistory",
+}
+
+
+def sheet_lines(description: DeviceDescription) -> Iterator[str]:
+    """The sheet as lines of text."""
+    yield from _identity(description)
+    yield from _sync_managers(description)
+    yield from _process_image(default_process_image(description.device, description.modules))
+    yield from _pdos(description.device.rx_pdos, description.device.tx_pdos, "PDOs of the device")
+    for module in description.modules:
+        yield from _module(module)
+    yield from _mailbox(description.device.mailbox)
+    yield from _dc_modes(description.device.op_modes)
+
+
+def _section(title: str, head: tuple[str, ...], rows: list[list[str]]) -> Iterator[str]:
+    if rows:
+        yield ""
+        yield title
+        for line in table_lines(rows, head):
+            yield f"  {line}"
+
+
+def _identity(description: DeviceDescription) -> Iterator[str]:
+    found, device = description.found, description.device
+    yield f"{found.type}  {found.name or ''}".rstrip()
+    yield f"  vendor    {_hex(found.vendor_id, 8)}  {found.vendor or ''}".rstrip()
+    yield f"  product   {_hex(found.product_code, 8)}  ({_text(found.product_code)})"
+    yield f"  revision  {_hex(found.revision_no, 8)}  ({_text(found.revision_no)})"
+    if found.variant != 1:
+        yield f"  variant   {found.variant}: not the preferred description of this identity"
+    facts = [
+        ("group", device.group_type),
+        ("physics", device.physics),
+        ("E-bus", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
+        ("profiles", ", ".join(_profile_numbers(description)) or None),
+    ]
+    for name, value in facts:
+        if value:
+            yield f"  {name:9} {value}"
+    for source in description.sources:
+        yield f"  source    {source.member}, line {source.line}"
+
+
+def _profile_numbers(description: DeviceDescription) -> list[str]:
+    numbers: dict[str, None] = {}
+    for profile in description.device.profiles:
+        given = [(profile.profile_no, profile.add_info)]
+        given += [(channel.profile_no, channel.add_info) for channel in profile.channel_infos]
+        for profile_no, add_info in given:
+            if profile_no is not None:
+                numbers[f"{profile_no}" + (f"/{add_info}" if add_info is not None else "")] = None
+    return list(numbers)
+
+
+def _sync_managers(description: DeviceDescription) -> Iterator[str]:
+    rows = []
+    for number, sm in enumerate(description.device.sync_managers):
+        facts = sm_facts(sm)
+        watchdog = "watchdog" if facts.watchdog_trigger else ""
+        rows.append(
+            [
+                f"SM{number}",
+                sm.usage or "",
+                _hex(sm.start_address),
+                _hex(sm.control_byte, 2),
+                facts.buffer_mode or "",
+                facts.transfer_direction or "",
+                watchdog,
+                _text(sm.min_size),
+                _text(sm.default_size),
+                _text(sm.max_size),
+                _text(sm.enable),
+            ]
+        )
+    head = ("", "usage", "start", "control", "mode", "direction", "", "min", "default", "max", "enable")
+    yield from _section("Sync managers", head, rows)
+
+
+def _process_image(images: list[SmImage]) -> Iterator[str]:
+    for image in images:
+        rows = [
+            [
+                byte_bit(placed.bit_offset),
+                _text(placed.entry.bit_length),
+                _entry_index(placed.entry),
+                placed.entry.data_type or "",
+                display_text(placed.entry.names) or "",
+                _hex(pdo.pdo.pdo_index) + (f" of {display_text(pdo.module.names)}" if pdo.module is not None else ""),
+            ]
+            for pdo in image.pdos
+            for placed in pdo.entries
+        ]
+        title = (
+            f"Default process image, SM{image.sm} {image.usage or ''}: {image.byte_size} bytes ({image.bit_size} bits)"
+        )
+        yield ""
+        yield title
+        for line in table_lines(rows, ("byte.bit", "bits", "entry", "type", "name", "PDO")) if rows else []:
+            yield f"  {line}"
+        for remark in image.remarks:
+            yield f"  note: {remark}"
+
+
+def _entry_index(entry: Entry) -> str:
+    return f"{_hex(entry.entry_index)}:{entry.subindex or 0:02X}" if entry.entry_index else "padding"
+
+
+def _pdos(rx_pdos: tuple[Pdo, ...], tx_pdos: tuple[Pdo, ...], title: str) -> Iterator[str]:
+    rows = []
+    for direction, pdos in (("RxPdo", rx_pdos), ("TxPdo", tx_pdos)):
+        for pdo in pdos:
+            flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
+            bits = sum(entry.bit_length or 0 for entry in pdo.entries)
+            rows.append(
+                [
+                    direction,
+                    _hex(pdo.pdo_index),
+                    f"SM{pdo.sm}" if pdo.sm is not None else "optional",
+                    str(len(pdo.entries)),
+                    str(bits),
+                    " ".join(flags),
+                    " ".join(_hex(item.pdo_index) for item in pdo.excludes),
+                    display_text(pdo.names) or "",
+                ]
+            )
+    yield from _section(title, ("", "index", "assigned", "entries", "bits", "flags", "excludes", "name"), rows)
+
+
+def _module(module: Module) -> Iterator[str]:
+    title = f"Module {_hex(module.module_ident)}  {module.type or ''}  {display_text(module.names) or ''}".rstrip()
+    yield ""
+    yield title
+    yield from _pdos(module.rx_pdos, module.tx_pdos, "  PDOs of the module")
+    if module.mailbox is not None:
+        yield from _init_cmds(module.mailbox, "  InitCmds of the module")
+
+
+def _mailbox(mailbox: Mailbox | None) -> Iterator[str]:
+    if mailbox is None:
+        yield ""
+        yield "No mailbox"
+        return
+    protocols = [f"{name[0].upper()}o{name[2].upper()}" for name in _PROTOCOLS if getattr(mailbox, name)]
+    details = [words for field, words in _COE_DETAILS.items() if getattr(mailbox, field)]
+    yield ""
+    yield f"Mailbox: {', '.join(protocols) or 'no protocol'}" + (f"; CoE: {', '.join(details)}" if details else "")
+    yield from _init_cmds(mailbox, "InitCmds")
+
+
+def _init_cmds(mailbox: Mailbox, title: str) -> Iterator[str]:
+    rows = []
+    for protocol in ("CoE", "SoE", "EoE", "AoE"):
+        commands: tuple[InitCmd, ...] = getattr(mailbox, f"{protocol.lower()}_init_cmds")
+        rows += [
+            [protocol, " ".join(cmd.transitions), _init_cmd_target(cmd), cmd.data or "", cmd.comment or ""]
+            for cmd in commands
+        ]
+    yield from _section(title, ("", "transition", "target", "data (as sent)", "comment"), rows)
+
+
+def _init_cmd_target(cmd: InitCmd) -> str:
+    if cmd.idn is not None:
+        return f"IDN {cmd.idn}"
+    if cmd.object_index is not None:
+        return f"{_hex(cmd.object_index)}:{cmd.subindex or 0:02X}" + (" complete" if cmd.complete_access else "")
+    return f"type {cmd.eoe_type}" if cmd.eoe_type is not None else ""
+
+
+def _dc_modes(op_modes: tuple[OpMode, ...]) -> Iterator[str]:
+    default = default_op_mode(op_modes)
+    rows = []
+    for position, mode in enumerate(op_modes):
+        signals = sync_signals(mode.assign_activate)
+        words = [name for name, on in (("SYNC0", signals.sync0), ("SYNC1", signals.sync1)) if on]
+        if signals.time_only:
+            words.append("DC time only")
+        rows.append(
+            [
+                "*" if position == default else "",
+                mode.name or "",
+                _hex(mode.assign_activate),
+                "+".join(words) or "no DC",
+                _cycle(mode.cycle_time_sync0_ns, mode.cycle_time_sync0_factor),
+                _text(mode.shift_time_sync0_ns),
+                _cycle(mode.cycle_time_sync1_ns, mode.cycle_time_sync1_factor),
+                _text(mode.shift_time_sync1_ns),
+                mode.description or "",
+            ]
+        )
+    head = ("", "OpMode", "activate", "signals", "cycle 0", "shift 0 ns", "cycle 1", "shift 1 ns", "description")
+    yield from _section("DC modes (* = default)", head, rows)
+
+
+def _cycle(nanoseconds: int | None, factor: int | None) -> str:
+    if nanoseconds:
+        return f"{nanoseconds} ns"
+    return f"factor {factor}" if factor is not None else ""
+
+
+def sheet_json(description: DeviceDescription) -> dict[str, Any]:
+    """The sheet as JSON: identity, sources, process image, and the records of device and modules."""
+    images = default_process_image(description.device, description.modules)
+    return {
+        "identity": description.found.as_json(),
+        "sources": [{"member": s.member, "line": s.line, "group_type": s.group_type} for s in description.sources],
+        "process_image": [
+            {
+                "sm": image.sm,
+                "usage": image.usage,
+                "bit_size": image.bit_size,
+                "byte_size": image.byte_size,
+                "remarks": list(image.remarks),
+                "entries": [
+                    {
+                        "bit_offset": placed.bit_offset,
+                        "bit_length": placed.entry.bit_length,
+                        "entry_index": placed.entry.entry_index,
+                        "subindex": placed.entry.subindex or 0,
+                        "name": display_text(placed.entry.names),
+                        "data_type": placed.entry.data_type,
+                        "direction": pdo.direction,
+                        "pdo_index": pdo.pdo.pdo_index,
+                        "module_ident": pdo.module.module_ident if pdo.module is not None else None,
+                    }
+                    for pdo in image.pdos
+                    for placed in pdo.entries
+                ],
+            }
+            for image in images
+        ],
+        "device": msgspec.to_builtins(description.device),
+        "modules": [msgspec.to_builtins(module) for module in description.modules],
+    }
+
+
+def _hex(value: int | None, digits: int = 4) -> str:
+    return "" if value is None else f"0x{value:0{digits}X}" if digits < 8 else f"0x{value:0{digits}x}"
+
+
+def _text(value: Any) -> str:
+    return "" if value is None else str(value)

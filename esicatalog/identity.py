@@ -1,0 +1,55 @@
+"""Identities as people write them: numbers in any notation, ``VENDOR:PRODUCT[:REVISION][@VARIANT]``."""
+
+import re
+from typing import NamedTuple
+
+from esicatalog.errors import InputError
+
+UINT32_MAX = 0xFFFF_FFFF
+
+_NUMBER = re.compile(r"(?:0x|#x)([0-9a-f]+)|([0-9]+)", re.IGNORECASE)
+
+
+class Identity(NamedTuple):
+    """A device identity; ``revision_no`` None means the latest, ``variant`` None the preferred."""
+
+    vendor_id: int
+    product_code: int
+    revision_no: int | None = None
+    variant: int | None = None
+
+    def __str__(self) -> str:
+        revision = f":0x{self.revision_no:08x}" if self.revision_no is not None else ""
+        variant = f"@{self.variant}" if self.variant is not None else ""
+        return f"0x{self.vendor_id:08x}:0x{self.product_code:08x}{revision}{variant}"
+
+
+def parse_number(text: str, what: str = "number", limit: int = UINT32_MAX) -> int:
+    """A number written ``0x1097``, ``#x1097`` or ``4247``. Raises :class:`InputError`."""
+    match = _NUMBER.fullmatch(text.strip())
+    value = None if match is None else int(match[1], 16) if match[1] else int(match[2])
+    if value is None:
+        raise InputError(f"{what} {text!r} is not a number; write 0x1097, #x1097 or 4247")
+    if value > limit:
+        raise InputError(f"{what} {text!r} is larger than 0x{limit:x}")
+    return value
+
+
+def parse_identity(text: str) -> Identity:
+    """An identity written ``V:P[:R][@VARIANT]``. Raises :class:`InputError`."""
+    numbers, _, variant = text.partition("@")
+    parts = numbers.split(":")
+    if len(parts) not in (2, 3):
+        raise InputError(f"identity {text!r} is not VENDOR:PRODUCT[:REVISION][@VARIANT]")
+    vendor_id, product_code, *rest = (
+        parse_number(part, what) for part, what in zip(parts, ("vendor", "product", "revision"), strict=False)
+    )
+    return Identity(
+        vendor_id, product_code, rest[0] if rest else None, parse_number(variant, "variant") if variant else None
+    )
+
+
+def parse_mapped(text: str) -> tuple[int, int | None]:
+    """An object written ``INDEX[:SUBINDEX]``. Raises :class:`InputError`."""
+    index, colon, subindex = text.partition(":")
+    return parse_number(index, "index", 0xFFFF), parse_number(subindex, "subindex", 0xFF) if colon else None
