@@ -17,6 +17,13 @@ class FoundDevice(msgspec.Struct, frozen=True):
     name: str | None
     evidence: tuple[str, ...] = ()
 
+    @property
+    def identity_text(self) -> str:
+        """The identity as the commands take it: ``V:P:R``, ``@VARIANT`` unless preferred, ``-`` where not given."""
+        parts = (self.vendor_id, self.product_code, self.revision_no)
+        text = ":".join(hex32(part) or "-" for part in parts)
+        return text if self.variant == 1 else f"{text}@{self.variant}"
+
     def as_json(self) -> dict[str, Any]:
         """Identities as integers and as ``…_hex`` text."""
         return {

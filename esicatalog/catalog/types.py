@@ -36,5 +36,11 @@ def blob() -> TypeEngine[bytes]:
     return sa.LargeBinary().with_variant(sa.BLOB(), "sqlite")
 
 
-BY_KIND: dict[str, Callable[[], TypeEngine[Any]]] = {"int": integer, "bool": boolean, "text": text, "json": text, "float": real}
+BY_KIND: dict[str, Callable[[], TypeEngine[Any]]] = {
+    "int": integer,
+    "bool": boolean,
+    "text": text,
+    "json": text,
+    "float": real,
+}
 """Column kinds of :mod:`esicatalog.catalog.mapping`."""

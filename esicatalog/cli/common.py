@@ -90,15 +90,13 @@ def print_json(value: Any) -> None:
 
 
 def print_rows(rows: Sequence[Mapping[str, Any]], columns: Sequence[str], output_format: str) -> None:
-    """Rows as JSON (whole), CSV or an aligned table (the named columns)."""
+    """Rows as JSON (whole) or CSV (the named columns)."""
     if output_format == "json":
         print_json(rows)
-    elif output_format == "csv":
-        writer = csv.writer(sys.stdout, lineterminator="\n")
-        writer.writerow(columns)
-        writer.writerows([_cell(row[column]) for column in columns] for row in rows)
-    else:
-        print_table([[_cell(row[column]) for column in columns] for row in rows], columns)
+        return
+    writer = csv.writer(sys.stdout, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows([_cell(row[column]) for column in columns] for row in rows)
 
 
 def print_table(rows: Sequence[Sequence[str]], head: Sequence[str]) -> None:

@@ -2,12 +2,12 @@
 
 import click
 
-from esicatalog.cli.common import MAPPED, NUMBER, db_option, format_option, print_rows, reporting_errors
+from esicatalog.cli.common import MAPPED, NUMBER, db_option, format_option, print_rows, print_table, reporting_errors
 from esicatalog.errors import EsiCatalogError
 from esicatalog.identity import parse_number
 
 PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
-_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant", "type", "name", "evidence")
+_CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant", "vendor", "type", "name", "evidence")
 
 
 @click.command("devices")
@@ -68,7 +68,14 @@ def command(
             all_variants=all_variants,
             limit=limit,
         )
-    print_rows([device.as_json() for device in found], _COLUMNS, output_format)
+    if output_format == "table":
+        print_table(
+            [(d.identity_text, d.type or "", d.name or "", "; ".join(d.evidence)) for d in found],
+            ("identity", "type", "name", "evidence"),
+        )
+        click.echo(f"{len(found)} devices", err=True)
+    else:
+        print_rows([device.as_json() for device in found], _CSV_COLUMNS, output_format)
 
 
 def _vendor(text: str | None) -> tuple[int | None, str | None]:

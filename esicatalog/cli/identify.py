@@ -8,7 +8,7 @@ import click
 from esicatalog.cli.common import EXIT_NO, NUMBER, db_option, format_option, print_json, reporting_errors, table_lines
 
 if TYPE_CHECKING:
-    from esicatalog.catalog.results import FoundDevice, Identification
+    from esicatalog.catalog.results import Identification
 
 
 @click.command("identify")
@@ -41,16 +41,11 @@ def _print_answer(answer: "Identification") -> None:
         device = variant.device
         which = f", variant {device.variant}" if len(answer.variants) > 1 else ""
         click.echo(f"\n{device.type}  {device.name or ''}{which}")
-        click.echo(f"  {device.vendor or 'vendor without name'}  {_identity(device)}")
+        click.echo(f"  {device.vendor or 'vendor without name'}  {device.identity_text}")
         for source in variant.sources:
             click.echo(f"  described in {source.member}, line {source.line}")
     if answer.candidates:
         click.echo("\nOthers in the catalog:" if answer.device else "\nNearest in the catalog:")
-        rows = [[_identity(device), device.type or "", device.name or ""] for device in answer.candidates]
+        rows = [[device.identity_text, device.type or "", device.name or ""] for device in answer.candidates]
         for line in table_lines(rows, ("identity", "type", "name")):
             click.echo(f"  {line}")
-
-
-def _identity(device: "FoundDevice") -> str:
-    parts = (device.vendor_id, device.product_code, device.revision_no)
-    return ":".join("-" if part is None else f"0x{part:08x}" for part in parts)

@@ -132,7 +132,7 @@ def resolve_object(declared: Object, types: Mapping[str, DataType]) -> ResolvedO
                 0, display_text(declared.names), (), declared.type, _simple_size(declared, data_type), 0, None, None
             )
         ]
-        values = {0: declared}
+        values = {0: _single_values(declared, remarks)}
         code = OBJECT_CODES["VAR"]
     entries = []
     shared: dict[tuple[int, str | None], _Traits] = {}
@@ -143,6 +143,21 @@ def resolve_object(declared: Object, types: Mapping[str, DataType]) -> ResolvedO
             traits = shared[(id(flags), member.type)] = _traits(flags, member.type, types)
         entries.append(_entry(member, values.get(position), traits))
     return ResolvedObject(declared, code, tuple(entries), tuple(remarks))
+
+
+def _single_values(declared: Object, remarks: list[tuple[str, str]]) -> DeclaredValues:
+    """Values of an object without sub-items: those of Info itself, else of the one sub-item that some files give."""
+    has_own = any(
+        value is not None
+        for value in (declared.default_data, declared.default_value, declared.default_string, declared.min_value)
+    )
+    if has_own or not declared.info_sub_items:
+        return declared
+    if len(declared.info_sub_items) > 1:
+        remarks.append(("L46", "Info has sub-items, but the data type has none; left unpaired"))
+        return declared
+    remarks.append(("L46", "Info has a sub-item, but the data type has none; its values are taken for the object"))
+    return declared.info_sub_items[0]
 
 
 def _simple_size(declared: Object, data_type: DataType | None) -> int | None:

@@ -1,0 +1,101 @@
+"""CiA 402 modes of operation: codes, bits of 0x6502, setpoints, companions, and how names spell them.
+
+The table of ESI-FACTS section 16: bit b of 0x6502 is mode code b + 1.
+"""
+
+import re
+from typing import NamedTuple
+
+AXIS_STEP = 0x800
+"""Index distance between two axes of one device."""
+CONTROLWORD, STATUSWORD = 0x6040, 0x6041
+MODES_OF_OPERATION, MODES_DISPLAY = 0x6060, 0x6061
+SUPPORTED_DRIVE_MODES = 0x6502
+PROFILE_CIA402 = 402
+PROFILE_MODULAR = 5001
+
+
+class DriveMode(NamedTuple):
+    """A mode of operation. ``companions`` are the objects that only its profile generator needs."""
+
+    name: str
+    code: int
+    setpoint: int | None
+    companions: tuple[int, ...] = ()
+    cyclic: bool = False
+
+    @property
+    def bit(self) -> int:
+        """Its bit in 0x6502."""
+        return self.code - 1
+
+
+DRIVE_MODES: dict[str, DriveMode] = {
+    mode.name: mode
+    for mode in (
+        DriveMode("PP", 1, 0x607A, (0x6081, 0x6083, 0x6084)),
+        DriveMode("VL", 2, 0x6042, (0x6046, 0x6048, 0x6049)),
+        DriveMode("PV", 3, 0x60FF, (0x6083, 0x6084)),
+        DriveMode("TQ", 4, 0x6071, (0x6087, 0x6088)),
+        DriveMode("HM", 6, None, (0x6098, 0x6099, 0x609A)),
+        DriveMode("IP", 7, 0x60C1, (0x60C0,)),
+        DriveMode("CSP", 8, 0x607A, cyclic=True),
+        DriveMode("CSV", 9, 0x60FF, cyclic=True),
+        DriveMode("CST", 10, 0x6071, cyclic=True),
+        DriveMode("CSTCA", 11, 0x6071, cyclic=True),
+    )
+}
+MODE_BY_CODE = {mode.code: mode for mode in DRIVE_MODES.values()}
+STANDARD_BITS = 0x7FF
+"""Bits of 0x6502 that the profile defines; 16 to 31 are the manufacturer's."""
+
+PROFILE_AND_CYCLIC: dict[int, tuple[DriveMode, DriveMode]] = {
+    0x607A: (DRIVE_MODES["PP"], DRIVE_MODES["CSP"]),
+    0x60FF: (DRIVE_MODES["PV"], DRIVE_MODES["CSV"]),
+    0x6071: (DRIVE_MODES["TQ"], DRIVE_MODES["CST"]),
+}
+"""A setpoint tells the quantity, not whether the drive or the master makes the profile."""
+SINGLE_SETPOINTS = {0x6042: DRIVE_MODES["VL"], 0x60C1: DRIVE_MODES["IP"]}
+
+_TOKENS = {
+    "pp": "PP",
+    "pv": "PV",
+    "pt": "TQ",
+    "tq": "TQ",
+    "vl": "VL",
+    "hm": "HM",
+    "ip": "IP",
+    "csp": "CSP",
+    "csv": "CSV",
+    "cst": "CST",
+    "cstca": "CSTCA",
+}
+_AMBIGUOUS = {"ip", "vl", "hm", "pt", "pp"}
+"""Tokens that also mean other things (an IP address); they count beside another mode only."""
+_QUANTITIES = {"position": ("PP", "CSP"), "velocity": ("PV", "CSV"), "speed": ("PV", "CSV"), "torque": ("TQ", "CST")}
+_PHRASES = [
+    *(
+        (re.compile(rf"\bcyclic\s+(?:synchron\w*|sync)?\s*{word}\b", re.IGNORECASE), cyclic)
+        for word, (_, cyclic) in _QUANTITIES.items()
+    ),
+    *(
+        (re.compile(rf"\b{word}\s+mode\s*\(\s*dc\s*\)", re.IGNORECASE), cyclic)
+        for word, (_, cyclic) in _QUANTITIES.items()
+    ),
+    *((re.compile(rf"\bprofiled?\s+{word}\b", re.IGNORECASE), mode) for word, (mode, _) in _QUANTITIES.items()),
+    (re.compile(r"\binterpolat\w*\s+position\b", re.IGNORECASE), "IP"),
+    (re.compile(r"\bhoming\s+mode\b", re.IGNORECASE), "HM"),
+]
+_WORD = re.compile(r"[A-Za-z0-9]+")
+_NOT_A_MODE = re.compile(r"\bcsv[\s-]*(?:file|export|import|format|table)s?\b", re.IGNORECASE)
+
+
+def named_modes(text: str) -> set[str]:
+    """Modes that a name spells out, on word boundaries: ``Axis (csv,csp,cst)``, ``Cyclic velocity mode``."""
+    cleaned = _NOT_A_MODE.sub(" ", text)
+    found = {mode for pattern, mode in _PHRASES if pattern.search(cleaned)}
+    tokens = {word.lower() for word in _WORD.findall(cleaned.replace("_", " "))} & _TOKENS.keys()
+    clear = tokens - _AMBIGUOUS
+    if clear or found or len(tokens) > 1:
+        found |= {_TOKENS[token] for token in tokens}
+    return found

@@ -1,0 +1,330 @@
+"""Evidence for CiA 402 drive modes: one finding a place in the description that speaks for or against a mode.
+
+Ranks, scores and traps of ESI-FACTS section 16. Nothing here decides; :mod:`esicatalog.model.drive_modes` does.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Annotated, NamedTuple
+
+from esicatalog.esi.binding import Doc, Record
+from esicatalog.esi.numbers import decode_hex_binary
+from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
+from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.profile import Profile
+from esicatalog.model.cia402 import (
+    AXIS_STEP,
+    CONTROLWORD,
+    DRIVE_MODES,
+    MODE_BY_CODE,
+    MODES_OF_OPERATION,
+    PROFILE_AND_CYCLIC,
+    PROFILE_CIA402,
+    SINGLE_SETPOINTS,
+    STANDARD_BITS,
+    SUPPORTED_DRIVE_MODES,
+    DriveMode,
+    named_modes,
+)
+from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
+
+MAX_AXES = 8
+YES, NO = "yes", "no"
+
+RANKS: dict[str, tuple[str, float]] = {
+    "A+": ("declared in ESI", 0.95),
+    "A+ swapped": ("declared in ESI, byte order in doubt", 0.70),
+    "A+ short": ("declared in ESI, value shorter than its type", 0.50),
+    "A-": ("declared in ESI", 0.90),
+    "B1": ("configured by InitCmd", 0.90),
+    "B2": ("listed as a value of 0x6060", 0.80),
+    "C1": ("named", 0.80),
+    "C2": ("configured by InitCmd without its setpoint", 0.50),
+    "C3": ("configured by InitCmd against the module's name", 0.15),
+    "D1": ("inferred from setpoint and DC", 0.60),
+    "D2 profile": ("inferred from setpoint and profile companions", 0.55),
+    "D2 cyclic": ("inferred from setpoint and DC, with profile companions", 0.40),
+    "D3": ("inferred from setpoint", 0.40),
+    "D3 split": ("inferred from setpoint that two modes share", 0.20),
+    "E": ("inferred from the dictionary", 0.25),
+    "F": ("profile number only", 0.05),
+}
+"""Words and score of each rank."""
+
+
+class ModeEvidence(Record):
+    """One finding about one mode of one axis."""
+
+    axis: Annotated[int, Doc("Axis, from 0: its objects lie at axis * 0x800 above the first one's")] = 0
+    module_ident: Annotated[int | None, Doc("Module that it rests on; NULL for the device itself")] = None
+    mode: Annotated[str | None, Doc("PP VL PV TQ HM IP CSP CSV CST CSTCA; NULL where no single mode is meant")] = None
+    rank: Annotated[str, Doc("Kind of evidence, A+ to F; see docs/drive-modes.md")] = ""
+    wording: Annotated[str, Doc("What it is: declared in ESI, configured by InitCmd, named, inferred …")] = ""
+    score: Annotated[float, Doc("Weight of the evidence, 0 to 1")] = 0.0
+    polarity: Annotated[str, Doc("yes: speaks for the mode, no: against it")] = YES
+    conflict: Annotated[bool, Doc("Contradicts something else in the description")] = False
+    object_index: Annotated[int | None, Doc("Object that it rests on")] = None
+    pdo_index: Annotated[int | None, Doc("PDO that it rests on")] = None
+    evidence: Annotated[str, Doc("The finding in words")] = ""
+
+
+class Part(NamedTuple):
+    """What is looked at together: the device's own description or one module, for one axis."""
+
+    axis: int
+    module_ident: int | None
+    name: str
+    """Names of a module: type and name."""
+    dictionaries: tuple[Dictionary, ...]
+    rx_pdos: tuple[Pdo, ...]
+    init_cmds: tuple[InitCmd, ...]
+    profiles: tuple[Profile, ...]
+    sync0: bool
+    """Whether an OpMode that it can run in generates SYNC0."""
+    axis_shift: int
+    """Distance of the axis's objects in this part: 0 in modules, whose objects move with the slot."""
+
+    def at(self, index: int) -> int:
+        """Where an object of the first axis lies in this part."""
+        return index + self.axis_shift
+
+
+def find_evidence(part: Part) -> Iterator[ModeEvidence]:
+    """All findings of a part that has CiA 402 evidence."""
+    objects = _Objects(part)
+    yield from _supported_modes(part, objects)
+    yield from _enumerated(part, objects)
+    yield from _init_commands(part)
+    yield from _named(part)
+    yield from _mapped(part)
+    yield from _mappable(part, objects)
+
+
+def has_cia402(part: Part) -> bool:
+    """Whether the part is a CiA 402 axis: profile number 402, or a 16 bit controlword of this axis.
+
+    On modular I/O 0x6040 is just an input channel, so the controlword has to look like one.
+    """
+    if part.axis == 0 and any(_is_cia402(profile) for profile in part.profiles):
+        return True
+    control = part.at(CONTROLWORD)
+    mapped = any(
+        entry.entry_index == control and (entry.subindex or 0) == 0 and entry.bit_length == 16
+        for pdo in part.rx_pdos
+        for entry in pdo.entries
+    )
+    return mapped or any(
+        declared.object_index == control and declared.bit_size == 16
+        for dictionary in part.dictionaries
+        for declared in dictionary.objects
+    )
+
+
+def _is_cia402(profile: Profile) -> bool:
+    return PROFILE_CIA402 in (profile.profile_no, *(channel.profile_no for channel in profile.channel_infos))
+
+
+class _Objects:
+    """Objects of a part by index, with the data types of their dictionary."""
+
+    def __init__(self, part: Part) -> None:
+        self._found: dict[int, tuple[Object, dict[str, DataType]]] = {}
+        for dictionary in part.dictionaries:
+            types: dict[str, DataType] | None = None
+            for declared in dictionary.objects:
+                index = declared.object_index
+                if index is not None and index not in self._found:
+                    types = type_table(dictionary.data_types) if types is None else types
+                    self._found[index] = (declared, types)
+
+    def entry(self, index: int) -> ObjectEntry | None:
+        """The single value of an object."""
+        found = self._found.get(index)
+        return resolve_object(*found).entries[0] if found is not None else None
+
+    def enum_values(self, index: int) -> list[tuple[int | None, str]]:
+        """Values and texts of the enumeration that an object's type is."""
+        found = self._found.get(index)
+        if found is None:
+            return []
+        declared, types = found
+        data_type = types.get(declared.type or "")
+        if data_type is None:
+            return []
+        return [(item.value, display_text(item.texts) or "") for item in data_type.enum_infos]
+
+
+def _finding(
+    part: Part,
+    mode: DriveMode,
+    rank: str,
+    text: str,
+    *,
+    polarity: str = YES,
+    conflict: bool = False,
+    object_index: int | None = None,
+    pdo_index: int | None = None,
+) -> ModeEvidence:
+    wording, score = RANKS[rank]
+    return ModeEvidence(
+        axis=part.axis,
+        module_ident=part.module_ident,
+        mode=mode.name,
+        rank=rank,
+        wording=wording,
+        score=score,
+        polarity=polarity,
+        conflict=conflict,
+        object_index=object_index,
+        pdo_index=pdo_index,
+        evidence=text,
+    )
+
+
+def _supported_modes(part: Part, objects: _Objects) -> Iterator[ModeEvidence]:
+    """Default of 0x6502: bit b declares mode b + 1. Absent and zero say nothing."""
+    index = part.at(SUPPORTED_DRIVE_MODES)
+    entry = objects.entry(index)
+    if entry is None or not entry.default_int or entry.default_int < 0:
+        return
+    value, rank, doubt = entry.default_int, "A+", ""
+    data = decode_hex_binary(entry.default_raw) if entry.default_kind == "data" else None
+    width = (entry.bit_size or 32) // 8
+    if data is not None and len(data) < width:
+        rank, doubt = "A+ short", f" (only {len(data)} of {width} bytes are given)"
+    elif data is not None and not value & STANDARD_BITS:
+        swapped = int.from_bytes(data, "big")
+        if not swapped or swapped & ~STANDARD_BITS:
+            return
+        value, rank, doubt = swapped, "A+ swapped", " (bytes look swapped)"
+    for mode in DRIVE_MODES.values():
+        is_set = bool(value >> mode.bit & 1)
+        text = f"0x{index:04X} default {entry.default_raw}{doubt} has bit {mode.bit} ({mode.name})"
+        if is_set:
+            text = f"declared in ESI: {text} set; read 0x6502 on the drive"
+            yield _finding(part, mode, rank, text, conflict=rank != "A+", object_index=index)
+        elif rank == "A+":
+            text = f"declared in ESI: {text} clear; read 0x6502 on the drive"
+            yield _finding(part, mode, "A-", text, polarity=NO, object_index=index)
+
+
+def _enumerated(part: Part, objects: _Objects) -> Iterator[ModeEvidence]:
+    """0x6060 whose type enumerates modes by code, with a text that names the same mode."""
+    index = part.at(MODES_OF_OPERATION)
+    for value, text in objects.enum_values(index):
+        mode = MODE_BY_CODE.get(value) if value is not None else None
+        if mode is not None:
+            words = f"values of 0x{index:04X} list {value} ({text})"
+            yield _finding(part, mode, "B2", words, object_index=index)
+
+
+def _init_commands(part: Part) -> Iterator[ModeEvidence]:
+    """InitCmds that write a mode code to 0x6060."""
+    index = part.at(MODES_OF_OPERATION)
+    named = named_modes(part.name)
+    for command in part.init_cmds:
+        data = decode_hex_binary(command.data)
+        if command.object_index != index or (command.subindex or 0) != 0 or not data:
+            continue
+        mode = MODE_BY_CODE.get(int.from_bytes(data[:1], "little", signed=True))
+        if mode is None:
+            continue
+        words = f"InitCmd {'/'.join(command.transitions)} writes 0x{index:04X} = {mode.code} ({mode.name})"
+        pdo = mapping_pdo(part, mode)
+        if named and mode.name not in named:
+            listed = ", ".join(sorted(named))
+            text = f"{words}, but the module's name {part.name!r} lists {listed}"
+            yield _finding(part, mode, "C3", text, conflict=True, object_index=index)
+        elif pdo is not None or mode.setpoint is None:
+            mapped = f"; {pdo_words(pdo)} maps its setpoint 0x{part.at(mode.setpoint or 0):04X}" if pdo else ""
+            pdo_index = pdo.pdo_index if pdo else None
+            yield _finding(part, mode, "B1", words + mapped, object_index=index, pdo_index=pdo_index)
+        else:
+            text = f"{words}, but no RxPDO maps its setpoint 0x{part.at(mode.setpoint):04X}"
+            yield _finding(part, mode, "C2", text, conflict=True, object_index=index)
+
+
+def _named(part: Part) -> Iterator[ModeEvidence]:
+    """Names of the module or of a PDO that spell a mode whose setpoint is mapped there."""
+    for name in sorted(named_modes(part.name)):
+        mode = DRIVE_MODES[name]
+        pdo = mapping_pdo(part, mode)
+        if pdo is not None:
+            text = f"module name {part.name!r} names {name}; {pdo_words(pdo)} maps 0x{part.at(mode.setpoint or 0):04X}"
+            yield _finding(part, mode, "C1", text, pdo_index=pdo.pdo_index)
+    for pdo in part.rx_pdos:
+        for name in sorted(named_modes(display_text(pdo.names) or "")):
+            mode = DRIVE_MODES[name]
+            if maps_setpoint(part, pdo, mode):
+                text = f"{pdo_words(pdo)} {display_text(pdo.names)!r} names {name} and maps its setpoint"
+                yield _finding(part, mode, "C1", text, pdo_index=pdo.pdo_index)
+
+
+def _mapped(part: Part) -> Iterator[ModeEvidence]:
+    """Setpoints in RxPDOs, with and without a DC mode and the companions of profile modes."""
+    for pdo in part.rx_pdos:
+        mapped = {entry.entry_index for entry in pdo.entries if entry.entry_index}
+        for setpoint, (profile, cyclic) in PROFILE_AND_CYCLIC.items():
+            if part.at(setpoint) not in mapped:
+                continue
+            companions = [f"0x{part.at(index):04X}" for index in profile.companions if part.at(index) in mapped]
+            where = f"{pdo_words(pdo)} maps 0x{part.at(setpoint):04X}"
+            if companions:
+                text = f"{where} with {', '.join(companions)}"
+                yield _finding(part, profile, "D2 profile", text, pdo_index=pdo.pdo_index)
+                if part.sync0:
+                    yield _finding(part, cyclic, "D2 cyclic", text, pdo_index=pdo.pdo_index)
+            elif part.sync0:
+                text = f"{where}, and a DC OpMode generates SYNC0"
+                yield _finding(part, cyclic, "D1", text, pdo_index=pdo.pdo_index)
+            else:
+                for mode in (profile, cyclic):
+                    text = f"{where}; {profile.name} or {cyclic.name}"
+                    yield _finding(part, mode, "D3 split", text, pdo_index=pdo.pdo_index)
+        for setpoint, mode in SINGLE_SETPOINTS.items():
+            if part.at(setpoint) in mapped:
+                text = f"{pdo_words(pdo)} maps 0x{part.at(setpoint):04X}"
+                yield _finding(part, mode, "D3", text, pdo_index=pdo.pdo_index)
+
+
+def _mappable(part: Part, objects: _Objects) -> Iterator[ModeEvidence]:
+    """Setpoints that the dictionary lets into an RxPDO."""
+    pairs: list[tuple[int, Iterable[DriveMode]]] = list(PROFILE_AND_CYCLIC.items())
+    pairs += [(setpoint, (mode,)) for setpoint, mode in SINGLE_SETPOINTS.items()]
+    for setpoint, modes in pairs:
+        index = part.at(setpoint)
+        entry = objects.entry(index)
+        if entry is not None and "R" in (entry.pdo_mapping or ""):
+            for mode in modes:
+                text = f"0x{index:04X} can be mapped into an RxPDO"
+                yield _finding(part, mode, "E", text, object_index=index)
+
+
+def maps_setpoint(part: Part, pdo: Pdo, mode: DriveMode) -> bool:
+    """Whether a PDO maps the setpoint of a mode."""
+    return mode.setpoint is not None and any(e.entry_index == part.at(mode.setpoint) for e in pdo.entries)
+
+
+def mapping_pdo(part: Part, mode: DriveMode) -> Pdo | None:
+    """The RxPDO that maps the setpoint of a mode: one that is assigned by default before others."""
+    fitting = [pdo for pdo in part.rx_pdos if maps_setpoint(part, pdo, mode)]
+    return next((pdo for pdo in fitting if pdo.sm is not None), fitting[0] if fitting else None)
+
+
+def maps_mode_of_operation(part: Part, pdos: Sequence[Pdo]) -> Pdo | None:
+    """The RxPDO among ``pdos`` that maps 0x6060."""
+    index = part.at(MODES_OF_OPERATION)
+    return next((pdo for pdo in pdos if any(entry.entry_index == index for entry in pdo.entries)), None)
+
+
+def pdo_words(pdo: Pdo) -> str:
+    """A PDO in words."""
+    return f"RxPDO 0x{pdo.pdo_index:04X}" if pdo.pdo_index is not None else "an RxPDO"
+
+
+def axes_of(dictionaries: Iterable[Dictionary], rx_pdos: Iterable[Pdo]) -> list[int]:
+    """Axes above the first whose controlword or 0x6060 stands literally in the device's own description."""
+    indices = {o.object_index for dictionary in dictionaries for o in dictionary.objects}
+    indices |= {entry.entry_index for pdo in rx_pdos for entry in pdo.entries}
+    return [axis for axis in range(1, MAX_AXES) if CONTROLWORD + axis * AXIS_STEP in indices]

@@ -1,0 +1,314 @@
+"""Which CiA 402 modes a drive can run: verdict per axis and mode, and the recipe to get there.
+
+Modules that are alternatives in one slot are judged one by one, each with the device's own evidence; the device can do
+what any of them can, and the recipe names which one to plug.
+"""
+
+from collections import defaultdict
+from collections.abc import Sequence
+from typing import Annotated
+
+from esicatalog.esi.binding import Doc, Record
+from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.dictionary import Dictionary
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.model.cia402 import AXIS_STEP, DRIVE_MODES, DriveMode, named_modes
+from esicatalog.model.drive_evidence import (
+    NO,
+    RANKS,
+    YES,
+    ModeEvidence,
+    Part,
+    axes_of,
+    find_evidence,
+    has_cia402,
+    mapping_pdo,
+    maps_mode_of_operation,
+    pdo_words,
+)
+from esicatalog.model.slots import default_modules
+from esicatalog.model.sync import default_op_mode, is_superseded, sync_signals
+
+YES_FROM, LIKELY_FROM, POSSIBLE_FROM = 0.8, 0.5, 0.2
+_CAP_AGAINST_DECLARATION = 0.2
+"""Names and inference count little where 0x6502 declares the mode absent."""
+_CAPPED_RANKS = ("C", "D")
+
+
+class DriveModeVerdict(Record):
+    """The answer for one mode of one axis."""
+
+    axis: Annotated[int, Doc("Axis, from 0")] = 0
+    mode: Annotated[str, Doc("PP VL PV TQ HM IP CSP CSV CST CSTCA, or another drive system's name for it")] = ""
+    kind: Annotated[str, Doc("CiA 402; MDP 742 (motion terminals with modes of their own); SoE")] = "CiA 402"
+    verdict: Annotated[str, Doc("yes, likely, possible, no or unknown")] = "unknown"
+    score: Annotated[float, Doc("Weight of the best evidence, 0 to 1")] = 0.0
+    conflict: Annotated[bool, Doc("The description contradicts itself about this mode")] = False
+    evidence: Annotated[str, Doc("The best evidence in words")] = ""
+    module_ident: Annotated[int | None, Doc("Module to plug; NULL when none is needed")] = None
+    module_is_default: Annotated[bool | None, Doc("Whether that module is the default one")] = None
+    rx_pdo_index: Annotated[int | None, Doc("RxPDO that maps the setpoint")] = None
+    rx_pdo_is_default: Annotated[bool | None, Doc("Whether that RxPDO is assigned by default")] = None
+    op_mode: Annotated[str | None, Doc("OpMode of the distributed clocks to choose")] = None
+    recipe: Annotated[str | None, Doc("What to plug, assign, choose and write, in words")] = None
+
+
+class DriveModes(Record):
+    """All findings and the verdicts of a device."""
+
+    evidence: tuple[ModeEvidence, ...] = ()
+    verdicts: tuple[DriveModeVerdict, ...] = ()
+
+
+def drive_modes(device: Device, modules: Sequence[Module] = ()) -> DriveModes:
+    """Findings and verdicts for a device with the modules its slots can reach."""
+    own = _device_parts(device)
+    plugged = _module_parts(device, modules)
+    groups = _configurations(own, plugged)
+    evidence: list[ModeEvidence] = []
+    verdicts: list[DriveModeVerdict] = []
+    by_part = {}
+    for part in [*own, *(part for parts in plugged.values() for part in parts)]:
+        siblings = [p for p in own if p.axis == part.axis]
+        is_drive = has_cia402(part) or any(map(has_cia402, siblings))
+        by_part[id(part)] = list(find_evidence(part)) if is_drive else []
+        evidence.extend(by_part[id(part)])
+    for axis, configurations in sorted(groups.items()):
+        for mode in DRIVE_MODES.values():
+            verdict = _best(device, axis, mode, configurations, by_part, modules)
+            if verdict is not None:
+                verdicts.append(verdict)
+    if not verdicts:
+        verdicts = _other_systems(device)
+    if not verdicts and any(map(has_cia402, own)):
+        wording, score = RANKS["F"]
+        text = "profile number 402, but nothing says which modes"
+        evidence.append(ModeEvidence(rank="F", wording=wording, score=score, evidence=text))
+    return DriveModes(evidence=tuple(evidence), verdicts=tuple(verdicts))
+
+
+def _dictionaries(owner: Device | Module) -> tuple[Dictionary, ...]:
+    return tuple(profile.dictionary for profile in owner.profiles if profile.dictionary is not None)
+
+
+def _device_parts(device: Device) -> list[Part]:
+    dictionaries = _dictionaries(device)
+    sync0 = any(sync_signals(mode.assign_activate).sync0 for mode in device.op_modes)
+    commands = device.mailbox.coe_init_cmds if device.mailbox is not None else ()
+    return [
+        Part(
+            axis,
+            None,
+            "",
+            dictionaries,
+            device.rx_pdos,
+            commands,
+            device.profiles if axis == 0 else (),
+            sync0,
+            axis * AXIS_STEP,
+        )
+        for axis in (0, *axes_of(dictionaries, device.rx_pdos))
+    ]
+
+
+def _module_parts(device: Device, modules: Sequence[Module]) -> dict[int, list[Part]]:
+    """Parts of the modules by axis: what fits slot n can drive axis n."""
+    by_ident = {module.module_ident: module for module in reversed(modules)}
+    by_class: dict[str | None, list[Module]] = defaultdict(list)
+    for module in modules:
+        by_class[module.module_class].append(module)
+    parts: dict[int, list[Part]] = defaultdict(list)
+    number = 0
+    for slot in device.slots:
+        fitting = [by_ident[item.module_ident] for item in slot.module_idents if item.module_ident in by_ident]
+        for item in slot.module_classes:
+            fitting.extend(by_class[item.module_class] if item.module_class else [])
+        parts[number].extend(_module_part(device, module, number) for module in fitting)
+        number += max(min(slot.max_instances or 1, 8), 1)
+    return parts
+
+
+def _module_part(device: Device, module: Module, axis: int) -> Part:
+    modes = [mode for mode in device.op_modes if module.dc_op_mode_name in (None, mode.name)]
+    names = f"{module.type or ''} / {display_text(module.names) or ''}"
+    return Part(
+        axis,
+        module.module_ident,
+        names,
+        _dictionaries(module),
+        module.rx_pdos,
+        module.mailbox.coe_init_cmds if module.mailbox is not None else (),
+        module.profiles,
+        any(sync_signals(mode.assign_activate).sync0 for mode in modes),
+        0,
+    )
+
+
+def _configurations(own: list[Part], plugged: dict[int, list[Part]]) -> dict[int, list[list[Part]]]:
+    """Per axis the sets of parts that act together: the device's own, and with it each alternative module."""
+    axes = {part.axis for part in own} | plugged.keys()
+    found = {}
+    for axis in axes:
+        base = [part for part in own if part.axis == axis]
+        found[axis] = [base, *([*base, part] for part in plugged.get(axis, ()))]
+    return found
+
+
+def _best(
+    device: Device,
+    axis: int,
+    mode: DriveMode,
+    configurations: list[list[Part]],
+    by_part: dict[int, list[ModeEvidence]],
+    modules: Sequence[Module],
+) -> DriveModeVerdict | None:
+    default_idents = {plugged.module.module_ident for plugged in default_modules(device, modules)}
+    best: DriveModeVerdict | None = None
+    best_key: tuple[float, bool] = (-1.0, False)
+    for parts in configurations:
+        findings = [item for part in parts for item in by_part[id(part)] if item.mode == mode.name]
+        if not findings:
+            continue
+        verdict = _verdict(axis, mode, findings)
+        if verdict is None:
+            continue
+        module = next((part for part in reversed(parts) if part.module_ident is not None), None)
+        is_default = module is None or module.module_ident in default_idents
+        key = (verdict.score if verdict.verdict != NO else 0.0, is_default)
+        if key > best_key:
+            best, best_key = _with_recipe(device, verdict, mode, parts, module, is_default), key
+    return best
+
+
+def _verdict(axis: int, mode: DriveMode, findings: list[ModeEvidence]) -> DriveModeVerdict | None:
+    against = max((item for item in findings if item.polarity == NO), key=lambda item: item.score, default=None)
+    conflict = any(item.conflict for item in findings)
+
+    def weight(item: ModeEvidence) -> float:
+        capped = against is not None and item.rank[0] in _CAPPED_RANKS
+        return min(item.score, _CAP_AGAINST_DECLARATION) if capped else item.score
+
+    for_it = [item for item in findings if item.polarity == YES]
+    best = max(for_it, key=weight, default=None)
+    score = weight(best) if best is not None else 0.0
+    if against is not None:
+        contradicted = any(item.score >= LIKELY_FROM for item in for_it)
+        if score < LIKELY_FROM:
+            return DriveModeVerdict(
+                axis=axis,
+                mode=mode.name,
+                verdict="no",
+                score=against.score,
+                conflict=conflict or contradicted,
+                evidence=against.evidence,
+            )
+        score, conflict = min(score, LIKELY_FROM), True
+    if best is None:
+        return None
+    word = next(
+        (
+            word
+            for word, least in (("yes", YES_FROM), ("likely", LIKELY_FROM), ("possible", POSSIBLE_FROM))
+            if score >= least
+        ),
+        "unknown",
+    )
+    return DriveModeVerdict(
+        axis=axis, mode=mode.name, verdict=word, score=score, conflict=conflict, evidence=best.evidence
+    )
+
+
+def _with_recipe(
+    device: Device, verdict: DriveModeVerdict, mode: DriveMode, parts: list[Part], module: Part | None, is_default: bool
+) -> DriveModeVerdict:
+    if verdict.verdict == "no":
+        return verdict
+    import msgspec
+
+    steps: list[str] = []
+    if module is not None:
+        steps.append(f"plug module 0x{module.module_ident:X} ({'default' if is_default else 'not the default'})")
+    mapped = next(((part, pdo) for part in reversed(parts) if (pdo := mapping_pdo(part, mode)) is not None), None)
+    pdo = mapped[1] if mapped is not None else None
+    pdo_is_default = None
+    if pdo is not None:
+        pdo_is_default = pdo.sm is not None
+        steps.append(
+            f"{pdo_words(pdo)} maps the setpoint" + ("" if pdo_is_default else "; it is not assigned by default")
+        )
+    elif mode.setpoint is not None:
+        steps.append(f"map the setpoint 0x{mode.setpoint:04X} into an RxPDO")
+    op_mode = _op_mode(device, mode)
+    if op_mode is not None:
+        steps.append(f"OpMode {op_mode!r}")
+    steps.append(_mode_of_operation_step(mode, parts, [pdo] if pdo is not None else []))
+    return msgspec.structs.replace(
+        verdict,
+        module_ident=module.module_ident if module is not None else None,
+        module_is_default=is_default if module is not None else None,
+        rx_pdo_index=pdo.pdo_index if pdo is not None else None,
+        rx_pdo_is_default=pdo_is_default,
+        op_mode=op_mode,
+        recipe="; ".join(steps),
+    )
+
+
+def _op_mode(device: Device, mode: DriveMode) -> str | None:
+    """OpMode to choose: for cyclic modes the first valid one with SYNC0, else the default."""
+    if not device.op_modes:
+        return None
+    if mode.cyclic:
+        for op_mode in device.op_modes:
+            if sync_signals(op_mode.assign_activate).sync0 and not is_superseded(op_mode):
+                return op_mode.name
+    position = default_op_mode(device.op_modes)
+    return device.op_modes[position].name if position is not None else None
+
+
+def _mode_of_operation_step(mode: DriveMode, parts: list[Part], pdos: list[Pdo]) -> str:
+    for part in reversed(parts):
+        pdo = maps_mode_of_operation(part, pdos)
+        if pdo is not None:
+            return f"0x6060 is mapped in {pdo_words(pdo)}: set it to {mode.code}"
+    return f"0x6060 is not mapped there: write {mode.code} to it before operation"
+
+
+def _other_systems(device: Device) -> list[DriveModeVerdict]:
+    """Drives that do not speak CiA 402: SoE, and motion terminals of the modular device profile."""
+    if device.mailbox is not None and device.mailbox.soe:
+        text = "SoE drive: its operation modes are in IDN S-0-0032 and following, not in CiA 402 objects"
+        return [DriveModeVerdict(mode="SoE", kind="SoE", verdict="unknown", evidence=text)]
+    found = []
+    for index, name, text in _motion_terminal_modes(device):
+        words = f"values of 0x{index:04X} list {text!r}; no CiA 402 object"
+        found.append(DriveModeVerdict(mode=name, kind="MDP 742", verdict="yes", score=RANKS["B2"][1], evidence=words))
+    return found
+
+
+def _motion_terminal_modes(device: Device) -> list[tuple[int, str, str]]:
+    from esicatalog.model.dictionary import type_table
+
+    if not any(
+        _is_motion_terminal(p.profile_no, p.add_info)
+        or any(_is_motion_terminal(c.profile_no, c.add_info) for c in p.channel_infos)
+        for p in device.profiles
+    ):
+        return []
+    found: dict[str, tuple[int, str, str]] = {}
+    for dictionary in _dictionaries(device):
+        types = type_table(dictionary.data_types)
+        for declared in dictionary.objects:
+            data_type = types.get(declared.type or "")
+            for sub_item in data_type.sub_items if data_type is not None else ():
+                enumeration = types.get(sub_item.type or "")
+                for item in enumeration.enum_infos if enumeration is not None else ():
+                    text = display_text(item.texts) or ""
+                    for mode in named_modes(text):
+                        found.setdefault(mode, (declared.object_index or 0, mode, text))
+    return list(found.values())
+
+
+def _is_motion_terminal(profile_no: int | None, add_info: int | None) -> bool:
+    return profile_no == 5001 and add_info is not None and 700 <= add_info <= 799
