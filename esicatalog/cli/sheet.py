@@ -113,7 +113,8 @@ def _process_image(images: list[SmImage]) -> Iterator[str]:
                 _entry_index(placed.entry),
                 placed.entry.data_type or "",
                 display_text(placed.entry.names) or "",
-                _hex(pdo.pdo.pdo_index) + (f" of {display_text(pdo.module.names)}" if pdo.module is not None else ""),
+                _hex(pdo.pdo.pdo_index)
+                + (f" of {display_text(pdo.module.names)} in slot {pdo.slot_number}" if pdo.module is not None else ""),
             ]
             for pdo in image.pdos
             for placed in pdo.entries

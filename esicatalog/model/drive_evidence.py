@@ -38,7 +38,7 @@ RANKS: dict[str, tuple[str, float]] = {
     "A+ short": ("declared in ESI, value shorter than its type", 0.50),
     "A-": ("declared in ESI", 0.90),
     "B1": ("configured by InitCmd", 0.90),
-    "B2": ("listed as a value of 0x6060", 0.80),
+    "B2": ("listed as a value of 0x6060", 0.75),
     "C1": ("named", 0.80),
     "C2": ("configured by InitCmd without its setpoint", 0.50),
     "C3": ("configured by InitCmd against the module's name", 0.15),
@@ -224,10 +224,7 @@ def _init_commands(part: Part) -> Iterator[ModeEvidence]:
     index = part.at(MODES_OF_OPERATION)
     named = named_modes(part.name)
     for command in part.init_cmds:
-        data = decode_hex_binary(command.data)
-        if command.object_index != index or (command.subindex or 0) != 0 or not data:
-            continue
-        mode = MODE_BY_CODE.get(int.from_bytes(data[:1], "little", signed=True))
+        mode = written_mode(command, index)
         if mode is None:
             continue
         words = f"InitCmd {'/'.join(command.transitions)} writes 0x{index:04X} = {mode.code} ({mode.name})"
@@ -243,6 +240,14 @@ def _init_commands(part: Part) -> Iterator[ModeEvidence]:
         else:
             text = f"{words}, but no RxPDO maps its setpoint 0x{part.at(mode.setpoint):04X}"
             yield _finding(part, mode, "C2", text, conflict=True, object_index=index)
+
+
+def written_mode(command: InitCmd, index: int) -> DriveMode | None:
+    """The mode whose code an InitCmd writes to 0x6060 (of this axis: ``index``)."""
+    data = decode_hex_binary(command.data)
+    if command.object_index != index or (command.subindex or 0) != 0 or not data:
+        return None
+    return MODE_BY_CODE.get(int.from_bytes(data[:1], "little", signed=True))
 
 
 def _named(part: Part) -> Iterator[ModeEvidence]:

@@ -8,14 +8,18 @@ from collections import defaultdict
 from collections.abc import Sequence
 from typing import Annotated
 
+import msgspec
+
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Dictionary
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.cia402 import AXIS_STEP, DRIVE_MODES, DriveMode, named_modes
+from esicatalog.model.cia402 import AXIS_STEP, DRIVE_MODES, MODES_OF_OPERATION, DriveMode, named_modes
+from esicatalog.model.dictionary import type_table
 from esicatalog.model.drive_evidence import (
+    MAX_AXES,
     NO,
     RANKS,
     YES,
@@ -27,8 +31,9 @@ from esicatalog.model.drive_evidence import (
     mapping_pdo,
     maps_mode_of_operation,
     pdo_words,
+    written_mode,
 )
-from esicatalog.model.slots import default_modules
+from esicatalog.model.slots import PluggedModule, accepts, default_modules, expand_module, numbered_slots
 from esicatalog.model.sync import default_op_mode, is_superseded, sync_signals
 
 YES_FROM, LIKELY_FROM, POSSIBLE_FROM = 0.8, 0.5, 0.2
@@ -115,34 +120,35 @@ def _device_parts(device: Device) -> list[Part]:
 
 def _module_parts(device: Device, modules: Sequence[Module]) -> dict[int, list[Part]]:
     """Parts of the modules by axis: what fits slot n can drive axis n."""
-    by_ident = {module.module_ident: module for module in reversed(modules)}
-    by_class: dict[str | None, list[Module]] = defaultdict(list)
-    for module in modules:
-        by_class[module.module_class].append(module)
     parts: dict[int, list[Part]] = defaultdict(list)
-    number = 0
-    for slot in device.slots:
-        fitting = [by_ident[item.module_ident] for item in slot.module_idents if item.module_ident in by_ident]
-        for item in slot.module_classes:
-            fitting.extend(by_class[item.module_class] if item.module_class else [])
-        parts[number].extend(_module_part(device, module, number) for module in fitting)
-        number += max(min(slot.max_instances or 1, 8), 1)
+    for number, slot, _ in numbered_slots(device):
+        if number >= MAX_AXES:
+            break
+        for module in modules:
+            if accepts(slot, module):
+                parts[number].append(_module_part(device, PluggedModule(number, slot, module)))
     return parts
 
 
-def _module_part(device: Device, module: Module, axis: int) -> Part:
+def _module_part(device: Device, plugged: PluggedModule) -> Part:
+    module = expand_module(device, plugged).module
     modes = [mode for mode in device.op_modes if module.dc_op_mode_name in (None, mode.name)]
-    names = f"{module.type or ''} / {display_text(module.names) or ''}"
+    increment = plugged.slot.slot_index_increment
+    if increment is None:
+        increment = device.slot_index_increment or 0
+    moves = any(entry.depend_on_slot for pdo in module.rx_pdos for entry in pdo.entries) or any(
+        o.depend_on_slot for dictionary in _dictionaries(module) for o in dictionary.objects
+    )
     return Part(
-        axis,
+        plugged.slot_number,
         module.module_ident,
-        names,
+        f"{module.type or ''} / {display_text(module.names) or ''}",
         _dictionaries(module),
         module.rx_pdos,
         module.mailbox.coe_init_cmds if module.mailbox is not None else (),
         module.profiles,
         any(sync_signals(mode.assign_activate).sync0 for mode in modes),
-        0,
+        plugged.slot_number * increment if moves else 0,
     )
 
 
@@ -225,8 +231,6 @@ def _with_recipe(
 ) -> DriveModeVerdict:
     if verdict.verdict == "no":
         return verdict
-    import msgspec
-
     steps: list[str] = []
     if module is not None:
         steps.append(f"plug module 0x{module.module_ident:X} ({'default' if is_default else 'not the default'})")
@@ -239,7 +243,7 @@ def _with_recipe(
             f"{pdo_words(pdo)} maps the setpoint" + ("" if pdo_is_default else "; it is not assigned by default")
         )
     elif mode.setpoint is not None:
-        steps.append(f"map the setpoint 0x{mode.setpoint:04X} into an RxPDO")
+        steps.append(f"map the setpoint 0x{parts[-1].at(mode.setpoint):04X} into an RxPDO")
     op_mode = _op_mode(device, mode)
     if op_mode is not None:
         steps.append(f"OpMode {op_mode!r}")
@@ -271,8 +275,12 @@ def _mode_of_operation_step(mode: DriveMode, parts: list[Part], pdos: list[Pdo])
     for part in reversed(parts):
         pdo = maps_mode_of_operation(part, pdos)
         if pdo is not None:
-            return f"0x6060 is mapped in {pdo_words(pdo)}: set it to {mode.code}"
-    return f"0x6060 is not mapped there: write {mode.code} to it before operation"
+            return f"0x{part.at(MODES_OF_OPERATION):04X} is mapped in {pdo_words(pdo)}: set it to {mode.code}"
+    part = parts[-1]
+    index = part.at(MODES_OF_OPERATION)
+    if any(written_mode(command, index) is mode for command in part.init_cmds):
+        return f"0x{index:04X} = {mode.code} is written by an InitCmd"
+    return f"0x{index:04X} is not mapped there: write {mode.code} to it before operation"
 
 
 def _other_systems(device: Device) -> list[DriveModeVerdict]:
@@ -288,8 +296,6 @@ def _other_systems(device: Device) -> list[DriveModeVerdict]:
 
 
 def _motion_terminal_modes(device: Device) -> list[tuple[int, str, str]]:
-    from esicatalog.model.dictionary import type_table
-
     if not any(
         _is_motion_terminal(p.profile_no, p.add_info)
         or any(_is_motion_terminal(c.profile_no, c.add_info) for c in p.channel_infos)

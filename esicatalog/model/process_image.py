@@ -1,18 +1,26 @@
-"""Process image: which PDOs are assigned, and where every entry lies (ESI-FACTS sections 0, 9 and 18).
+"""Process image: which PDOs are assigned, and where every entry lies (ESI-FACTS sections 0, 9, 12 and 18).
 
-A PDO is assigned by its Sm attribute, unless the default OpMode lists PDOs for the SyncManager: then that list counts.
+A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the SyncManager: then that list counts.
 PDOs follow each other bit by bit in document order; a SyncManager is as long as all its bits, rounded up once.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from lxml import etree
+
+from esicatalog.esi.numbers import parse_hex_dec
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
-from esicatalog.model.slots import default_modules, shift_pdo, slot_shift
+from esicatalog.model.slots import PluggedModule, default_modules, expand_module
 from esicatalog.model.sync import default_op_mode
+
+Assignment = Mapping[int, Mapping[int, int]]
+"""PDOs of SyncManagers: oversampling factor by PDO index, in order, by SyncManager number."""
+
+_DIRECTION_OF_USAGE = {"Outputs": "RxPdo", "Inputs": "TxPdo"}
 
 
 class PlacedEntry(NamedTuple):
@@ -23,11 +31,12 @@ class PlacedEntry(NamedTuple):
 
 
 class PlacedPdo(NamedTuple):
-    """An assigned PDO; ``repeat`` is the oversampling factor."""
+    """An assigned PDO; ``repeat`` is the oversampling factor, ``slot_number`` None for a PDO of the device itself."""
 
     direction: str
     pdo: Pdo
     repeat: int
+    slot_number: int | None
     module: Module | None
     entries: tuple[PlacedEntry, ...]
 
@@ -47,29 +56,72 @@ class SmImage(NamedTuple):
         return (self.bit_size + 7) // 8
 
 
+class NamedAssignment(NamedTuple):
+    """TwinCAT's predefined PDO assignment: a name and the PDO indices of each SyncManager."""
+
+    name: str
+    is_default: bool
+    pdo_indices: dict[int, tuple[int, ...]]
+
+
 class _Candidate(NamedTuple):
     direction: str
     pdo: Pdo
+    slot_number: int | None
     module: Module | None
+    pdo_group: int | None
 
 
 def default_process_image(device: Device, modules: Sequence[Module] = ()) -> list[SmImage]:
-    """The process image without any choice: default OpMode, default modules. SyncManagers in ascending order."""
-    candidates = [_Candidate("RxPdo", pdo, None) for pdo in device.rx_pdos]
-    candidates += [_Candidate("TxPdo", pdo, None) for pdo in device.tx_pdos]
-    for plugged in default_modules(device, modules):
-        shift = slot_shift(device, plugged.slot, plugged.slot_number)
-        for direction, pdos in (("RxPdo", plugged.module.rx_pdos), ("TxPdo", plugged.module.tx_pdos)):
-            candidates += [_Candidate(direction, shift_pdo(pdo, shift), plugged.module) for pdo in pdos]
+    """The process image without any choice: default OpMode, default modules."""
     position = default_op_mode(device.op_modes)
-    listed = _listed(device.op_modes[position]) if position is not None else {}
+    op_mode = device.op_modes[position] if position is not None else None
+    return process_image(device, default_modules(device, modules), op_mode)
+
+
+def process_image(
+    device: Device,
+    plugged: Sequence[PluggedModule] = (),
+    op_mode: OpMode | None = None,
+    assignment: Assignment | None = None,
+) -> list[SmImage]:
+    """The process image for chosen modules, OpMode and PDO assignment; SyncManagers in ascending order.
+
+    ``assignment`` (PDO index to oversampling factor, by SyncManager) wins over the OpMode's list, that over Pdo@Sm.
+    """
+    problems, candidates = _candidates(device, plugged)
+    listed = dict(_listed(op_mode)) if op_mode is not None else {}
+    listed.update({number: dict(pdos) for number, pdos in (assignment or {}).items()})
     numbers = {c.pdo.sm for c in candidates if c.pdo.sm is not None} | listed.keys()
-    numbers |= {n for n, sm in enumerate(device.sync_managers) if sm.usage in ("Outputs", "Inputs")}
-    return [_image(device, number, candidates, listed.get(number)) for number in sorted(numbers)]
+    numbers |= {n for n, sm in enumerate(device.sync_managers) if sm.usage in _DIRECTION_OF_USAGE}
+    return [_image(device, number, candidates, listed.get(number), problems) for number in sorted(numbers)]
+
+
+def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> tuple[list[str], list[_Candidate]]:
+    """All PDOs that could be assigned; a module's PDO takes the place of one marked OverwrittenByModule."""
+    problems: list[str] = []
+    of_modules: list[_Candidate] = []
+    for item in plugged:
+        expanded = expand_module(device, item)
+        problems.extend(expanded.problems)
+        for direction, pdos in (("RxPdo", expanded.module.rx_pdos), ("TxPdo", expanded.module.tx_pdos)):
+            of_modules += [
+                _Candidate(direction, pdo, item.slot_number, item.module, item.module.module_pdo_group) for pdo in pdos
+            ]
+    overwritten = {candidate.pdo.pdo_index for candidate in of_modules}
+    own = [
+        _Candidate(direction, pdo, None, None, device.module_pdo_group)
+        for direction, pdos in (("RxPdo", device.rx_pdos), ("TxPdo", device.tx_pdos))
+        for pdo in pdos
+        if not (pdo.overwritten_by_module and pdo.pdo_index in overwritten)
+    ]
+    candidates = own + of_modules
+    if device.module_pdo_groups:
+        candidates.sort(key=lambda candidate: candidate.pdo_group if candidate.pdo_group is not None else -1)
+    return problems, candidates
 
 
 def _listed(op_mode: OpMode) -> dict[int, dict[int, int]]:
-    """PDO lists of an OpMode: by SyncManager, oversampling factor by PDO index."""
     return {
         item.no: {pdo.pdo_index: pdo.os_fac or 1 for pdo in item.pdos if pdo.pdo_index is not None}
         for item in op_mode.sm_assignments
@@ -77,35 +129,104 @@ def _listed(op_mode: OpMode) -> dict[int, dict[int, int]]:
     }
 
 
-def _image(device: Device, number: int, candidates: list[_Candidate], listed: dict[int, int] | None) -> SmImage:
-    usage = device.sync_managers[number].usage if number < len(device.sync_managers) else None
+def _image(
+    device: Device, number: int, candidates: list[_Candidate], listed: Mapping[int, int] | None, problems: list[str]
+) -> SmImage:
+    usage = device.sync_managers[number].usage if 0 <= number < len(device.sync_managers) else None
+    remarks = list(problems)
     if listed is not None:
         by_index = {c.pdo.pdo_index: c for c in reversed(candidates)}
+        remarks += [f"PDO 0x{index:04X} is listed but not described" for index in listed if index not in by_index]
         chosen = [(by_index[index], factor) for index, factor in listed.items() if index in by_index]
     else:
         chosen = [(c, c.pdo.os_fac or 1) for c in candidates if c.pdo.sm == number]
-    placed: list[PlacedPdo] = []
-    remarks: list[str] = []
-    taken: dict[int, set[int]] = {}
-    offset = 0
+    builder = _ImageBuilder(device, remarks)
     for candidate, factor in chosen:
+        builder.place(candidate, factor)
+    builder.align(None)
+    return SmImage(number, usage, tuple(builder.placed), builder.bit_size, tuple(remarks))
+
+
+class _ImageBuilder:
+    """Puts PDOs one behind the other, bit by bit; groups of module PDOs end on their alignment."""
+
+    def __init__(self, device: Device, remarks: list[str]) -> None:
+        self._groups = device.module_pdo_groups
+        self._remarks = remarks
+        self._excluded: dict[int, set[int]] = {}
+        self._group: _Candidate | None = None
+        self._group_start = 0
+        self.placed: list[PlacedPdo] = []
+        self.bit_size = 0
+
+    def place(self, candidate: _Candidate, factor: int) -> None:
+        """Add a PDO unless it is virtual or excluded by one that came before."""
         pdo = candidate.pdo
         if pdo.virtual:
-            remarks.append(f"PDO {_hex(pdo.pdo_index)} is virtual: not transported")
-            continue
-        excluded = {item.pdo_index for item in pdo.excludes if item.pdo_index is not None}
-        rival = next((index for index, barred in taken.items() if index in excluded or pdo.pdo_index in barred), None)
+            self._remarks.append(f"PDO {_hex(pdo.pdo_index)} is virtual: described, not transported")
+            return
+        excluded = {item.pdo_index for item in pdo.excludes if item.pdo_index is not None} - {pdo.pdo_index}
+        rival = next(
+            (index for index, barred in self._excluded.items() if index in excluded or pdo.pdo_index in barred), None
+        )
         if rival is not None:
-            remarks.append(f"PDO {_hex(pdo.pdo_index)} excludes {_hex(rival)}, which is assigned before it; left out")
-            continue
+            self._remarks.append(f"PDO {_hex(pdo.pdo_index)} and {_hex(rival)} exclude each other; the first is kept")
+            return
+        self.align(candidate)
         entries = []
         for _ in range(factor):
             for entry in pdo.entries:
-                entries.append(PlacedEntry(offset, entry))
-                offset += entry.bit_length or 0
-        placed.append(PlacedPdo(candidate.direction, pdo, factor, candidate.module, tuple(entries)))
-        taken[pdo.pdo_index or 0] = excluded
-    return SmImage(number, usage, tuple(placed), offset, tuple(remarks))
+                entries.append(PlacedEntry(self.bit_size, entry))
+                self.bit_size += max(entry.bit_length or 0, 0)
+        self.placed.append(
+            PlacedPdo(candidate.direction, pdo, factor, candidate.slot_number, candidate.module, tuple(entries))
+        )
+        self._excluded[pdo.pdo_index or 0] = excluded
+
+    def align(self, following: _Candidate | None) -> None:
+        """At the end of a module PDO group, fill up to its alignment with the group's own PDO."""
+        ended = self._group
+        if following is not None and ended is not None and following.pdo_group == ended.pdo_group:
+            return
+        if ended is not None and ended.pdo_group is not None and 0 <= ended.pdo_group < len(self._groups):
+            group = self._groups[ended.pdo_group]
+            missing = -(self.bit_size - self._group_start) % (max(group.alignment or 1, 1) * 8)
+            if missing and group.alignment:
+                index = group.rx_pdo if ended.direction == "RxPdo" else group.tx_pdo
+                gap = Entry(entry_index=0, bit_length=missing)
+                filler = Pdo(pdo_index=index, entries=(gap,))
+                entries = (PlacedEntry(self.bit_size, gap),)
+                self.placed.append(PlacedPdo(ended.direction, filler, 1, None, None, entries))
+                self.bit_size += missing
+        self._group, self._group_start = following, self.bit_size
+
+
+def exclusions(device: Device) -> dict[int, set[int]]:
+    """PDOs that may not be assigned together, by PDO index: Exclude taken symmetrically, without self-exclusion."""
+    closed: dict[int, set[int]] = {}
+    for pdo in (*device.rx_pdos, *device.tx_pdos):
+        for item in pdo.excludes:
+            if pdo.pdo_index is not None and item.pdo_index is not None and item.pdo_index != pdo.pdo_index:
+                closed.setdefault(pdo.pdo_index, set()).add(item.pdo_index)
+                closed.setdefault(item.pdo_index, set()).add(pdo.pdo_index)
+    return closed
+
+
+def alternative_assignments(device: Device) -> list[NamedAssignment]:
+    """The predefined PDO assignments of TwinCAT: Info/VendorSpecific/TwinCAT/AlternativeSmMapping."""
+    if device.info_vendor_specific is None or "AlternativeSmMapping" not in device.info_vendor_specific:
+        return []
+    found = []
+    for element in etree.fromstring(device.info_vendor_specific).iter("AlternativeSmMapping"):
+        indices: dict[int, tuple[int, ...]] = {}
+        for sm in element.iterchildren("Sm"):
+            number = parse_hex_dec(sm.get("No") or "")
+            pdos = [parse_hex_dec(pdo.text or "") for pdo in sm.iterchildren("Pdo")]
+            if number is not None:
+                indices[number] = tuple(index for index in pdos if index is not None)
+        name = " ".join((element.findtext("Name") or "").split())
+        found.append(NamedAssignment(name, element.get("Default") in ("1", "true"), indices))
+    return found
 
 
 def _hex(index: int | None) -> str:

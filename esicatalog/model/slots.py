@@ -1,20 +1,27 @@
 """Slots and modules: which modules a device can carry, which it carries by default, and what they become in a slot.
 
 Rules of ESI-FACTS section 12: object indices shift by SlotIndexIncrement, PDO indices by SlotPdoIncrement, both times
-the slot number and only where DependOnSlot says so; slot groups likewise.
+the slot number (counted from 0 over all instances) and only where DependOnSlot says so; slot groups likewise.
 """
 
-from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple, TypeVar
 
 import msgspec
 
+from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.dictionary import Object
+from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.records.slots import Slot
 
 MAX_INDEX = 0xFFFF
+_MAX_INSTANCES = 255
+_PDO_RANGES = (range(0x1600, 0x1800), range(0x1A00, 0x1C00))
+
+Shifted = TypeVar("Shifted", Entry, InitCmd, Object)
 
 
 class PluggedModule(NamedTuple):
@@ -25,86 +32,160 @@ class PluggedModule(NamedTuple):
     module: Module
 
 
+class ExpandedModule(NamedTuple):
+    """What a module is in its slot: a module with concrete indices; ``problems`` name indices that do not fit."""
+
+    slot_number: int
+    module: Module
+    problems: tuple[str, ...]
+
+
 def reachable_modules(device: Device, modules: Iterable[Module]) -> list[Module]:
     """The modules that any slot of the device accepts, by ModuleIdent or by ModuleClass, in the order given."""
-    idents = {item.module_ident for slot in device.slots for item in slot.module_idents}
-    classes = {item.module_class for slot in device.slots for item in slot.module_classes}
-    classes.discard(None)
-    idents.discard(None)
-    if not idents and not classes:
-        return []
-    return [module for module in modules if module.module_ident in idents or module.module_class in classes]
+    return [module for module in modules if any(accepts(slot, module) for slot in device.slots)]
+
+
+def accepts(slot: Slot, module: Module) -> bool:
+    """Whether a module fits a slot."""
+    if module.module_ident is not None and any(item.module_ident == module.module_ident for item in slot.module_idents):
+        return True
+    wanted = module.module_class
+    return wanted is not None and any(item.module_class == wanted for item in slot.module_classes)
+
+
+def numbered_slots(device: Device) -> Iterator[tuple[int, Slot, int]]:
+    """Every slot with its number and the instance of its Slot element, counted from 0."""
+    number = 0
+    for slot in device.slots:
+        instances = slot.max_instances if slot.max_instances is not None else 1
+        for instance in range(min(max(instances, 1), _MAX_INSTANCES)):
+            yield number, slot, instance
+            number += 1
 
 
 def default_modules(device: Device, modules: Sequence[Module]) -> list[PluggedModule]:
-    """What is plugged without a choice: per required slot the module marked Default, else its only module."""
+    """What is plugged without a choice: in required slots the module marked Default, else the only one that fits."""
     by_ident = {module.module_ident: module for module in reversed(modules)}
     plugged = []
-    number = 0
-    for slot in device.slots:
+    for number, slot, instance in numbered_slots(device):
         preset = [item.module_ident for item in slot.module_idents if item.is_default]
+        required = slot.min_instances or (1 if preset else 0)
         if not preset and len(slot.module_idents) == 1:
             preset = [slot.module_idents[0].module_ident]
-        instances = slot.min_instances or (1 if any(item.is_default for item in slot.module_idents) else 0)
-        for instance in range(min(instances, slot.max_instances or instances)):
-            module = by_ident.get(preset[0]) if preset else None
-            if module is not None:
-                plugged.append(PluggedModule(number + instance, slot, module))
-        number += max(slot.max_instances or 1, 1)
+        module = by_ident.get(preset[0]) if preset else None
+        if instance < required and module is not None:
+            plugged.append(PluggedModule(number, slot, module))
     return plugged
 
 
-class SlotShift(NamedTuple):
-    """By how much indices move in a slot."""
+def chosen_modules(device: Device, modules: Sequence[Module], choice: Mapping[int, int]) -> list[PluggedModule]:
+    """The default modules with the chosen ones (ModuleIdent by slot number) in their place.
 
-    object_shift: int
-    object_shift_of_group: int
-    pdo_shift: int
-    pdo_shift_of_group: int
+    Raises :class:`InputError` for a slot that does not exist and a module that does not fit.
+    """
+    plugged = {item.slot_number: item for item in default_modules(device, modules)}
+    slots = {number: slot for number, slot, _ in numbered_slots(device)}
+    for number, ident in choice.items():
+        slot = slots.get(number)
+        if slot is None:
+            raise InputError(
+                f"the device has no slot {number}; its slots are 0 to {len(slots) - 1}"
+                if slots
+                else "the device has no slots"
+            )
+        module = next((item for item in modules if item.module_ident == ident and accepts(slot, item)), None)
+        if module is None:
+            fitting = ", ".join(
+                f"0x{m.module_ident:X}" for m in modules if m.module_ident is not None and accepts(slot, m)
+            )
+            raise InputError(f"module 0x{ident:X} does not fit slot {number}; what fits: {fitting or 'nothing known'}")
+        plugged[number] = PluggedModule(number, slot, module)
+    return [plugged[number] for number in sorted(plugged)]
+
+
+def expand_module(device: Device, plugged: PluggedModule) -> ExpandedModule:
+    """The module with its PDOs, entries, objects and InitCmds at the indices they have in the slot."""
+    shift = _Shift(device, plugged.slot, plugged.slot_number)
+    module = plugged.module
+    mailbox = module.mailbox
+    if mailbox is not None and mailbox.coe_init_cmds:
+        commands = tuple(_in_slot(command, "object_index", shift.init_cmd_index) for command in mailbox.coe_init_cmds)
+        mailbox = msgspec.structs.replace(mailbox, coe_init_cmds=commands)
+    expanded = msgspec.structs.replace(
+        module,
+        rx_pdos=tuple(shift.pdo(pdo) for pdo in module.rx_pdos),
+        tx_pdos=tuple(shift.pdo(pdo) for pdo in module.tx_pdos),
+        mailbox=mailbox,
+        profiles=tuple(_profile_in_slot(profile, shift) for profile in module.profiles),
+    )
+    return ExpandedModule(plugged.slot_number, expanded, tuple(dict.fromkeys(shift.problems)))
+
+
+def _profile_in_slot(profile: Any, shift: "_Shift") -> Any:
+    dictionary = profile.dictionary
+    if dictionary is None or not any(o.depend_on_slot or o.depend_on_slot_group for o in dictionary.objects):
+        return profile
+    objects = tuple(_in_slot(declared, "object_index", shift.object_index) for declared in dictionary.objects)
+    return msgspec.structs.replace(profile, dictionary=msgspec.structs.replace(dictionary, objects=objects))
+
+
+def _in_slot(item: Shifted, field: str, move: Any) -> Shifted:
+    index = getattr(item, field)
+    if not index:
+        return item
+    moved = move(index, item.depend_on_slot, item.depend_on_slot_group)
+    return item if moved == index else msgspec.structs.replace(item, **{field: moved})
+
+
+class _Shift:
+    """By how much indices move in one slot; what would leave 16 bits stays and is named."""
+
+    def __init__(self, device: Device, slot: Slot, slot_number: int) -> None:
+        def increment(own: int | None, common: int | None) -> int:
+            return (own if own is not None else common) or 0
+
+        group = slot.slot_group or 0
+        self._objects = slot_number * increment(slot.slot_index_increment, device.slot_index_increment)
+        self._objects_of_group = group * increment(slot.slot_group_index_increment, device.slot_group_index_increment)
+        self._pdos = slot_number * increment(slot.slot_pdo_increment, device.slot_pdo_increment)
+        self._pdos_of_group = group * increment(slot.slot_group_pdo_increment, device.slot_group_pdo_increment)
+        self._slot_number = slot_number
+        self.problems: list[str] = []
 
     def object_index(self, index: int, by_slot: bool | None, by_group: bool | None) -> int:
-        """Shifted object index; one that would leave 16 bits stays where it is."""
-        moved = index + (self.object_shift if by_slot else 0) + (self.object_shift_of_group if by_group else 0)
-        return moved if moved <= MAX_INDEX else index
+        """Shifted index of an object."""
+        shift = (self._objects if by_slot else 0) + (self._objects_of_group if by_group else 0)
+        return self._checked("object", index, index + shift)
 
     def pdo_index(self, index: int, by_slot: bool | None, by_group: bool | None) -> int:
-        """Shifted PDO index; one that would leave 16 bits stays where it is."""
-        moved = index + (self.pdo_shift if by_slot else 0) + (self.pdo_shift_of_group if by_group else 0)
-        return moved if moved <= MAX_INDEX else index
+        """Shifted index of a PDO."""
+        shift = (self._pdos if by_slot else 0) + (self._pdos_of_group if by_group else 0)
+        return self._checked("PDO", index, index + shift)
 
+    def init_cmd_index(self, index: int, by_slot: bool | None, by_group: bool | None) -> int:
+        """Shifted index of an InitCmd: a PDO's when it lies in a PDO range, else an object's."""
+        in_pdo_range = any(index in pdo_range for pdo_range in _PDO_RANGES)
+        return (self.pdo_index if in_pdo_range else self.object_index)(index, by_slot, by_group)
 
-def slot_shift(device: Device, slot: Slot, slot_number: int) -> SlotShift:
-    """Increments of the slot, else of the device, times the slot's (and its group's) number."""
+    def pdo(self, pdo: Pdo) -> Pdo:
+        """The PDO with its index, exclusions and entries shifted."""
 
-    def increment(own: int | None, common: int | None) -> int:
-        return (own if own is not None else common) or 0
+        def moved(item: Pdo | Exclude) -> int | None:
+            if item.pdo_index is None:
+                return None
+            return self.pdo_index(item.pdo_index, item.depend_on_slot, item.depend_on_slot_group)
 
-    group = slot.slot_group or 0
-    return SlotShift(
-        slot_number * increment(slot.slot_index_increment, device.slot_index_increment),
-        group * increment(slot.slot_group_index_increment, device.slot_group_index_increment),
-        slot_number * increment(slot.slot_pdo_increment, device.slot_pdo_increment),
-        group * increment(slot.slot_group_pdo_increment, device.slot_group_pdo_increment),
-    )
+        return msgspec.structs.replace(
+            pdo,
+            pdo_index=moved(pdo),
+            excludes=tuple(msgspec.structs.replace(item, pdo_index=moved(item)) for item in pdo.excludes),
+            entries=tuple(_in_slot(entry, "entry_index", self.object_index) for entry in pdo.entries),
+        )
 
-
-def shift_pdo(pdo: Pdo, shift: SlotShift) -> Pdo:
-    """The PDO of a module as it is in the slot: its index, exclusions and entries shifted."""
-
-    def moved(item: Pdo | Exclude) -> int | None:
-        if item.pdo_index is None:
-            return None
-        return shift.pdo_index(item.pdo_index, item.depend_on_slot, item.depend_on_slot_group)
-
-    def entry(item: Entry) -> Entry:
-        if not item.entry_index:
-            return item
-        index = shift.object_index(item.entry_index, item.depend_on_slot, item.depend_on_slot_group)
-        return item if index == item.entry_index else msgspec.structs.replace(item, entry_index=index)
-
-    return msgspec.structs.replace(
-        pdo,
-        pdo_index=moved(pdo),
-        excludes=tuple(msgspec.structs.replace(item, pdo_index=moved(item)) for item in pdo.excludes),
-        entries=tuple(map(entry, pdo.entries)),
-    )
+    def _checked(self, what: str, index: int, moved: int) -> int:
+        if moved <= MAX_INDEX:
+            return moved
+        self.problems.append(
+            f"{what} 0x{index:04X} would become 0x{moved:X} in slot {self._slot_number}; left unshifted"
+        )
+        return index
