@@ -1,0 +1,129 @@
+"""What engineers filter devices by and no single element says: sizes, SYNC support, cycle, layout, safety."""
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import Annotated
+
+import msgspec
+
+from esicatalog.esi.binding import Doc, Record
+from esicatalog.esi.content import digest
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.dictionary import Dictionary
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Entry
+from esicatalog.model.dictionary import resolve_object, type_table
+from esicatalog.model.process_image import SmImage, default_process_image
+from esicatalog.model.safety import fsoe_evidence
+from esicatalog.model.sync import is_superseded, sync_signals
+
+SYNC_PARAMETERS = (0x1C32, 0x1C33)
+_SYNC_TYPES, _MINIMUM_CYCLE = 4, 5
+_MIN_CYCLE_ATTRIBUTE = re.compile(r'MinCycleTime="(\d+)"')
+
+_encode = msgspec.msgpack.Encoder().encode
+
+
+class DeviceFacts(Record):
+    """Derived facts of a device description."""
+
+    output_bytes: Annotated[int | None, Doc("Bytes that the master writes in the default process image")] = None
+    input_bytes: Annotated[int | None, Doc("Bytes that the master reads in the default process image")] = None
+    dc_supported: Annotated[bool, Doc("Has an OpMode with active sync unit, or TimeLoopControlOnly")] = False
+    dc_needed: Annotated[bool, Doc("Has OpModes, and every valid one uses distributed clocks")] = False
+    runs_without_dc: Annotated[bool, Doc("Has an OpMode without sync unit (free run or SM synchronous), or no Dc")] = (
+        True
+    )
+    supports_sync0: Annotated[bool, Doc("Some OpMode generates SYNC0")] = False
+    supports_sync1: Annotated[bool, Doc("Some OpMode generates SYNC1")] = False
+    uses_latch: Annotated[bool, Doc("Some OpMode gives a latch unit to the slave, or uses DC time without pulses")] = (
+        False
+    )
+    output_sync_types: Annotated[
+        int | None, Doc("Default of 0x1C32:04, supported sync types: weak evidence, kept apart from AssignActivate")
+    ] = None
+    input_sync_types: Annotated[int | None, Doc("Default of 0x1C33:04, supported sync types: weak evidence")] = None
+    min_cycle_ns: Annotated[
+        int | None, Doc("Smallest cycle: default of 0x1C32:05 or 0x1C33:05, or TwinCAT MinCycleTime")
+    ] = None
+    has_bootstrap: Annotated[bool, Doc("The EEPROM description has a bootstrap mailbox")] = False
+    image_signature: Annotated[str | None, Doc("Digest of the default process image: equal = same layout")] = None
+    pdo_signature: Annotated[str | None, Doc("Digest of all PDOs with their entries: equal = same PDO set")] = None
+    fsoe: Annotated[str | None, Doc("Evidence of FSoE: high or medium; not a safety statement")] = None
+    fsoe_evidence: Annotated[str | None, Doc("That evidence in words")] = None
+
+
+def device_facts(device: Device, modules: Sequence[Module] = ()) -> DeviceFacts:
+    """Derive the facts of a device with the modules its slots can reach."""
+    images = default_process_image(device, modules)
+    signals = [sync_signals(mode.assign_activate) for mode in device.op_modes]
+    valid = [
+        signal for mode, signal in zip(device.op_modes, signals, strict=True) if not is_superseded(mode)
+    ] or signals
+    level, words = fsoe_evidence(device, modules)
+    sync = {index: _sync_parameter(device, index) for index in SYNC_PARAMETERS}
+    return DeviceFacts(
+        output_bytes=_bytes(device, images, "Outputs"),
+        input_bytes=_bytes(device, images, "Inputs"),
+        dc_supported=any(signal.dc_active for signal in signals) or bool(device.dc_time_loop_control_only),
+        dc_needed=bool(valid) and all(signal.dc_active for signal in valid),
+        runs_without_dc=not valid or any(not signal.dc_active for signal in valid),
+        supports_sync0=any(signal.sync0 for signal in signals),
+        supports_sync1=any(signal.sync1 for signal in signals),
+        uses_latch=any(signal.latch0_pdi or signal.latch1_pdi or signal.time_only for signal in signals),
+        output_sync_types=sync[0x1C32].get(_SYNC_TYPES),
+        input_sync_types=sync[0x1C33].get(_SYNC_TYPES),
+        min_cycle_ns=_min_cycle_ns(device, sync.values()),
+        has_bootstrap=device.eeprom is not None and bool((device.eeprom.boot_strap or "").strip("0")),
+        image_signature=_image_signature(images),
+        pdo_signature=_pdo_signature(device),
+        fsoe=level,
+        fsoe_evidence=words,
+    )
+
+
+def _bytes(device: Device, images: list[SmImage], usage: str) -> int | None:
+    sizes = [image.byte_size for image in images if image.usage == usage]
+    return sum(sizes) if sizes else (0 if device.sync_managers else None)
+
+
+def _sync_parameter(device: Device, index: int) -> dict[int, int]:
+    """Defaults of a SM synchronisation object by subindex."""
+    for profile in device.profiles:
+        dictionary: Dictionary | None = profile.dictionary
+        for declared in dictionary.objects if dictionary is not None else ():
+            if declared.object_index == index and dictionary is not None:
+                entries = resolve_object(declared, type_table(dictionary.data_types)).entries
+                return {entry.subindex: entry.default_int for entry in entries if entry.default_int is not None}
+    return {}
+
+
+def _min_cycle_ns(device: Device, sync: Iterable[dict[int, int]]) -> int | None:
+    given = [values[_MINIMUM_CYCLE] for values in sync if values.get(_MINIMUM_CYCLE)]
+    texts = (device.info_vendor_specific, device.dc_vendor_specific, *(m.vendor_specific for m in device.op_modes))
+    given += [int(found[1]) for text in texts if text for found in _MIN_CYCLE_ATTRIBUTE.finditer(text) if int(found[1])]
+    return min(given, default=None)
+
+
+def _layout(entry: Entry) -> tuple[int | None, int, int | None]:
+    return (entry.entry_index, entry.subindex or 0 if entry.entry_index else 0, entry.bit_length)
+
+
+def _image_signature(images: list[SmImage]) -> str | None:
+    layout = [
+        (
+            image.sm,
+            image.usage,
+            [(placed.bit_offset, *_layout(placed.entry)) for pdo in image.pdos for placed in pdo.entries],
+        )
+        for image in images
+    ]
+    return digest(_encode(layout)).hex() if any(image.bit_size for image in images) else None
+
+
+def _pdo_signature(device: Device) -> str | None:
+    layout = [
+        [(pdo.pdo_index, [_layout(entry) for entry in pdo.entries]) for pdo in pdos]
+        for pdos in (device.rx_pdos, device.tx_pdos)
+    ]
+    return digest(_encode(layout)).hex() if device.rx_pdos or device.tx_pdos else None

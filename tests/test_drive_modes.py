@@ -1,0 +1,246 @@
+"""CiA 402 drive modes: the rules of evidence on small drives, and the verdicts on real ones."""
+
+from pathlib import Path
+
+import pytest
+
+from esicatalog.esi.containers import Archive
+from esicatalog.esi.reader import Reader, read_esi
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.model.cia402 import named_modes
+from esicatalog.model.drive_modes import DriveModes, drive_modes
+from esicatalog.model.slots import reachable_modules
+
+DATA = Path(__file__).parent.parent / "data"
+
+
+def one_drive(body: str, profile: str = "402") -> DriveModes:
+    """Modes of a drive with this content after its profile's opening."""
+    text = f"""<EtherCATInfo><Vendor><Id>1</Id><Name>V</Name></Vendor><Descriptions><Groups/><Devices>
+      <Device Physics="YY"><Type ProductCode="#x1" RevisionNo="#x1">D</Type><Name>D</Name><GroupType>G</GroupType>
+      <Profile><ProfileNo>{profile}</ProfileNo>{body}</Device></Devices></Descriptions></EtherCATInfo>"""
+    device = Reader().read(text.encode()).document.infos[0].devices[0]
+    return drive_modes(device)
+
+
+def dictionary(*objects: str, types: str = "") -> str:
+    return f"<Dictionary><DataTypes>{types}</DataTypes><Objects>{''.join(objects)}</Objects></Dictionary></Profile>"
+
+
+def supported_modes(data: str, index: str = "6502") -> str:
+    info = f"<Info><DefaultData>{data}</DefaultData></Info>" if data else ""
+    return f"<Object><Index>#x{index}</Index><Name>m</Name><Type>UDINT</Type><BitSize>32</BitSize>{info}</Object>"
+
+
+def rx_pdo(*entries: tuple[str, int], name: str = "Outputs") -> str:
+    rows = "".join(f"<Entry><Index>#x{i}</Index><SubIndex>0</SubIndex><BitLen>{b}</BitLen></Entry>" for i, b in entries)
+    return f'<RxPdo Sm="2"><Index>#x1600</Index><Name>{name}</Name>{rows}</RxPdo>'
+
+
+DC = "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
+
+
+def verdicts(found: DriveModes, axis: int = 0) -> dict[str, str]:
+    return {item.mode: item.verdict for item in found.verdicts if item.axis == axis}
+
+
+def test_every_bit_of_0x6502_declares_its_mode():
+    # 0x3AD: bits 0, 2, 3, 5, 7, 8, 9
+    found = verdicts(one_drive(dictionary(supported_modes("AD030000"))))
+    assert {mode for mode, word in found.items() if word == "yes"} == {"PP", "PV", "TQ", "HM", "CSP", "CSV", "CST"}
+    assert {mode for mode, word in found.items() if word == "no"} == {"VL", "IP", "CSTCA"}
+
+
+def test_a_declaration_says_to_read_the_drive():
+    declared = one_drive(dictionary(supported_modes("80010000"))).evidence
+    assert all(item.evidence.endswith("read 0x6502 on the drive") for item in declared)
+
+
+@pytest.mark.parametrize("data", ["", "00000000"])
+def test_absent_and_zero_0x6502_say_nothing(data):
+    assert verdicts(one_drive(dictionary(supported_modes(data)))) == {}
+
+
+def test_swapped_bytes_are_likely_and_named():
+    found = one_drive(dictionary(supported_modes("000003A0")))
+    assert verdicts(found) == {"HM": "likely", "CSP": "likely", "CSV": "likely", "CST": "likely"}
+    assert all(item.conflict and item.rank == "A+ swapped" for item in found.evidence)
+
+
+def test_a_short_default_claims_nothing_absent():
+    found = one_drive(dictionary(supported_modes("0001")))
+    assert verdicts(found) == {"CSV": "likely"}
+
+
+def test_encoder_claims_no_mode():
+    assert one_drive(dictionary(supported_modes("FFFF0000")), profile="406").verdicts == ()
+
+
+def test_input_channel_0x6040_is_no_controlword():
+    channels = '<TxPdo Sm="3"><Index>#x1A00</Index><Name>I</Name><Entry><Index>#x6040</Index><SubIndex>1</SubIndex>'
+    channels += "<BitLen>1</BitLen></Entry></TxPdo>"
+    assert one_drive(f"</Profile>{channels}", profile="5001").verdicts == ()
+
+
+def test_setpoint_with_sync0_is_likely_cyclic():
+    body = "</Profile>" + rx_pdo(("6040", 16), ("60FF", 32)) + DC
+    assert verdicts(one_drive(body)) == {"CSV": "likely"}
+
+
+def test_setpoint_without_dc_is_possible_for_both():
+    body = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32))
+    assert verdicts(one_drive(body)) == {"PP": "possible", "CSP": "possible"}
+
+
+def test_profile_companions_point_to_the_profile_mode():
+    body = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32), ("6081", 32)) + DC
+    assert verdicts(one_drive(body)) == {"PP": "likely", "CSP": "possible"}
+
+
+def test_declared_absent_beats_inference():
+    # 0x80 = CSP only; the PDO maps 0x60FF with DC
+    profile = dictionary(supported_modes("80000000"))
+    found = one_drive(profile + rx_pdo(("6040", 16), ("60FF", 32)) + DC)
+    csv = next(item for item in found.verdicts if item.mode == "CSV")
+    assert (csv.verdict, csv.conflict) == ("no", True)
+
+
+def test_second_axis_needs_its_own_controlword():
+    with_axis = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32), ("6840", 16), ("68FF", 32)) + DC
+    without = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32), ("68FF", 32)) + DC
+    assert verdicts(one_drive(with_axis), axis=1) == {"CSV": "likely"}
+    assert verdicts(one_drive(without), axis=1) == {}
+
+
+def test_soe_drive_is_unknown():
+    body = "</Profile><Mailbox><SoE/></Mailbox>"
+    (found,) = one_drive(body, profile="0").verdicts
+    assert (found.kind, found.verdict) == ("SoE", "unknown")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Axis (csv,csp,cst)", {"CSV", "CSP", "CST"}),
+        ("Axis (pp,pv,pt)", {"PP", "PV", "TQ"}),
+        ("pv - axis", {"PV"}),
+        ("Cyclic velocity Mode", {"CSV"}),
+        ("Cyclic Synchronous Position Mode", {"CSP"}),
+        ("Position Mode (DC)", {"CSP"}),
+        ("Profile Velocity Mode", {"PV"}),
+        ("CSV file export", set()),
+        ("IP address", set()),
+        ("Application parameters", set()),
+        ("DCSPeed", set()),
+    ],
+)
+def test_names_count_on_word_boundaries(text, expected):
+    assert named_modes(text) == expected
+
+
+def example(name: str) -> tuple[Device, list[Module]]:
+    info = read_esi(DATA / name).document.infos[0]
+    device = info.devices[0]
+    return device, reachable_modules(device, info.modules)
+
+
+def test_alternative_modules_give_recipes_of_their_own():
+    found = drive_modes(*example("eyou_servo_module.xml"))
+    by_mode = {item.mode: item for item in found.verdicts}
+    assert {mode for mode, item in by_mode.items() if item.verdict == "yes"} == {"CSV", "CSP", "CST", "PP", "PV", "TQ"}
+    assert {by_mode[mode].module_ident for mode in ("CSV", "CSP", "CST")} == {0x119800}
+    assert {by_mode[mode].module_ident for mode in ("PP", "TQ")} == {0x219800}
+    assert by_mode["CSV"].module_is_default is True
+    assert by_mode["PP"].module_is_default is False
+    against_names = [item for item in found.evidence if item.rank == "C3"]
+    assert {item.module_ident for item in against_names} == {0x219800, 0x319800}
+
+
+def test_two_slots_are_two_axes():
+    found = drive_modes(*example("two_axis_modular_drive.xml"))
+    for axis in (0, 1):
+        yes = {item.mode for item in found.verdicts if item.axis == axis and item.verdict == "yes"}
+        assert yes == {"CSP", "CSV", "CST", "CSTCA"}
+    second = next(item for item in found.verdicts if item.axis == 1 and item.mode == "CSV")
+    assert second.rx_pdo_index == 0x1701 + 64
+    assert "0x6860" in (second.evidence or "")
+
+
+def corpus_devices(corpus: Path, archive: str, member_part: str):
+    opened = Archive(corpus / "esi" / archive)
+    reader = Reader()
+    for member, _ in opened.members():
+        if member_part in member:
+            for info in reader.read(opened.read(member), member, opened).document.infos:
+                for device in info.devices:
+                    yield device, reachable_modules(device, info.modules)
+
+
+def yes_modes(found: DriveModes) -> set[str]:
+    return {item.mode for item in found.verdicts if item.verdict == "yes" and item.kind == "CiA 402"}
+
+
+def test_eyou_with_slots(corpus):
+    ((device, modules),) = corpus_devices(corpus, "ruiofang+EU_EtherCAT.zip", "ECAT_V143.xml")
+    found = drive_modes(device, modules)
+    by_mode = {item.mode: item for item in found.verdicts}
+    assert yes_modes(found) == {"CSV", "CSP", "CST", "PP", "PV", "TQ"}
+    assert all(by_mode[mode].module_ident == 0x119800 for mode in ("CSV", "CSP", "CST"))
+    assert all(by_mode[mode].module_ident == 0x219800 for mode in ("PP", "TQ"))
+    conflicts = {(item.rank, item.module_ident) for item in found.evidence if item.conflict}
+    assert conflicts == {("A+ short", None), ("C3", 0x219800), ("C3", 0x319800)}
+
+
+def test_hpmicro_sample(corpus):
+    found = [
+        drive_modes(device, modules)
+        for device, modules in corpus_devices(corpus, "hpmicro+hpm_sdk.zip", "")
+        if device.type == "ECAT_CIA402"
+    ]
+    assert found
+    for item in found:
+        modules = {v.mode: v.module_ident for v in item.verdicts if v.axis == 0 and v.verdict == "yes"}
+        assert modules == {"CSP": 0x219800, "CSV": 0x319800}
+
+
+def all_devices(corpus: Path):
+    reader = Reader()
+    for path in sorted((corpus / "esi").glob("*.zip")):
+        opened = Archive(path)
+        for member, _ in opened.members():
+            try:
+                document = reader.read(opened.read(member), member, opened).document
+            except Exception:
+                continue
+            for info, referenced in zip(document.infos, document.referenced_modules, strict=True):
+                for device in info.devices:
+                    yield info, device, reachable_modules(device, (*info.modules, *referenced))
+
+
+@pytest.mark.corpus
+def test_verdicts_on_the_whole_corpus(corpus):
+    seen = set()
+    for info, device, modules in all_devices(corpus):
+        vendor = info.vendor.names[0].text if info.vendor is not None and info.vendor.names else ""
+        found = drive_modes(device, modules)
+        words = {(item.kind, item.mode): item.verdict for item in found.verdicts}
+        numbers = {p.profile_no for p in device.profiles}
+        if numbers == {406}:
+            assert not found.verdicts
+        if (device.type or "").startswith("AX5") and device.mailbox is not None and device.mailbox.soe:
+            assert words == {("SoE", "SoE"): "unknown"}
+            seen.add("AX5")
+        if (device.type or "").startswith("EJ7211-0010"):
+            assert words and {kind for kind, _ in words} == {"MDP 742"}
+            seen.add("EJ7211-0010")
+        if device.type == "EJ7211-0011":
+            assert words["CiA 402", "CSV"] == "likely"
+            seen.add("EJ7211-0011")
+        if vendor == "Ingenia":
+            assert yes_modes(found) >= {"PP", "PV", "HM", "IP", "CSP", "CSV", "CST"}
+            seen.add("Ingenia")
+        if device.type == "EPOS4" and device.has_slots:
+            assert yes_modes(found) == {"PP", "PV", "CSP", "CSV", "CST"}
+            seen.add("EPOS4")
+    assert seen == {"AX5", "EJ7211-0010", "EJ7211-0011", "Ingenia", "EPOS4"}
