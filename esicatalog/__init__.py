@@ -3,7 +3,7 @@
 import importlib
 from typing import TYPE_CHECKING, Any
 
-__version__ = "0.1.0"
+from esicatalog.version import __version__
 
 if TYPE_CHECKING:
     from esicatalog.api import Catalog, DeviceDescription
@@ -51,6 +51,7 @@ __all__ = [
     "NotAnEsiDocument",
     "NotFound",
     "ReadDocument",
+    "__version__",
     "parse_identity",
     "read_esi",
 ]

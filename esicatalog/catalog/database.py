@@ -149,6 +149,9 @@ def upgrade(engine: sa.Engine) -> None:
     config = Config()
     config.set_main_option("script_location", str(resource("migrations")))
     with engine.begin() as connection:
+        if connection.dialect.name == "sqlite":
+            # Python's sqlite3 begins no transaction for CREATE: a killed upgrade would leave half a catalog
+            connection.exec_driver_sql("BEGIN IMMEDIATE")
         views.drop_views(connection)
         config.attributes["connection"] = connection
         command.upgrade(config, "head")

@@ -5,7 +5,6 @@ Every record type has a :class:`Codec`: scalar fields are columns of the same na
 and lists that have a table of their own are listed in :data:`CHILDREN`. No SQLAlchemy in here.
 """
 
-import functools
 from collections.abc import Callable
 from operator import attrgetter
 from typing import Annotated, Any, NamedTuple, get_args, get_origin, get_type_hints
@@ -26,7 +25,10 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.records.profile import ChannelInfo, Profile
 from esicatalog.esi.records.slots import Slot, SlotModuleClass, SlotModuleIdent
+from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.drive_evidence import ModeEvidence
+from esicatalog.model.drive_modes import DriveModeVerdict
 from esicatalog.model.pdo_facts import entry_facts, pdo_facts
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import sync_signals
@@ -134,9 +136,12 @@ TABLE_RECORDS: dict[str, type[Record]] = {
     "enum_values": EnumInfo,
     "objects": Object,
     "object_entries": ObjectEntry,
+    "device_facts": DeviceFacts,
     "dictionaries": Dictionary,
     "diagnostics": Diagnostics,
     "diag_messages": DiagMessage,
+    "drive_modes": DriveModeVerdict,
+    "mode_evidence": ModeEvidence,
     "devices": Device,
     "modules": Module,
     "groups": Group,
@@ -164,7 +169,7 @@ class Codec:
         columns: list[Column] = []
         sources: list[str] = []
         self._converters: list[tuple[int, Callable[[Any], Any]]] = []
-        self._decoders: list[tuple[str, int, Callable[[Any], Any]]] = []
+        self._decoders: list[tuple[str, int, Callable[[Any, int], Any]]] = []
         self.extensions: list[Field] = []
         """Vendor-specific XML fields, kept in the table vendor_extensions."""
         self.image_column: int | None = None
@@ -223,16 +228,20 @@ class Codec:
         return self.record_type(**fields)
 
 
-@functools.cache
+_codecs: dict[type[Record], Codec] = {}
+
+
 def codec(record_type: type[Record]) -> Codec:
     """The codec of a record type."""
-    return Codec(record_type)
+    found = _codecs.get(record_type)
+    if found is None:
+        found = _codecs[record_type] = Codec(record_type)
+    return found
 
 
 def _fields(record_type: type[Record]) -> list[Field]:
     """Bound fields, with nested Flags spread out, and documented fields of derived records."""
-    from_xml = fields_of(record_type) if record_type is not ObjectEntry else []
-    return from_xml or _documented(record_type)
+    return fields_of(record_type) or _documented(record_type)
 
 
 def _documented(record_type: type[Record]) -> list[Field]:

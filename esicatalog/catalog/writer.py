@@ -106,8 +106,8 @@ class Writer:
             self._affected.devices.add(device_id)
         for placed in document.modules:
             module_id = self._keys["modules"].require(placed.key.hex())
-            row = (module_id, source_id, placed.section, placed.position, placed.line)
-            self._buffer.add_numbered("module_sources", [row])
+            module_row = (module_id, source_id, placed.section, placed.position, placed.line)
+            self._buffer.add_numbered("module_sources", [module_row])
         self._add_notes(source_id, document)
         self._buffer.flush_if_full()
 

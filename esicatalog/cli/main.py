@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from esicatalog import __version__
+from esicatalog.version import __version__
 
 COMMANDS = {
     "ingest": "Read ESI files, folders and archives into the catalog.",

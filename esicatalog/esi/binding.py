@@ -83,7 +83,9 @@ def fields_of(record_type: type[Record]) -> list[Field]:
         if get_origin(hint) is not Annotated:
             continue
         declared, *extras = get_args(hint)
-        xml = next(extra for extra in extras if isinstance(extra, Xml))
+        xml = next((extra for extra in extras if isinstance(extra, Xml)), None)
+        if xml is None:
+            continue
         many = get_origin(declared) is tuple
         item = get_args(declared)[0] if many or isinstance(declared, types.UnionType) else declared
         found.append(Field(name, xml, many, item))
@@ -101,7 +103,7 @@ class _Slot(msgspec.Struct, frozen=True):
 class _Node:
     """What the reader does with one element: the compiled tree of a record's paths."""
 
-    __slots__ = ("attributes", "children", "leaves", "many", "plain", "raw", "record", "text", "whole")
+    __slots__ = ("attributes", "children", "leaves", "lists", "many", "plain", "raw", "record", "text", "whole")
 
     def __init__(self) -> None:
         self.attributes: dict[str, _Slot] = {}
@@ -114,6 +116,8 @@ class _Node:
         self.raw = False
         self.plain: _Slot | None = None
         """The text slot of an element that has nothing but text: the common case, read without descending."""
+        self.lists: tuple[str, ...] = ()
+        """Fields of a record that collect repeated children."""
         self.leaves: dict[tuple[Any, ...], Record] = {}
         """Records without child elements, by text and attributes: names, exclusions, sync managers repeat."""
 
@@ -141,6 +145,7 @@ def _compile(record_type: type[Record]) -> _Node:
         else:
             node.text = _Slot(field.name, field.xml.kind, field.many)
     _mark_plain(root)
+    root.lists = tuple(field.name for field in fields_of(record_type) if field.many)
     _compiled[record_type] = root
     return root
 
@@ -154,17 +159,18 @@ def _mark_plain(node: _Node) -> None:
 
 def canonical_xml(element: etree._Element) -> str:
     """The subtree as exclusive canonical XML: the same text whatever the document's prefixes and layout."""
-    text: bytes = etree.tostring(element, method="c14n", exclusive=True, with_tail=False)
+    text: bytes = etree.tostring(element, method="c14n", exclusive=True, with_tail=False)  # type: ignore[call-overload]
     return text.decode("utf-8")
 
 
 def read_record(record_type: type[R], element: etree._Element, notes: Notes) -> R:
     """Read ``element`` into a ``record_type``; what does not fit goes to ``notes``."""
+    node = _compiled.get(record_type) or _compile(record_type)
     values: dict[str, Any] = {}
-    _fill(_compiled.get(record_type) or _compile(record_type), element, values, notes)
-    for name, value in values.items():
-        if type(value) is list:
-            values[name] = tuple(value)
+    _fill(node, element, values, notes)
+    for name in node.lists:
+        if name in values:
+            values[name] = tuple(values[name])
     return record_type(**values)
 
 
@@ -191,13 +197,16 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
         tail = child.tail
         if tail is not None and not tail.isspace():
             notes.unmapped_text(element, tail)
-        taken = children.get(child.tag)
+        taken = children.get(child.tag)  # type: ignore[arg-type]
         if taken is None:
             notes.unmapped_element(child)
             continue
         plain = taken.plain
         if plain is not None and not len(child) and plain.name not in values and not child.keys():
-            _store(plain, child.text or "", values, child, notes)
+            if plain.scalar is TEXT:
+                values[plain.name] = (child.text or "").strip()
+            else:
+                _store(plain, child.text or "", values, child, notes)
             continue
         if taken.whole is not None:
             _take_whole(taken, child, values, notes)

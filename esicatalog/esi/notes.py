@@ -6,7 +6,6 @@ from typing import Any
 import msgspec
 from lxml import etree
 
-from esicatalog.esi.content import digest
 from esicatalog.esi.numbers import Remark
 
 
@@ -61,7 +60,7 @@ class Notes:
 
     def remark(self, element: etree._Element, remark: Remark) -> None:
         """A scalar that breaks the format, at ``element``."""
-        self.find(element, remark.rule, remark.severity, f"{element.tag}: {remark.message}")
+        self.find(element, remark.rule, remark.severity, f"{element.tag!s}: {remark.message}")
 
     def find(self, element: etree._Element, rule: str, severity: str, message: str) -> None:
         """A finding at ``element``."""
@@ -70,19 +69,19 @@ class Notes:
     def unmapped_attribute(self, element: etree._Element, name: str, text: str, repeated: bool = False) -> None:
         """An attribute that no field takes."""
         words = "repeats a value given before" if repeated else "is unknown"
-        self.find(element, "L05", "W", f"attribute {element.tag}/@{name} {words}; kept in unmapped")
+        self.find(element, "L05", "W", f"attribute {element.tag!s}/@{name} {words}; kept in unmapped")
         self._keep(f"{local_path(element, self._base)}/@{name}", text)
 
     def unmapped_text(self, element: etree._Element, text: str, repeated: bool = False) -> None:
         """Text where the schema has none, or a second value for a single field."""
         words = "occurs again" if repeated else "holds stray text"
-        self.find(element, "L05", "W", f"{element.tag} {words}; kept in unmapped")
+        self.find(element, "L05", "W", f"{element.tag!s} {words}; kept in unmapped")
         self._keep(local_path(element, self._base), text.strip())
 
     def unmapped_element(self, element: etree._Element, repeated: bool = False) -> None:
         """An element that no field takes: one finding, every value of its subtree kept."""
         words = "occurs again" if repeated else "is unknown here"
-        self.find(element, "L05", "W", f"element {element.tag} {words}; kept in unmapped")
+        self.find(element, "L05", "W", f"element {element.tag!s} {words}; kept in unmapped")
         for part in element.iter():
             path = local_path(part, self._base)
             if part is element and not len(part) and not part.text and not part.attrib:
@@ -105,14 +104,13 @@ class Notes:
         if record_type in self._owners:
             return self._read_owner(record_type, element, read)
         assert self._cache is not None
-        subtree = etree.tostring(element, with_tail=False)
-        key = (record_type, digest(subtree))
-        record = self._cache.records.get(key)
+        subtree = _serialise(element, with_tail=False)
+        record = self._cache.records[record_type].get(subtree)
         if record is None:
             before = len(self.findings)
             record = read(record_type, element, self)
             if before == len(self.findings):
-                self._cache.add(key, len(subtree), record)
+                self._cache.add(record_type, subtree, record)
         return record
 
     def _read_owner(self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]) -> Any:
@@ -128,16 +126,20 @@ class Notes:
 class SubtreeCache:
     """Records of subtrees read without a note, by record type and serialised bytes."""
 
-    def __init__(self, record_types: frozenset[type], capacity_bytes: int = 32_000_000) -> None:
+    def __init__(self, record_types: frozenset[type], capacity_bytes: int = 48_000_000) -> None:
         self.record_types = record_types
-        self.records: dict[tuple[type, bytes], Any] = {}
+        self.records: dict[type, dict[bytes, Any]] = {record_type: {} for record_type in record_types}
         self._capacity_bytes = capacity_bytes
         self._held_bytes = 0
 
-    def add(self, key: tuple[type, bytes], size_bytes: int, record: Any) -> None:
+    def add(self, record_type: type, subtree: bytes, record: Any) -> None:
         """Remember a record; an over-full cache starts anew."""
-        self._held_bytes += size_bytes
+        self._held_bytes += len(subtree)
         if self._held_bytes > self._capacity_bytes:
-            self.records.clear()
-            self._held_bytes = size_bytes
-        self.records[key] = record
+            for records in self.records.values():
+                records.clear()
+            self._held_bytes = len(subtree)
+        self.records[record_type][subtree] = record
+
+
+_serialise = etree.tostring

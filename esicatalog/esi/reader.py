@@ -1,7 +1,7 @@
 """Reading documents into records, with everything they refer to."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 from lxml import etree
@@ -12,9 +12,10 @@ from esicatalog.esi.containers import Container, Folder, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.documents import ParsedDocument, parse_document
 from esicatalog.esi.notes import Finding, Notes, SubtreeCache
+from esicatalog.esi.records.common import Property
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import Diagnostics
-from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
+from esicatalog.esi.records.dictionary import DataType, Dictionary, Flags, InfoSubItem, Object
 from esicatalog.esi.records.document import (
     DiagInfo,
     DictInfo,
@@ -25,14 +26,14 @@ from esicatalog.esi.records.document import (
     Reference,
 )
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.records.profile import Profile
 
 OWNERS: frozenset[type] = frozenset({Device, Module})
 """Records that keep the unmapped values found below them."""
 
-_CACHED: frozenset[type] = frozenset({DataType, Object, Pdo})
-"""Records that repeat from device to device and from revision to revision."""
+_CACHED: frozenset[type] = frozenset({DataType, Object, Pdo, Entry, Flags, InfoSubItem, Property})
+"""Records that repeat from device to device and from revision to revision, or within one."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
 _MAX_STANDALONE = 1_000
 
@@ -44,12 +45,26 @@ class ReadDocument(msgspec.Struct, frozen=True):
     findings: tuple[Finding, ...]
 
 
+class Pulled(NamedTuple):
+    """A document that was read because another one refers to it."""
+
+    sha256: str
+    byte_count: int
+    document: ReadDocument
+
+
 class Reader:
     """Reads documents; keeps repeated subtrees and external documents for the next one."""
 
     def __init__(self) -> None:
         self._cache = SubtreeCache(_CACHED)
         self._standalone: dict[str, ReadDocument] = {}
+        self._pulled: dict[tuple[int, str], tuple[Container, Pulled]] = {}
+
+    def pulled(self, container: Container, member: str) -> Pulled | None:
+        """A document that was pulled in before and is the same read by itself: one without references."""
+        known = self._pulled.get((id(container), member))
+        return known[1] if known is not None and known[1].document.document.root in _WITHOUT_REFERENCES else None
 
     def read(self, content: bytes, member: str = "", container: Container | None = None) -> ReadDocument:
         """Read one document of any ESI kind.
@@ -57,12 +72,6 @@ class Reader:
         ``member`` is its name within ``container``, against which references are resolved; without a container
         they stay unresolved. Raises :class:`NotAnEsiDocument` and :class:`BrokenDocument`.
         """
-        known = self._standalone.get(sha256_hex(content)) if self._standalone else None
-        if known is not None and known.document.root in _WITHOUT_REFERENCES:
-            return known
-        return self._read(content, member, container)
-
-    def _read(self, content: bytes, member: str, container: Container | None) -> ReadDocument:
         parsed = parse_document(content)
         notes = Notes(self._cache, OWNERS)
         if parsed.recovered:
@@ -99,9 +108,11 @@ class Reader:
         found = read_record(DictInfo, parsed.root, notes)
         return _result(parsed, notes, dictionary=found.dictionary)
 
-    def external(self, kind: str, content: bytes) -> Any:
+    def external(self, kind: str, container: Container, member: str, content: bytes, sha256: str) -> Any:
         """Dictionary, diagnosis texts or modules of a referenced document; raises :class:`DocumentError`."""
-        document = self._read_standalone(content).document
+        read = self._read_standalone(content, sha256)
+        self._pulled[id(container), member] = (container, Pulled(sha256, len(content), read))
+        document = read.document
         held = {
             "DictionaryFile": document.dictionary,
             "DiagFile": document.diag_messages,
@@ -111,14 +122,14 @@ class Reader:
             raise NotAnEsiDocument(f"its root {document.root} does not fit {kind}")
         return held
 
-    def _read_standalone(self, content: bytes) -> ReadDocument:
+    def _read_standalone(self, content: bytes, sha256: str) -> ReadDocument:
         """Read a document that others refer to, and keep it: it is asked for again, as itself too."""
-        key = sha256_hex(content)
-        known = self._standalone.get(key)
+        known = self._standalone.get(sha256)
         if known is None:
             if len(self._standalone) >= _MAX_STANDALONE:
                 self._standalone.clear()
-            known = self._standalone[key] = self._read(content, "", None)
+                self._pulled.clear()
+            known = self._standalone[sha256] = self.read(content)
         return known
 
 
@@ -206,7 +217,7 @@ class _Puller:
             try:
                 content = self._container.read(member)
                 sha256 = sha256_hex(content)
-                held = self._reader.external(kind, content)
+                held = self._reader.external(kind, self._container, member, content, sha256)
             except DocumentError as error:
                 problem = f"cannot be used: {error}"
         if held is None:

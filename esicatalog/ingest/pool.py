@@ -1,6 +1,5 @@
 """Worker processes of our own: one task at a time each, a deadline per document, a dead worker costs one document."""
 
-import queue
 import select
 import subprocess
 import sys
@@ -11,12 +10,13 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
-from esicatalog.ingest.tasks import Outcome, Task
+from esicatalog.ingest.tasks import Answer, Outcome, Task
 from esicatalog.ingest.worker import DocumentWorker, read_frame, write_frame
 
 DEADLINE_SECONDS = 120.0
 """Longest time a document may take; the largest real one takes a few seconds."""
-_WAITING_OUTCOMES = 16
+_MAX_WAITING_BYTES = 64 * 1024 * 1024
+"""Outcomes wait as bytes, ten times smaller than as rows: workers go on while the writer writes."""
 
 
 def run_tasks(tasks: Sequence[Task], jobs: int, deadline_seconds: float = DEADLINE_SECONDS) -> Iterator[Outcome]:
@@ -33,43 +33,63 @@ class _Pool:
     def __init__(self, tasks: Sequence[Task], jobs: int, deadline_seconds: float) -> None:
         self._tasks = {_place(task): task for task in tasks}
         self._total = len(tasks)
-        self._lock = threading.Lock()
         self._deadline_seconds = deadline_seconds
-        self._outcomes: queue.Queue[Outcome | BaseException] = queue.Queue(_WAITING_OUTCOMES)
+        self._changed = threading.Condition()
+        self._outcomes: deque[bytes | BaseException] = deque()
+        self._waiting_bytes = 0
         self._processes: set[subprocess.Popen[bytes]] = set()
         self._stopped = False
         self._threads = [threading.Thread(target=self._serve, daemon=True) for _ in range(jobs)]
-
-    def _next(self, held: deque[Task]) -> Task | None:
-        with self._lock:
-            if held:
-                return held.popleft()
-            place = next(iter(self._tasks), None)
-            return self._tasks.pop(place) if place is not None else None
-
-    def _hold(self, task: Task, outcome: Outcome, held: deque[Task]) -> None:
-        """Keep the documents that this worker has just read as references: it need not parse them again."""
-        if outcome.rows is None:
-            return
-        with self._lock:
-            for _, _, location, _ in outcome.rows.references:
-                place = (task.root, task.nested, location or "")
-                if place in self._tasks:
-                    held.append(self._tasks.pop(place))
 
     def outcomes(self) -> Iterator[Outcome]:
         for thread in self._threads:
             thread.start()
         try:
             for _ in range(self._total):
-                outcome = self._outcomes.get()
-                if isinstance(outcome, BaseException):
-                    raise outcome
-                yield outcome
+                yield self._take()
         finally:
-            self._stopped = True
+            with self._changed:
+                self._stopped = True
+                self._changed.notify_all()
             for process in list(self._processes):
                 process.kill()
+
+    def _take(self) -> Outcome:
+        with self._changed:
+            self._changed.wait_for(lambda: self._outcomes)
+            outcome = self._outcomes.popleft()
+            if isinstance(outcome, BaseException):
+                raise outcome
+            self._waiting_bytes -= len(outcome)
+            self._changed.notify_all()
+        return _decode_outcome(outcome)
+
+    def _put(self, outcome: bytes) -> None:
+        with self._changed:
+            self._changed.wait_for(lambda: self._stopped or self._waiting_bytes < _MAX_WAITING_BYTES)
+            self._waiting_bytes += len(outcome)
+            self._outcomes.append(outcome)
+            self._changed.notify_all()
+
+    def _fail(self, error: BaseException) -> None:
+        with self._changed:
+            self._outcomes.append(error)
+            self._changed.notify_all()
+
+    def _next(self, held: deque[Task]) -> Task | None:
+        with self._changed:
+            if held:
+                return held.popleft()
+            place = next(iter(self._tasks), None)
+            return self._tasks.pop(place) if place is not None else None
+
+    def _hold(self, task: Task, references: Sequence[str], held: deque[Task]) -> None:
+        """Keep the documents that this worker has just read as references: it need not parse them again."""
+        with self._changed:
+            for location in references:
+                place = (task.root, task.nested, location)
+                if place in self._tasks:
+                    held.append(self._tasks.pop(place))
 
     def _serve(self) -> None:
         """One thread per worker process: hand out tasks, wait for answers, replace the process when it dies."""
@@ -82,15 +102,14 @@ class _Pool:
                     break
                 if process is None:
                     process = self._start()
-                outcome = self._ask(process, task)
-                self._hold(task, outcome, held)
-                if outcome.sha256 is None and process.poll() is not None:
+                answer = self._ask(process, task)
+                self._hold(task, answer.references, held)
+                if process.poll() is not None:
                     self._processes.discard(process)
                     process = None
-                if not self._stopped:
-                    self._outcomes.put(outcome)
+                self._put(bytes(answer.outcome))
         except BaseException as error:
-            self._outcomes.put(error)
+            self._fail(error)
         finally:
             if process is not None:
                 self._processes.discard(process)
@@ -108,7 +127,7 @@ class _Pool:
         self._processes.add(process)
         return process
 
-    def _ask(self, process: subprocess.Popen[bytes], task: Task) -> Outcome:
+    def _ask(self, process: subprocess.Popen[bytes], task: Task) -> Answer:
         assert process.stdin is not None and process.stdout is not None
         deadline = time.monotonic() + self._deadline_seconds
         descriptor = process.stdout.fileno()
@@ -120,24 +139,25 @@ class _Pool:
             assert process.stdout is not None
             return process.stdout.read(size) or b""
 
+        problem = "the reading process died (out of memory or a crash)"
         try:
             write_frame(process.stdin, msgspec.msgpack.encode(task))
             answer = read_frame(read)
         except TimeoutError:
-            process.kill()
-            process.wait()
-            return Outcome(task.number, "failed", f"gave up after {self._deadline_seconds:.0f} s")
+            answer = None
+            problem = f"gave up after {self._deadline_seconds:.0f} s"
         except (BrokenPipeError, ConnectionError):
             answer = None
-        if answer is None:
-            process.kill()
-            process.wait()
-            return Outcome(task.number, "failed", "the reading process died (out of memory or a crash)")
-        return _decode(answer)
+        if answer is not None:
+            return _decode_answer(answer)
+        process.kill()
+        process.wait()
+        return Answer.to(Outcome(task.number, "failed", problem))
 
 
 def _place(task: Task) -> tuple[str, tuple[str, ...], str]:
     return (task.root, task.nested, task.member)
 
 
-_decode = msgspec.msgpack.Decoder(Outcome).decode
+_decode_answer = msgspec.msgpack.Decoder(Answer).decode
+_decode_outcome = msgspec.msgpack.Decoder(Outcome).decode

@@ -33,3 +33,20 @@ class Outcome(msgspec.Struct):
     sha256: str | None = None
     byte_count: int | None = None
     rows: DocumentRows | None = None
+
+
+class Answer(msgspec.Struct):
+    """What a worker process sends: an outcome, still encoded, and the documents that it pulled in."""
+
+    references: list[str]
+    outcome: msgspec.Raw
+
+    @classmethod
+    def to(cls, outcome: Outcome) -> "Answer":
+        """The answer that carries ``outcome``."""
+        references = outcome.rows.references if outcome.rows is not None else []
+        found = [location for _, _, location, _ in references if location is not None]
+        return cls(found, msgspec.Raw(_encode(outcome)))
+
+
+_encode = msgspec.msgpack.Encoder().encode

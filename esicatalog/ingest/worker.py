@@ -10,7 +10,7 @@ import struct
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import BinaryIO
+from typing import IO
 
 import msgspec
 
@@ -19,37 +19,43 @@ from esicatalog.errors import DocumentError, EsiCatalogError, NotAnEsiDocument
 from esicatalog.esi.containers import Archive, Container, Folder
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.reader import Reader
-from esicatalog.ingest.tasks import Outcome, Task
+from esicatalog.ingest.tasks import Answer, Outcome, Task
 from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
 
 MEMORY_LIMIT_BYTES = 3 * 1024**3
+_MAX_OPENED = 16
+"""Containers kept open: neighbours in the order of reading lie in different archives."""
+_NICENESS = 10
+"""The writer runs first: whatever it leaves for after the last document is done by one core alone."""
 _LENGTH = struct.Struct("<Q")
 
 
 class DocumentWorker:
-    """Turns tasks into outcomes; keeps the last container and the content it has seen."""
+    """Turns tasks into outcomes; keeps the last containers and the content it has seen."""
 
     def __init__(self) -> None:
         self._reader = Reader()
         self._rows = RowMaker()
-        self._opened: tuple[tuple[str, tuple[str, ...]], Container, ReferenceHashes] | None = None
+        self._opened: dict[tuple[str, tuple[str, ...]], tuple[Container, ReferenceHashes]] = {}
 
     def handle(self, task: Task) -> Outcome:
         """Read one document; whatever is wrong with it becomes the outcome's status and message."""
         try:
             container, hashes = self._container(task)
-            content = container.read(task.member)
+            pulled = self._reader.pulled(container, task.member)
+            content = container.read(task.member) if pulled is None else b""
         except EsiCatalogError as error:
             return Outcome(task.number, "failed", str(error))
         except MemoryError:
             return Outcome(task.number, "failed", "needs more memory than a document may take")
-        sha256 = sha256_hex(content)
-        outcome = Outcome(task.number, "stored", None, sha256, len(content))
+        sha256, byte_count = (sha256_hex(content), len(content)) if pulled is None else pulled[:2]
+        outcome = Outcome(task.number, "stored", None, sha256, byte_count)
         if task.known is not None and is_unchanged(task.known, sha256, task.member, hashes):
             outcome.status = "unchanged"
             return outcome
         try:
-            outcome.rows = self._rows.document(self._reader.read(content, task.member, container))
+            read = self._reader.read(content, task.member, container) if pulled is None else pulled.document
+            outcome.rows = self._rows.document(read)
             if outcome.rows.recovered is not None:
                 outcome.status, outcome.message = "recovered", outcome.rows.recovered
         except NotAnEsiDocument as error:
@@ -63,7 +69,8 @@ class DocumentWorker:
 
     def _container(self, task: Task) -> tuple[Container, ReferenceHashes]:
         key = (task.root, task.nested)
-        if self._opened is None or self._opened[0] != key:
+        opened = self._opened.pop(key, None)
+        if opened is None:
             container: Container
             if task.is_archive:
                 archive = Archive(Path(task.root))
@@ -72,8 +79,11 @@ class DocumentWorker:
                 container = archive
             else:
                 container = Folder(Path(task.root))
-            self._opened = (key, container, ReferenceHashes(container))
-        return self._opened[1], self._opened[2]
+            opened = (container, ReferenceHashes(container))
+        self._opened[key] = opened
+        if len(self._opened) > _MAX_OPENED:
+            del self._opened[next(iter(self._opened))]
+        return opened
 
 
 def read_frame(read: Callable[[int], bytes]) -> bytes | None:
@@ -95,7 +105,7 @@ def _read_exactly(read: Callable[[int], bytes], size: int) -> bytes | None:
     return b"".join(parts)
 
 
-def write_frame(stream: BinaryIO, message: bytes) -> None:
+def write_frame(stream: IO[bytes], message: bytes) -> None:
     """Send one length-prefixed message."""
     stream.write(_LENGTH.pack(len(message)))
     stream.write(message)
@@ -104,6 +114,8 @@ def write_frame(stream: BinaryIO, message: bytes) -> None:
 
 def main() -> None:
     """Answer tasks until stdin ends."""
+    with contextlib.suppress(AttributeError, OSError):
+        os.nice(_NICENESS)
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource
 
@@ -114,7 +126,7 @@ def main() -> None:
     decode = msgspec.msgpack.Decoder(Task).decode
     encode = msgspec.msgpack.Encoder().encode
     while (request := read_frame(sys.stdin.buffer.read)) is not None:
-        write_frame(answers, encode(worker.handle(decode(request))))
+        write_frame(answers, encode(Answer.to(worker.handle(decode(request)))))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,162 @@
+"""Canned queries of the Datasette metadata. An empty parameter means what the description says."""
+
+from typing import Any
+
+_IDENTITY = "vendor, device_type, device_name, vendor_id_hex, product_code_hex, revision_no_hex"
+_ORDER = "vendor_id, product_code, revision_no"
+
+CANNED_QUERIES: dict[str, dict[str, Any]] = {
+    "find_a_device": {
+        "title": "Find a device",
+        "description": (
+            "text: words in vendor, type or name, inner parts of words from three characters on, or an identity as "
+            "0x044c2c52, #x044c2c52 or 72100946; all words must match."
+        ),
+        "params": ["text"],
+        "sql": f"""\
+select device_id, {_IDENTITY},
+  variant, profile_no
+from device_overview
+where device_id in (select rowid from device_search where device_search match escape_fts(:text))
+order by {_ORDER}, variant
+""",
+    },
+    "devices_by_drive_profile": {
+        "title": "Devices by drive profile",
+        "description": (
+            "profile: profile number (empty = 402, CiA 402 drives; 401 = I/O, 5001 = modular). Looks at the profiles "
+            "of the device, of its channels and of the modules that its slots can reach; declared_by says which."
+        ),
+        "params": ["profile"],
+        "sql": f"""\
+with declared as (
+  select device_id, module_id, profile_no from profiles
+  union
+  select p.device_id, p.module_id, c.profile_no from profile_channels c join profiles p on p.id = c.profile_id
+), found as (
+  select device_id, 'device' as declared_by, profile_no from declared where device_id is not null
+  union
+  select l.device_id, 'module ' || hex0x(m.module_ident, 8), n.profile_no
+  from declared n join modules m on m.id = n.module_id join device_modules l on l.module_id = m.id
+)
+select device_id, {_IDENTITY},
+  group_concat(declared_by, ', ') as declared_by
+from found join device_overview using (device_id)
+where found.profile_no = parse_hex(ifnull(nullif(:profile, ''), '402')) and variant = 1
+group by device_id
+order by {_ORDER}
+""",
+    },
+    "devices_with_dc_sync1": {
+        "title": "Devices with DC SYNC1",
+        "description": (
+            "Devices with an OpMode whose AssignActivate generates SYNC1; op_modes names them with the word. "
+            "vendor: part of the vendor's name (empty = all)."
+        ),
+        "params": ["vendor"],
+        "sql": f"""\
+select device_id, {_IDENTITY},
+  group_concat(ifnull(name || ' ', '') || assign_activate_hex, ', ') as op_modes, max(is_default) as in_default_mode
+from device_dc_modes
+where sync1 = 1 and variant = 1 and (:vendor = '' or vendor like '%' || :vendor || '%')
+group by device_id
+order by {_ORDER}
+""",
+    },
+    "devices_by_mailbox_protocol": {
+        "title": "Devices by mailbox protocol",
+        "description": "protocol: coe, eoe, foe, soe, aoe or voe (empty = foe); as declared by the Mailbox element.",
+        "params": ["protocol"],
+        "sql": f"""\
+select device_id, {_IDENTITY},
+  coe, eoe, foe, soe, aoe, voe, coe_complete_access, coe_sdo_info
+from device_overview
+where variant = 1 and case lower(ifnull(nullif(trim(:protocol), ''), 'foe'))
+  when 'coe' then coe when 'eoe' then eoe when 'foe' then foe
+  when 'soe' then soe when 'aoe' then aoe when 'voe' then voe end = 1
+order by {_ORDER}
+""",
+    },
+    "who_maps_an_object": {
+        "title": "Who maps an object",
+        "description": (
+            "index: 0x60FF, #x60FF or 24831 (empty = 0x60FF); subindex: a number (empty = all). Looks at the PDOs of "
+            "devices and of the modules that their slots can reach, and names the module; sm is the sync manager that "
+            "a PDO is assigned to by default. Indices of modules are those of the first slot."
+        ),
+        "params": ["index", "subindex"],
+        "sql": """\
+with mapped as (
+  select p.device_id, p.module_id, p.direction, hex0x(p.pdo_index) as pdo, p.name as pdo_name, p.sm,
+    hex0x(e.entry_index) as entry, ifnull(e.subindex, 0) as subindex, e.bit_length, e.data_type, e.name as entry_name
+  from pdo_entries e join pdos p on p.id = e.pdo_id
+  where e.entry_index = parse_hex(ifnull(nullif(:index, ''), '0x60FF'))
+    and (:subindex = '' or ifnull(e.subindex, 0) = parse_hex(:subindex))
+), reached as (
+  select device_id as found_id, * from mapped where device_id is not null
+  union all
+  select l.device_id, mapped.* from mapped join device_modules l on l.module_id = mapped.module_id
+)
+select d.id as device_id, v.name as vendor, d.type as device_type, hex0x(d.vendor_id, 8) as vendor_id_hex,
+  hex0x(d.product_code, 8) as product_code_hex, hex0x(d.revision_no, 8) as revision_no_hex,
+  hex0x(m.module_ident, 8) as module, m.type as module_type, direction, pdo, pdo_name, sm,
+  entry, subindex, bit_length, data_type, entry_name
+from reached
+join devices d on d.id = found_id and d.variant = 1
+left join vendors v on v.vendor_id = d.vendor_id
+left join modules m on m.id = reached.module_id
+order by d.vendor_id, d.product_code, d.revision_no, m.module_ident, pdo
+""",
+    },
+    "revisions_of_a_product": {
+        "title": "Revisions of a product",
+        "description": (
+            "vendor: vendor id (empty = any); product: product code; both as 0x044c2c52, #x044c2c52 or 72100946. "
+            "superseded_by names the revisions whose HideType hides this one."
+        ),
+        "params": ["vendor", "product"],
+        "sql": f"""\
+select device_id, {_IDENTITY},
+  variant, rx_pdos, tx_pdos, dc_modes, slots, sources,
+  (select group_concat(distinct hex0x(newer.revision_no, 8))
+    from hidden_revisions h join devices newer on newer.id = h.device_id
+    where newer.vendor_id = d.vendor_id and ifnull(h.product_code, newer.product_code) = d.product_code
+      and h.revision_no = d.revision_no) as superseded_by
+from device_overview d
+where (:vendor = '' or vendor_id = parse_hex(:vendor)) and product_code = parse_hex(:product)
+order by {_ORDER}, variant
+""",
+    },
+    "conflicting_descriptions_of_an_identity": {
+        "title": "Conflicting descriptions of one identity",
+        "description": (
+            "Identities that documents describe differently; variant 1 is the preferred description. vendor, product, "
+            "revision: numbers as 0x044c2c52, #x044c2c52 or 72100946 (empty = all)."
+        ),
+        "params": ["vendor", "product", "revision"],
+        "sql": f"""\
+select device_id, {_IDENTITY},
+  variant, element_count, recovered, file_version,
+  (select group_concat(distinct s.member) from device_sources x join sources s on s.id = x.source_id
+    where x.device_id = c.device_id) as documents
+from conflicting_descriptions c
+where (:vendor = '' or vendor_id = parse_hex(:vendor)) and (:product = '' or product_code = parse_hex(:product))
+  and (:revision = '' or revision_no = parse_hex(:revision))
+order by {_ORDER}, variant
+""",
+    },
+    "problems_of_ingest": {
+        "title": "Problems of ingest",
+        "description": (
+            "Documents that failed, were skipped or recovered, and errors found in others. document: part of the path "
+            "(empty = all); severity: E error, W warning, I information (empty = all)."
+        ),
+        "params": ["document", "severity"],
+        "sql": """\
+select source_id, member as document, status, severity, rule, message, line
+from ingest_problems
+where (:document = '' or instr(lower(member), lower(:document))) and (:severity = '' or severity = upper(:severity))
+order by case severity when 'E' then 1 when 'W' then 2 else 3 end, member, line
+""",
+    },
+}

@@ -1,0 +1,328 @@
+"""Write what follows from the code: datasette-metadata.yml, docs/schema.md, docs/cli.md.
+
+python docs/generate.py            writes the files
+python docs/generate.py --check    names the files that are not up to date; exit code 1 when there are any
+"""
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import click
+import sqlalchemy as sa
+import yaml
+from canned_queries import CANNED_QUERIES
+
+from esicatalog.catalog.schema import metadata
+from esicatalog.catalog.views import FULL_TEXT, FULL_TEXT_DOC, create_views, views
+from esicatalog.cli.main import cli
+
+ROOT = Path(__file__).parent.parent
+YAML_WIDTH = 110
+HELP_WIDTH = 100
+GENERATED = "Written by docs/generate.py"
+
+DESCRIPTION_HTML = """\
+<p>What vendors' EtherCAT slave information (ESI) files declare, as tables: identities, PDOs, object dictionaries, DC
+modes, start-up commands, modules. An entry says what a file declares, not what a device does.</p>
+"""
+
+DATABASE_HTML = """\
+<p>Start with the canned queries or with the view <code>device_overview</code>; both list devices. The search box of
+<code>devices</code> and of the views named device_… finds words, inner parts of words (1100 in EL1100) and identities
+in any notation (0x044c2c52, 0x44c2c52, #x044c2c52, 72100946).</p>
+<p>Every canned query about devices returns <code>device_id</code>, the key of <code>devices</code> and of all views
+named device_…; the query about ingest returns <code>source_id</code>, the key of <code>sources</code>. Columns named
+…_hex hold the number as text for filters; in SQL, parse_hex('0x60FF') reads a number and hex0x(24831, 4) writes
+one.</p>
+"""
+
+LICENSE = "the descriptions belong to the vendors of the devices"
+
+IDENTITY_FACETS = ["vendor"]
+SEARCH_DEVICES = {"fts_table": FULL_TEXT, "fts_pk": "device_id"}
+
+TABLE_OPTIONS: dict[str, dict[str, Any]] = {
+    "alembic_version": {"description": "Version of the schema.", "hidden": True},
+    "archives": {"label_column": "location", "hidden": True},
+    "catalog_state": {"hidden": True},
+    "data_types": {"label_column": "name"},
+    "dc_modes": {"label_column": "name", "facets": ["sync0", "sync1"]},
+    "device_modules": {"hidden": True},
+    "device_names": {"facets": ["kind", "lcid"]},
+    "devices": {
+        "label_column": "type",
+        "facets": ["vendor_id", "group_type", "physics"],
+        "fts_table": FULL_TEXT,
+        "fts_pk": "id",
+    },
+    "dictionary_data_types": {"hidden": True},
+    "dictionary_objects": {"hidden": True},
+    "findings": {"facets": ["rule", "severity"]},
+    "groups": {"label_column": "type"},
+    "images": {"size": 20},
+    "initcmds": {"facets": ["protocol"]},
+    "mailboxes": {"facets": ["coe", "eoe", "foe", "soe", "aoe", "voe"]},
+    "modules": {"label_column": "type", "facets": ["vendor_id"]},
+    "object_entries": {"label_column": "name"},
+    "objects": {"label_column": "name", "sort": "object_index"},
+    "pdos": {"label_column": "name", "facets": ["direction"]},
+    "profiles": {"label_column": "profile_no", "facets": ["profile_no"]},
+    "slots": {"label_column": "name"},
+    "source_groups": {"hidden": True},
+    "sources": {"label_column": "member", "sort": "member", "facets": ["status", "root"]},
+    "sync_managers": {"facets": ["usage"]},
+    "unmapped": {"facets": ["path"]},
+    "vendor_extensions": {"facets": ["field"]},
+    "vendor_names": {"sort_desc": "document_count"},
+    "vendors": {"label_column": "name", "sort": "name"},
+    FULL_TEXT: {"description": FULL_TEXT_DOC, "hidden": True},
+    "conflicting_descriptions": {**SEARCH_DEVICES, "facets": IDENTITY_FACETS},
+    "device_dc_modes": {**SEARCH_DEVICES, "facets": [*IDENTITY_FACETS, "sync0", "sync1"]},
+    "device_initcmds": {**SEARCH_DEVICES, "facets": [*IDENTITY_FACETS, "protocol"]},
+    "device_object_entries": SEARCH_DEVICES,
+    "device_objects": SEARCH_DEVICES,
+    "device_overview": {**SEARCH_DEVICES, "facets": [*IDENTITY_FACETS, "profile_no", "group_type"]},
+    "device_pdo_entries": SEARCH_DEVICES,
+    "ingest_problems": {"facets": ["status", "rule", "severity"]},
+}
+"""What Datasette should know about a table or view beyond its comments."""
+
+VIEW_TABLES = {
+    "conflicting_descriptions": ("devices",),
+    "device_overview": ("devices", "mailboxes", "profiles", "dc_modes"),
+    "ingest_problems": ("sources", "findings"),
+}
+"""Tables whose comments explain the columns of a view that is not named after its table."""
+
+RELATED_TABLES = ("pdos", "devices", "modules", "objects", "vendors")
+
+VIEW_COLUMNS = {
+    "bit_offset_in_pdo": "Bits of the PDO's entries before this one",
+    "dc_modes": "Number of OpModes",
+    "device_id": "Key in devices",
+    "first_source": "First document that carries it",
+    "is_default": "1 = the device's default OpMode",
+    "module_id": "Key in modules",
+    "modules": "Number of modules that its slots can reach",
+    "object_position": "Position of the object in its dictionary, from 0",
+    "pdo_position": "Position of the PDO, from 0",
+    "position": "Position in document order, from 0",
+    "profile": "Position of the profile whose dictionary holds the object, from 0",
+    "rx_pdos": "Number of its own RxPdo",
+    "slots": "Number of Slot elements",
+    "source_id": "Key in sources",
+    "sources": "Number of documents that carry it",
+    "sync0": "1 = AssignActivate generates SYNC0",
+    "sync1": "1 = AssignActivate generates SYNC1",
+    "tx_pdos": "Number of its own TxPdo",
+    "vendor": "Vendor's name",
+}
+"""Columns that only views have, and those that a view uses for something of its own."""
+
+KEYS = """\
+## How rows are keyed by vendor, product and revision
+
+`vendors.vendor_id` is the number that the ETG assigned. `devices` holds one row per distinct description, unique by
+(`vendor_id`, `product_code`, `revision_no`, `variant`): variant 1 is the preferred description of an identity, 2 and
+higher are differing ones, none is overwritten. A code that the file does not give is NULL, never 0. `devices.id` is a
+row number that differs between catalogs; keep the identity, not the row number.
+
+| what | table | how it hangs on vendor, product, revision | view with the identity beside every row |
+|---|---|---|---|
+| vendors | `vendors` | `vendor_id` is the key | `device_overview` |
+| devices | `devices` | `vendor_id`, `product_code`, `revision_no`, `variant` | `device_overview` |
+| objects | `objects`, `object_entries` | `devices.id` = `profiles.device_id`; `profiles.dictionary_id` = \
+`dictionary_objects.dictionary_id`; `dictionary_objects.object_id` = `objects.id` = `object_entries.object_id` | \
+`device_objects`, `device_object_entries` |
+| pdo_entries | `pdo_entries` | `devices.id` = `pdos.device_id`; `pdos.id` = `pdo_entries.pdo_id` | \
+`device_pdo_entries` |
+| initcmds | `initcmds` | `devices.id` = `initcmds.device_id` | `device_initcmds` |
+| dc_modes | `dc_modes` | `devices.id` = `dc_modes.device_id` | `device_dc_modes` |
+
+Objects and dictionaries are stored once per distinct content and shared. What modules for slots bring hangs on
+`module_id` instead of `device_id` in the same tables, and is in the views named `module_…`; `device_modules` says
+which modules the slots of a device can reach. So "does the device map 0x60FF" asks `pdos` by `device_id` and, through
+`device_modules`, by `module_id`.
+"""
+
+
+class _BlockDumper(yaml.SafeDumper):
+    """Writes texts of several lines as blocks, so that SQL stays readable, and lists that recur each time."""
+
+    def ignore_aliases(self, data: Any) -> bool:
+        return True
+
+
+def _represent_text(dumper: yaml.SafeDumper, text: str) -> yaml.ScalarNode:
+    return dumper.represent_scalar("tag:yaml.org,2002:str", text, style="|" if "\n" in text else None)
+
+
+_BlockDumper.add_representer(str, _represent_text)
+
+
+def view_columns() -> dict[str, dict[str, str]]:
+    """The comment of every column of every view, in the order of the view."""
+    engine = sa.create_engine("sqlite://")
+    with engine.begin() as connection:
+        metadata.create_all(connection)
+        create_views(connection)
+        inspector = sa.inspect(connection)
+        return {
+            view.name: {
+                column["name"]: _view_column_comment(view.name, column["name"])
+                for column in inspector.get_columns(view.name)
+            }
+            for view in views("sqlite")
+        }
+
+
+def _view_column_comment(view: str, column: str) -> str:
+    if column.endswith("_hex"):
+        return f"{_view_column_comment(view, column.removesuffix('_hex'))}, as 0x… text"
+    if column in VIEW_COLUMNS:
+        return VIEW_COLUMNS[column]
+    for table in VIEW_TABLES.get(view, (view.partition("_")[2],)):
+        if column in metadata.tables[table].columns:
+            return _comment(metadata.tables[table].columns[column])
+    for table in RELATED_TABLES:
+        for name in (column, column.removeprefix(f"{table[:-1]}_")):
+            if name in metadata.tables[table].columns:
+                comment = _comment(metadata.tables[table].columns[name])
+                return comment if name == column else f"{comment} of the {table[:-1]}"
+    if column.endswith("_id"):
+        return f"Key in {column.removesuffix('_id')}s"
+    raise KeyError(f"explain the column {column} of the view {view} in VIEW_COLUMNS")
+
+
+def _comment(item: Any) -> str:
+    return str(item.comment or "")
+
+
+def datasette_metadata() -> str:
+    """The text of datasette-metadata.yml."""
+    tables: dict[str, dict[str, Any]] = {}
+    for table in metadata.sorted_tables:
+        columns = {str(column.name): _comment(column) for column in table.columns}
+        tables[str(table.name)] = {"description": _comment(table), "columns": columns}
+    for view, columns in zip(views("sqlite"), view_columns().values(), strict=True):
+        tables[view.name] = {"description": view.doc, "columns": columns}
+    for name, options in TABLE_OPTIONS.items():
+        tables.setdefault(name, {}).update(options)
+    document = {
+        "title": "EtherCAT device catalog",
+        "description_html": DESCRIPTION_HTML,
+        "license": LICENSE,
+        "databases": {
+            "catalog": {
+                "description_html": DATABASE_HTML,
+                "queries": {name: {**query, "hide_sql": True} for name, query in CANNED_QUERIES.items()},
+                "tables": dict(sorted(tables.items())),
+            }
+        },
+    }
+    text = yaml.dump(document, Dumper=_BlockDumper, sort_keys=False, allow_unicode=True, width=YAML_WIDTH)
+    return f"# {GENERATED}: change that, not this.\n{text}"
+
+
+def schema_reference() -> str:
+    """The text of docs/schema.md."""
+    return "\n".join(_schema_lines())
+
+
+def _schema_lines() -> Iterator[str]:
+    yield f"<!-- {GENERATED}. -->"
+    yield "# Schema of the catalog"
+    yield ""
+    yield "Types: *boolean* is 0 or 1 on SQLite and BOOLEAN on PostgreSQL; *integer* is BIGINT on PostgreSQL."
+    yield "Most tables keep in `spelling` how the vendor wrote values that are not spelled canonically."
+    yield ""
+    yield from KEYS.splitlines()
+    yield ""
+    yield "## Views"
+    for view, columns in zip(views("sqlite"), view_columns().values(), strict=True):
+        yield from ("", f"### {view.name}", "", view.doc, "", "| column | meaning |", "|---|---|")
+        yield from (f"| {name} | {_cell(comment)} |" for name, comment in columns.items())
+    yield from (
+        "",
+        "## Full-text index",
+        "",
+        f"`{FULL_TEXT}` (SQLite only): {FULL_TEXT_DOC} Its rowid is `devices.id`.",
+    )
+    yield from ("", "## Tables")
+    for table in sorted(metadata.tables.values(), key=lambda table: table.name):
+        yield from ("", f"### {table.name}", "", _comment(table), "", "| column | type | meaning |", "|---|---|---|")
+        yield from (
+            f"| {column.name} | {_type_name(column)} | {_cell(_comment(column))}{_key_words(column)} |"
+            for column in table.columns
+        )
+        unique = [item for item in table.constraints if isinstance(item, sa.UniqueConstraint)]
+        for names in sorted(", ".join(column.name for column in item.columns) for item in unique):
+            yield from ("", f"Unique: {names}.")
+    yield ""
+
+
+def _type_name(column: sa.Column[Any]) -> str:
+    kinds = ((sa.Boolean, "boolean"), (sa.Integer, "integer"), (sa.Float, "real"), (sa.LargeBinary, "blob"))
+    return next((name for kind, name in kinds if isinstance(column.type, kind)), "text")
+
+
+def _key_words(column: sa.Column[Any]) -> str:
+    words = [f"→ {key.target_fullname}" for key in column.foreign_keys]
+    if column.primary_key:
+        words.append("primary key")
+    return f" ({', '.join(words)})" if words else ""
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|").replace("\n", " ")
+
+
+def cli_reference() -> str:
+    """The text of docs/cli.md: the help of every command."""
+    lines = [f"<!-- {GENERATED}. -->", "# Commands", "", *_help_block(cli, None)]
+    context = click.Context(cli, info_name="esicatalog")
+    for name in cli.list_commands(context):
+        command = cli.get_command(context, name)
+        assert command is not None
+        lines += ["", f"## {name}", "", *_help_block(command, context)]
+    return "\n".join([*lines, ""])
+
+
+def _help_block(command: click.Command, parent: click.Context | None) -> list[str]:
+    options = dict(cli.context_settings, terminal_width=HELP_WIDTH, max_content_width=HELP_WIDTH)
+    context = click.Context(command, info_name=command.name if parent else "esicatalog", parent=parent, **options)
+    return ["```", *command.get_help(context).splitlines(), "```"]
+
+
+FILES = {
+    "datasette-metadata.yml": datasette_metadata,
+    "docs/schema.md": schema_reference,
+    "docs/cli.md": cli_reference,
+}
+
+
+def stale_files() -> dict[Path, str]:
+    """The files that are not up to date, with the text they should have."""
+    wanted = {ROOT / name: write() for name, write in FILES.items()}
+    return {
+        path: text for path, text in wanted.items() if not path.exists() or path.read_text(encoding="utf-8") != text
+    }
+
+
+def main() -> int:
+    """Write or check; returns the exit code."""
+    stale = stale_files()
+    if sys.argv[1:] == ["--check"]:
+        for path in stale:
+            print(f"{path.relative_to(ROOT)} is not up to date; run: python docs/generate.py", file=sys.stderr)
+        return 1 if stale else 0
+    for path, text in stale.items():
+        path.write_text(text, encoding="utf-8")
+        print(f"wrote {path.relative_to(ROOT)}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

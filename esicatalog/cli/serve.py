@@ -1,0 +1,48 @@
+"""esicatalog serve"""
+
+import contextlib
+import errno
+import socket
+import webbrowser
+
+import click
+
+from esicatalog.cli.common import db_option, reporting_errors
+from esicatalog.errors import InputError
+
+
+@click.command("serve")
+@db_option
+@click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen at; 0.0.0.0 = everywhere.")
+@click.option("--port", default=8001, show_default=True, type=click.IntRange(0, 65535), help="Port; 0 = any free one.")
+@click.option("--open", "open_browser", is_flag=True, help="Open the catalog in a browser.")
+@click.option("--immutable", is_flag=True, help="Nobody changes the file meanwhile: faster, and it can be downloaded.")
+@reporting_errors
+def command(db: str, host: str, port: int, open_browser: bool, immutable: bool) -> None:
+    """Browse the catalog in Datasette until Ctrl-C.
+
+    Prints the address. The catalog is mounted as /catalog whatever its file is called.
+    """
+    import uvicorn
+
+    from esicatalog.web.app import MOUNTED_AS, catalog_file, datasette_app
+
+    application = datasette_app(catalog_file(db), immutable).app()
+    with _listen(host, port) as listener:
+        shown = f"[{host}]" if ":" in host else host
+        url = f"http://{shown}:{listener.getsockname()[1]}/{MOUNTED_AS}"
+        click.echo(url)
+        if open_browser:
+            webbrowser.open(url)
+        server = uvicorn.Server(uvicorn.Config(application, log_level="warning", lifespan="on"))
+        with contextlib.suppress(KeyboardInterrupt):
+            server.run(sockets=[listener])
+
+
+def _listen(host: str, port: int) -> socket.socket:
+    try:
+        return socket.create_server((host, port), family=socket.AF_INET6 if ":" in host else socket.AF_INET)
+    except OSError as error:
+        if error.errno == errno.EADDRINUSE:
+            raise InputError(f"port {port} of {host} is in use; choose another with --port") from error
+        raise InputError(f"cannot listen at {host}, port {port}: {error.strerror}") from error

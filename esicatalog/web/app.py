@@ -1,0 +1,59 @@
+"""The Datasette application of one catalog."""
+
+import inspect
+import os
+from pathlib import Path
+from typing import Any
+
+from datasette.app import Datasette
+from datasette.database import Database
+from datasette.utils import parse_metadata
+
+from esicatalog.api import Catalog
+from esicatalog.catalog.database import catalog_url, sqlite_path
+from esicatalog.errors import CatalogError
+from esicatalog.resources import resource
+
+MOUNTED_AS = "catalog"
+"""Name of the database in Datasette, whatever the file is called; the metadata is written for it."""
+
+SETTINGS = {
+    "sql_time_limit_ms": 3000,
+    "facet_time_limit_ms": 1000,
+    # Trying every column takes seconds on wide views; the metadata names the facets that are useful.
+    "suggest_facets": False,
+    "default_page_size": 100,
+    "max_returned_rows": 5000,
+    "truncate_cells_html": 200,
+}
+
+_URI_CHARACTERS = "?#%"
+
+
+def catalog_file(target: str | os.PathLike[str]) -> Path:
+    """The file of an SQLite catalog of the current version. Raises :class:`CatalogError`."""
+    path = sqlite_path(catalog_url(target))
+    if path is None:
+        raise CatalogError(f"{target}: Datasette reads SQLite files only; name the file of a catalog")
+    if any(character in str(path) for character in _URI_CHARACTERS):
+        # Datasette puts the path into a URI as it stands.
+        raise CatalogError(f"{path}: Datasette opens no file with one of {' '.join(_URI_CHARACTERS)} in its path")
+    Catalog.open(path).close()
+    return path
+
+
+def datasette_app(path: str | os.PathLike[str], immutable: bool = False) -> Any:
+    """A Datasette with this one database, under the name ``catalog``, and the metadata of the package.
+
+    ``immutable`` promises that nobody changes the file: row counts are kept and the file can be downloaded.
+    """
+    metadata = parse_metadata(resource("datasette-metadata.yml").read_text(encoding="utf-8"))
+    arguments: dict[str, Any] = {"metadata": metadata, "settings": SETTINGS}
+    if "config" in inspect.signature(Datasette).parameters:
+        # Datasette 1.0 takes canned queries from the configuration.
+        arguments["config"] = metadata
+    datasette = Datasette([], **arguments)
+    datasette.add_database(Database(datasette, path=os.fspath(path), is_mutable=not immutable), name=MOUNTED_AS)
+    # Without files Datasette mounts an empty database in memory.
+    datasette.remove_database("_memory")
+    return datasette

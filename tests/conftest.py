@@ -1,0 +1,57 @@
+"""Fixtures that several test files use. ``corpus`` names real files that are not part of the project."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+from esicatalog import Catalog
+
+CHECKOUT = Path(__file__).parent.parent
+SAMPLE_ARCHIVES = ("hpmicro+hpm_sdk.zip", "AIMEtherCAT+EcatV2_AX58100_H750_Universal.zip", "ruiofang+EU_EtherCAT.zip")
+"""Small archives of the corpus: modules, a document that needs recovery, plain drives."""
+
+
+@pytest.fixture(scope="session")
+def data() -> Path:
+    """Our own example files."""
+    return CHECKOUT / "data"
+
+
+@pytest.fixture(scope="session")
+def corpus() -> Path:
+    """Folder with real files: ESICATALOG_CORPUS, else beside the checkout."""
+    folder = Path(os.environ.get("ESICATALOG_CORPUS") or CHECKOUT.parent / "shared" / "corpus")
+    if not (folder / "esi").is_dir():
+        pytest.skip(f"no corpus of real ESI files at {folder}; name one with ESICATALOG_CORPUS")
+    return folder
+
+
+@pytest.fixture(scope="session")
+def sample_archives(corpus: Path) -> list[Path]:
+    """A few small archives of the corpus."""
+    return [corpus / "esi" / name for name in SAMPLE_ARCHIVES]
+
+
+def _ingested(path: Path, inputs: list[Path], jobs: int | None) -> Path:
+    with Catalog.open(path, create=True) as catalog:
+        catalog.ingest(inputs, jobs=jobs)
+    return path
+
+
+@pytest.fixture(scope="session")
+def data_db(tmp_path_factory: pytest.TempPathFactory, data: Path) -> Path:
+    """A catalog of our example files; read it, do not change it."""
+    return _ingested(tmp_path_factory.mktemp("data") / "data.db", [data], jobs=1)
+
+
+@pytest.fixture(scope="session")
+def sample_db(tmp_path_factory: pytest.TempPathFactory, sample_archives: list[Path]) -> Path:
+    """A catalog of a few small archives of the corpus."""
+    return _ingested(tmp_path_factory.mktemp("sample") / "sample.db", sample_archives, jobs=1)
+
+
+@pytest.fixture(scope="session")
+def corpus_db(tmp_path_factory: pytest.TempPathFactory, corpus: Path) -> Path:
+    """A catalog of the whole corpus; takes some seconds."""
+    return _ingested(tmp_path_factory.mktemp("corpus") / "corpus.db", [corpus / "esi"], jobs=None)

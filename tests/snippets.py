@@ -1,0 +1,86 @@
+"""Small ESI documents written for the tests."""
+
+import sqlite3
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+from esicatalog.esi.reader import ReadDocument, Reader
+
+
+def esi(devices: str = "", modules: str = "", vendor: str = "<Id>#x00000E5C</Id><Name>Test vendor</Name>") -> str:
+    """An EtherCATInfo document around Device and Module elements."""
+    return (
+        f"<EtherCATInfo><Vendor>{vendor}</Vendor><Descriptions>"
+        "<Groups><Group><Type>G</Type><Name>Group</Name></Group></Groups>"
+        f"<Devices>{devices}</Devices><Modules>{modules}</Modules></Descriptions></EtherCATInfo>"
+    )
+
+
+def device(content: str = "", product: str = "#x1", revision: str = "#x1", type_text: str = "T1", name: str = "N"):
+    """A Device element with an identity around further content."""
+    codes = f'ProductCode="{product}" RevisionNo="{revision}"' if product else ""
+    return (
+        f'<Device Physics="YY"><Type {codes}>{type_text}</Type><Name>{name}</Name><GroupType>G</GroupType>'
+        f"{content}</Device>"
+    )
+
+
+def dictionary(data_types: str, objects: str) -> str:
+    """A Profile with a dictionary."""
+    return (
+        f"<Profile><ProfileNo>402</ProfileNo><Dictionary><DataTypes>{data_types}</DataTypes>"
+        f"<Objects>{objects}</Objects></Dictionary></Profile>"
+    )
+
+
+def pdo(kind: str, index: str, *bits: int, attributes: str = "", extra: str = "") -> str:
+    """A RxPdo or TxPdo whose entries have these lengths."""
+    entries = "".join(
+        f"<Entry><Index>#x7000</Index><SubIndex>{n}</SubIndex><BitLen>{length}</BitLen><Name>e{n}</Name></Entry>"
+        for n, length in enumerate(bits, 1)
+    )
+    return f"<{kind} {attributes}><Index>{index}</Index><Name>{kind} {index}</Name>{extra}{entries}</{kind}>"
+
+
+def read(text: str | bytes) -> ReadDocument:
+    """Read a document without any container."""
+    return Reader().read(text.encode() if isinstance(text, str) else text)
+
+
+def only_device(text: str) -> Any:
+    """The one device of a document."""
+    (found,) = read(text).document.infos[0].devices
+    return found
+
+
+def write(folder: Path, files: dict[str, str | bytes]) -> Path:
+    """Write files below a folder."""
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return folder
+
+
+def rows(db: Path, sql: str, *values: Any) -> list[tuple[Any, ...]]:
+    """Rows of a query on a catalog, by the standard library alone."""
+    with closing(sqlite3.connect(db)) as connection:
+        return connection.execute(sql, values).fetchall()
+
+
+def one(db: Path, sql: str, *values: Any) -> Any:
+    """The single value of a query."""
+    ((value,),) = rows(db, sql, *values)
+    return value
+
+
+def elements(root: Any, *path: str) -> Iterator[Any]:
+    """Elements at a path below ``root``, by plain iteration."""
+    head, *rest = path
+    for child in root.findall(head):
+        if rest:
+            yield from elements(child, *rest)
+        else:
+            yield child

@@ -1,0 +1,163 @@
+"""Folders and archives: references that vendors write, and those that must not lead outside."""
+
+import io
+import zipfile
+
+import pytest
+from snippets import device, esi, write
+
+from esicatalog.errors import BrokenDocument, InputError
+from esicatalog.esi import containers
+from esicatalog.esi.containers import Archive, Folder, resolve_reference
+from esicatalog.esi.reader import read_esi
+
+DICTIONARY = (
+    "<EtherCATDict><Dictionary><DataTypes><DataType><Name>UINT</Name><BitSize>16</BitSize></DataType></DataTypes>"
+    "<Objects><Object><Index>#x2000</Index><Name>External</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+    "</Objects></Dictionary></EtherCATDict>"
+)
+
+
+def zipped(**members: bytes) -> bytes:
+    """A zip archive; ``__`` in a name is ``/`` and ``_dot_`` is ``.``."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in members.items():
+            archive.writestr(name.replace("__", "/").replace("_dot_", "."), content)
+    return stream.getvalue()
+
+
+def containers_with(tmp_path, *members: str):
+    """The same members as a folder and as an archive."""
+    folder = write(tmp_path / "folder", dict.fromkeys(members, "x"))
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        for name in members:
+            archive.writestr(name, "x")
+    return Folder(folder), Archive(stream.getvalue())
+
+
+@pytest.mark.parametrize(
+    ("document", "reference", "found"),
+    [
+        ("EL.xml", "Dict.xml", "Dict.xml"),
+        ("EL.xml", r"Sub\Deep Dict.xml", "Sub/Deep Dict.xml"),
+        ("EL.xml", "SUB/deep dict.XML", "Sub/Deep Dict.xml"),
+        ("EL.xml", "./Dict.xml", "Dict.xml"),
+        ("EL.xml", "  Dict.xml  ", "Dict.xml"),
+        ("Sub/EL.xml", r"..\Dict.xml", "Dict.xml"),
+        ("Sub/EL.xml", "Deep Dict.xml", "Sub/Deep Dict.xml"),
+        ("EL.xml", r"Sub\..\Dict.xml", "Dict.xml"),
+    ],
+)
+def test_references_as_vendors_write_them(tmp_path, document, reference, found):
+    for container in containers_with(tmp_path, "Dict.xml", "Sub/Deep Dict.xml"):
+        assert resolve_reference(container, document, reference) == found
+
+
+@pytest.mark.parametrize(
+    "reference",
+    [
+        *(
+            "../Dict.xml",
+            r"..\..\Dict.xml",
+            "Sub/../../Dict.xml",
+            "/Dict.xml",
+            r"\Dict.xml",
+            r"C:\Dict.xml",
+            "C:Dict.xml",
+        ),
+        *("file:///Dict.xml", "http://example.org/Dict.xml", r"\\host\share\Dict.xml", "", "..", ".", "missing.xml"),
+    ],
+)
+def test_references_that_lead_nowhere_or_outside(tmp_path, reference):
+    write(tmp_path, {"Dict.xml": "outside"})
+    for container in containers_with(tmp_path, "Dict.xml", "Sub/Dict.xml"):
+        assert resolve_reference(container, "EL.xml", reference) is None
+
+
+def test_a_symbolic_link_that_leads_outside_is_not_followed(tmp_path):
+    folder = write(tmp_path / "folder", {"Inside.xml": "x"})
+    write(tmp_path, {"Secret.xml": "secret"})
+    (folder / "Link.xml").symlink_to(tmp_path / "Secret.xml")
+    (folder / "Way").symlink_to(tmp_path)
+    (folder / "Good.xml").symlink_to(folder / "Inside.xml")
+    assert resolve_reference(Folder(folder), "EL.xml", "Link.xml") is None
+    assert resolve_reference(Folder(folder), "EL.xml", "Way/Secret.xml") is None
+    assert resolve_reference(Folder(folder), "EL.xml", "Good.xml") == "Good.xml"
+
+
+def test_an_external_dictionary_is_pulled_in(tmp_path):
+    profile = r"<Profile><ProfileNo>402</ProfileNo><DictionaryFile>DICTS\drive.XML</DictionaryFile></Profile>"
+    write(tmp_path, {"drive.xml": esi(device(profile)), "dicts/Drive.xml": DICTIONARY})
+    document = read_esi(tmp_path / "drive.xml")
+    (found,) = document.document.infos[0].devices
+    assert [o.object_index for o in found.profiles[0].dictionary.objects] == [0x2000]
+    assert document.document.references[0].location == "dicts/Drive.xml"
+    assert document.findings == ()
+
+
+def test_a_missing_dictionary_is_told_at_the_device(tmp_path):
+    profile = "<Profile><DictionaryFile>gone.xml</DictionaryFile></Profile>"
+    write(tmp_path, {"drive.xml": "\n\n" + esi("\n" + device(profile))})
+    document = read_esi(tmp_path / "drive.xml")
+    (finding,) = document.findings
+    assert (finding.rule, finding.line) == ("L60", 4)
+    assert "gone.xml" in finding.message
+
+
+def test_a_dictionary_that_is_something_else_is_told(tmp_path):
+    profile = "<Profile><DictionaryFile>other.xml</DictionaryFile></Profile>"
+    write(tmp_path, {"drive.xml": esi(device(profile)), "other.xml": esi(device())})
+    (finding,) = read_esi(tmp_path / "drive.xml").findings
+    assert finding.rule == "L60"
+    assert "EtherCATInfo" in finding.message
+
+
+def test_a_document_that_refers_to_itself_ends(tmp_path):
+    document = esi(device()).replace("<Vendor>", "<InfoReference>self.xml</InfoReference><Vendor>", 1)
+    write(tmp_path, {"self.xml": document})
+    assert len(read_esi(tmp_path / "self.xml").document.infos[0].devices) == 1
+
+
+def test_an_archive_inside_an_archive():
+    inner = zipped(Sub__a_dot_xml=b"content")
+    outer = Archive(zipped(inner_dot_zip=inner))
+    assert Archive(outer.read("inner.zip")).read("Sub/a.xml") == b"content"
+
+
+def test_a_member_that_holds_more_than_it_announces():
+    content = bytearray(zipped(a_dot_xml=b"x" * 1000))
+    for offset in (content.find(b"PK\x03\x04") + 22, content.find(b"PK\x01\x02") + 24):
+        content[offset : offset + 4] = (10).to_bytes(4, "little")
+    with pytest.raises(BrokenDocument):
+        Archive(bytes(content)).read("a.xml")
+
+
+def test_archives_with_too_much_are_refused(monkeypatch):
+    archive = zipped(a=b"1" * 50, b=b"2" * 50, c=b"3" * 50)
+    monkeypatch.setattr(containers, "MAX_MEMBERS", 2)
+    with pytest.raises(InputError, match="members"):
+        Archive(archive)
+    monkeypatch.setattr(containers, "MAX_MEMBERS", 3)
+    monkeypatch.setattr(containers, "MAX_EXPANDED_BYTES", 149)
+    with pytest.raises(InputError, match="expands"):
+        Archive(archive)
+    monkeypatch.setattr(containers, "MAX_EXPANDED_BYTES", 150)
+    monkeypatch.setattr(containers, "MAX_DOCUMENT_BYTES", 49)
+    with pytest.raises(BrokenDocument, match="larger"):
+        Archive(archive).read("a")
+
+
+@pytest.mark.parametrize("content", [b"", b"PK\x03\x04broken", b"no archive"])
+def test_what_is_no_archive(content):
+    with pytest.raises(InputError):
+        Archive(content)
+
+
+def test_damaged_members_are_broken_documents():
+    content = bytearray(zipped(a_dot_xml=bytes(range(256)) * 40))
+    start = content.find(b"a.xml") + 5
+    content[start + 10 : start + 60] = b"\xff" * 50
+    with pytest.raises(BrokenDocument):
+        Archive(bytes(content)).read("a.xml")

@@ -1,0 +1,272 @@
+"""The catalog in Datasette: every page opens, search finds what people type, ``serve`` serves."""
+
+import json
+import signal
+import socket
+import sqlite3
+import subprocess
+import sys
+import urllib.request
+from pathlib import Path
+from typing import Any
+
+import datasette
+import pytest
+from datasette.app import Datasette
+from datasette.utils import parse_metadata
+
+from esicatalog.api import Catalog
+from esicatalog.catalog.schema import metadata
+from esicatalog.catalog.views import FULL_TEXT, views
+from esicatalog.resources import resource
+from esicatalog.web.app import datasette_app
+from esicatalog.web.functions import hex0x, parse_hex
+
+DATASETTE_0 = datasette.__version__.startswith("0.")
+METADATA = parse_metadata(resource("datasette-metadata.yml").read_text(encoding="utf-8"))["databases"]["catalog"]
+TABLES = [*metadata.tables, *(view.name for view in views("sqlite")), FULL_TEXT, "alembic_version"]
+
+# Parameters of every canned query, and the device types (or documents) that it must answer with.
+QUERY_EXAMPLES: dict[str, tuple[dict[str, str], set[str]]] = {
+    "find_a_device": ({"text": "D808"}, {"ECX-D808"}),
+    "devices_by_drive_profile": (
+        {"profile": "402"},
+        {"L6N", "ECX-A202", "EYOU_ServoModule_V143", "RT118X-SERVO-MOTOR"},
+    ),
+    "devices_with_dc_sync1": ({"vendor": ""}, {"ECX-D808"}),
+    "devices_by_mailbox_protocol": ({"protocol": "FoE"}, {"ECX-A202"}),
+    "who_maps_an_object": ({"index": "0x60FF", "subindex": "0"}, {"L6N", "ECX-A202", "EYOU_ServoModule_V143"}),
+    "revisions_of_a_product": ({"vendor": "0xE5C", "product": "#x0d080808"}, {"ECX-D808"}),
+    "conflicting_descriptions_of_an_identity": ({"vendor": "", "product": "", "revision": ""}, set()),
+    "problems_of_ingest": ({"document": "readme", "severity": "i"}, {"README.md"}),
+}
+
+
+@pytest.fixture
+async def browser(data_db: Path) -> Any:
+    """A client of the catalog of data/, whose file is not called catalog.db."""
+    return await started(data_db)
+
+
+async def started(db: Path) -> Any:
+    application = datasette_app(db)
+    await application.invoke_startup()
+    return application.client
+
+
+async def rows(browser: Any, path: str, **parameters: str) -> list[dict[str, Any]]:
+    response = await browser.get(path, params={**parameters, "_shape": "objects"})
+    assert response.status_code == 200, response.text
+    found: list[dict[str, Any]] = response.json()["rows"]
+    return found
+
+
+async def searched(browser: Any, text: str, table: str = "devices", column: str = "type") -> set[str]:
+    return {row[column] for row in await rows(browser, f"/catalog/{table}.json", _search=text)}
+
+
+@pytest.mark.parametrize("path", ["/", "/catalog", "/catalog.json", "/-/plugins.json"])
+async def test_front_pages_open(browser, path):
+    assert (await browser.get(path)).status_code == 200
+
+
+@pytest.mark.parametrize("table", TABLES)
+async def test_every_table_and_view_opens(browser, table):
+    page = await browser.get(f"/catalog/{table}")
+    assert page.status_code == 200, page.text
+    assert await rows(browser, f"/catalog/{table}.json") is not None
+
+
+@pytest.mark.parametrize("query", QUERY_EXAMPLES)
+async def test_every_canned_query_answers(browser, query):
+    parameters, expected = QUERY_EXAMPLES[query]
+    page = await browser.get(f"/catalog/{query}", params=parameters)
+    assert page.status_code == 200, page.text
+    found = await rows(browser, f"/catalog/{query}.json", **parameters)
+    assert {row.get("device_type", row.get("document")) for row in found} == expected
+    assert all(row.get("device_id", row.get("source_id")) for row in found)
+
+
+@pytest.mark.parametrize("query", QUERY_EXAMPLES)
+async def test_canned_queries_open_without_parameters(browser, query):
+    assert (await browser.get(f"/catalog/{query}")).status_code == 200
+
+
+@pytest.mark.parametrize("query", ["devices_by_drive_profile", "who_maps_an_object", "revisions_of_a_product"])
+async def test_malformed_number_finds_nothing(browser, query):
+    parameters = dict.fromkeys(METADATA["queries"][query]["params"], "0xnothing")
+    assert await rows(browser, f"/catalog/{query}.json", **parameters) == []
+
+
+def test_metadata_names_what_exists():
+    assert set(METADATA["queries"]) == set(QUERY_EXAMPLES)
+    assert set(METADATA["tables"]) == set(TABLES)
+
+
+async def test_module_that_maps_is_named(browser):
+    found = await rows(browser, "/catalog/who_maps_an_object.json", index="24831", subindex="")
+    assert ("ECX-A202", "CSV") in {(row["device_type"], row["module_type"]) for row in found}
+
+
+async def test_superseded_revision_is_marked(browser):
+    found = await rows(browser, "/catalog/revisions_of_a_product.json", vendor="", product="0x0d080808")
+    assert [(row["revision_no_hex"], row["superseded_by"]) for row in found] == [
+        ("0x00100000", "0x00110000"),
+        ("0x00110000", None),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("ECX-D808", {"ECX-D808"}),
+        ("d808", {"ECX-D808"}),
+        ("808", {"ECX-D808"}),
+        ("8 outputs", {"ECX-D808"}),
+        ("V1", {"EYOU_ServoModule_V143"}),
+        ("0x00002406", {"EYOU_ServoModule_V143"}),
+        ("0x2406", {"EYOU_ServoModule_V143"}),
+        ("#x2406", {"EYOU_ServoModule_V143"}),
+        ("#x00002406", {"EYOU_ServoModule_V143"}),
+        ("9222", {"EYOU_ServoModule_V143"}),
+        ("0x1097 0x8f", {"EYOU_ServoModule_V143"}),
+        ("L6", {"L6N"}),
+        ('"', set()),
+    ],
+)
+async def test_search_finds_what_people_type(browser, text, expected):
+    assert await searched(browser, text) == expected
+    assert await searched(browser, text, "device_overview", "device_type") == expected
+
+
+async def test_search_works_in_views_of_parts(browser):
+    assert await searched(browser, "ECX-D808", "device_pdo_entries", "device_type") == {"ECX-D808"}
+
+
+async def test_hex_in_a_filter_is_no_error(browser):
+    assert (await browser.get("/catalog/devices?product_code=0x0d080808")).status_code == 200
+    assert len(await rows(browser, "/catalog/device_overview.json", product_code_hex="0x0d080808")) == 2
+
+
+async def test_internal_tables_are_hidden(browser):
+    listed = (await browser.get("/catalog.json")).json()["tables"]
+    shown = {table["name"] for table in listed if not table["hidden"]}
+    assert {"devices", "pdo_entries", "vendors"} <= shown
+    assert not shown & {"catalog_state", "alembic_version", "dictionary_objects"}
+    assert not any(name.startswith(FULL_TEXT) for name in shown)
+
+
+async def test_style_is_served_to_catalogs_only(browser, tmp_path):
+    style = "/-/static-plugins/esicatalog/catalog.css"
+    assert style in (await browser.get("/catalog/devices")).text
+    assert (await browser.get(style)).status_code == 200
+    other = tmp_path / "other.db"
+    with sqlite3.connect(other) as connection:
+        connection.execute("CREATE TABLE things (name TEXT)")
+    assert style not in (await Datasette([str(other)]).client.get("/other/things")).text
+
+
+async def test_other_databases_keep_their_search(tmp_path):
+    other = tmp_path / "other.db"
+    with sqlite3.connect(other) as connection:
+        connection.execute("CREATE VIRTUAL TABLE notes USING fts5(body)")
+        connection.execute("INSERT INTO notes VALUES ('EL1100 and more')")
+    answer = await Datasette([str(other)]).client.get(
+        "/other.json" if DATASETTE_0 else "/other/-/query.json",
+        params={"sql": "select escape_fts('EL1100 more'), parse_hex('0x10')", "_shape": "arrays"},
+    )
+    assert answer.json()["rows"] == [['"EL1100" "more"', 16]]
+
+
+def test_numbers_in_sql():
+    assert [parse_hex(text) for text in ("0x60FF", "#x60ff", "24831", 24831)] == [24831] * 4
+    assert [parse_hex(text) for text in ("", None, "EL1100", "0x", "-1", "9" * 30)] == [None] * 6
+    assert (hex0x(24831), hex0x(2, 8), hex0x(255, 0)) == ("0x60ff", "0x00000002", "0xff")
+    assert [hex0x(value) for value in (None, "text", -1)] == [None] * 3
+
+
+async def test_plain_datasette_takes_the_metadata(tmp_path, data_db):
+    """``datasette catalog.db -m datasette-metadata.yml`` works without ``serve``."""
+    copied = tmp_path / "catalog.db"
+    copied.write_bytes(data_db.read_bytes())
+    described = resource("datasette-metadata.yml")
+    # Datasette 1.0 takes canned queries from the configuration.
+    options = ["-m", described] if DATASETTE_0 else ["-m", described, "-c", described]
+    command = [sys.executable, "-m", "datasette", copied, *options, "--get"]
+    for path, text in (
+        ("/catalog/devices.json?_search=0x1097&_shape=objects", "EYOU_ServoModule_V143"),
+        ("/catalog/find_a_device.json?text=D808&_shape=objects", "ECX-D808"),
+    ):
+        done = subprocess.run([*command, path], capture_output=True, text=True, check=True)
+        assert text in done.stdout
+
+
+def serve(*arguments: object) -> "subprocess.Popen[str]":
+    command = [sys.executable, "-m", "esicatalog", "serve", *map(str, arguments)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+@pytest.mark.parametrize("options", [(), ("--immutable",)])
+def test_serve_prints_its_address_and_ends_quietly(data_db, options):
+    server = serve("--db", data_db, "--port", 0, *options)
+    try:
+        assert server.stdout is not None
+        address = server.stdout.readline().strip()
+        assert address.startswith("http://127.0.0.1:")
+        with urllib.request.urlopen(f"{address}.json", timeout=10) as response:
+            assert json.load(response)["database"] == "catalog"
+        server.send_signal(signal.SIGINT)
+        output, errors = server.communicate(timeout=10)
+        assert (server.returncode, output, errors) == (0, "", "")
+    finally:
+        server.kill()
+        server.wait()
+
+
+def refused(*arguments: object) -> str:
+    """What ``serve`` says when it does not start: one line, exit code 2."""
+    server = serve(*arguments)
+    output, errors = server.communicate(timeout=20)
+    assert (server.returncode, output, errors.count("\n")) == (2, "", 1)
+    return errors
+
+
+def test_serve_refuses_a_port_in_use(data_db):
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        assert f"port {port} of 127.0.0.1 is in use" in refused("--db", data_db, "--port", port)
+
+
+def test_serve_refuses_what_is_no_catalog(tmp_path):
+    foreign = tmp_path / "foreign.db"
+    with sqlite3.connect(foreign) as connection:
+        connection.execute("CREATE TABLE things (name TEXT)")
+    broken = tmp_path / "broken.db"
+    broken.write_bytes(b"no database at all " * 100)
+    assert "no such catalog" in refused("--db", tmp_path / "missing.db")
+    assert "other tables" in refused("--db", foreign)
+    assert "not an SQLite catalog" in refused("--db", broken)
+    assert "SQLite files only" in refused("--db", "postgresql://localhost/catalog")
+    assert "in its path" in refused("--db", tmp_path / "a#b.db")
+
+
+@pytest.mark.corpus
+@pytest.mark.parametrize("text", ["EK1100", "EL1100", "1100", "0x044c2c52", "72100946", "drive 2"])
+async def test_corpus_search_agrees_with_the_command(corpus_db, text):
+    with Catalog.open(corpus_db) as catalog:
+        expected = {device.type for device in catalog.devices(text=text, all_variants=True)}
+    assert await searched_all(await started(corpus_db), text) == expected
+    if text in ("EK1100", "0x044c2c52"):
+        assert "EK1100" in expected
+
+
+async def searched_all(browser: Any, text: str) -> set[str]:
+    found = await rows(browser, "/catalog/devices.json", _search=text, _size="max")
+    return {row["type"] for row in found}
+
+
+@pytest.mark.corpus
+@pytest.mark.parametrize("query", QUERY_EXAMPLES)
+async def test_corpus_canned_queries_answer(corpus_db, query):
+    browser = await started(corpus_db)
+    assert await rows(browser, f"/catalog/{query}.json", **QUERY_EXAMPLES[query][0]) is not None

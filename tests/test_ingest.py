@@ -1,0 +1,313 @@
+"""Ingest: idempotent, resumable, the same catalog whatever the order, and nothing left of what went."""
+
+import shutil
+import zipfile
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from snippets import device, dictionary, esi, one, pdo, rows, write
+
+from esicatalog import Catalog
+from esicatalog.catalog import schema
+from esicatalog.errors import InputError
+from esicatalog.esi import containers
+
+KEPT = {"catalog_state", "alembic_version", "archives"}
+CONTENT_TABLES = [table.name for table in schema.metadata.sorted_tables if table.name not in KEPT]
+
+
+def ingest(db: Path, *paths: Path, jobs: int = 1, prune: bool = False):
+    """Ingest, verify the catalog, and give the report and the content hash."""
+    with Catalog.open(db, create=True) as catalog:
+        report = catalog.ingest(paths, jobs=jobs, prune=prune)
+        result = catalog.check()
+    assert result.problems == []
+    assert rows(db, "PRAGMA foreign_key_check") == []
+    return report, result.content_hash
+
+
+def statuses(report) -> dict[str, str]:
+    return {line.path: line.status for line in report.documents}
+
+
+def zip_folder(folder: Path, path: Path) -> Path:
+    with zipfile.ZipFile(path, "w") as archive:
+        for file in sorted(folder.rglob("*.*")):
+            archive.write(file, file.relative_to(folder).as_posix())
+    return path
+
+
+def rich(product: str, revision: str = "#x1", value: str = "01") -> str:
+    """A device with something in most tables."""
+    objects = (
+        "<Object><Index>#x2000</Index><Name>O</Name><Type>T</Type><BitSize>8</BitSize>"
+        f"<Info><DefaultData>{value}</DefaultData></Info></Object>"
+    )
+    types = (
+        "<DataType><Name>T</Name><BaseType>USINT</BaseType><BitSize>8</BitSize>"
+        "<EnumInfo><Text>one</Text><Enum>1</Enum></EnumInfo></DataType>"
+        "<DataType><Name>USINT</Name><BitSize>8</BitSize></DataType>"
+        "<DataType><Name>R</Name><BitSize>8</BitSize><SubItem><Name>S</Name><Type>USINT</Type><BitSize>8</BitSize>"
+        "<BitOffs>0</BitOffs></SubItem></DataType>"
+    )
+    return device(
+        "<HideType RevisionNo='#x9'/>"
+        + dictionary(types, objects)
+        + "<Profile><ChannelInfo><ProfileNo>402</ProfileNo></ChannelInfo><DiagMessages><DiagMessage><TextId>1</TextId>"
+        "<MessageText>m</MessageText></DiagMessage></DiagMessages></Profile><Fmmu>Outputs</Fmmu>"
+        "<Sm>Outputs</Sm><Su>u</Su>"
+        + pdo("RxPdo", "#x1600", 8, extra="<Exclude>#x1601</Exclude>")
+        + "<Mailbox><CoE><InitCmd><Transition>PS</Transition><Index>1</Index><SubIndex>0</SubIndex><Data>00</Data>"
+        "</InitCmd></CoE></Mailbox><Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
+        '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>1</ModuleIdent></Slot>'
+        '<Slot MinInstances="0" MaxInstances="1"><ModuleClass><Class>c</Class></ModuleClass></Slot></Slots>'
+        "<Eeprom><ByteSize>2048</ByteSize></Eeprom><ImageData16x14>424D</ImageData16x14>"
+        "<VendorSpecific><X/></VendorSpecific><Odd>kept</Odd>",
+        product=product,
+        revision=revision,
+    )
+
+
+RICH_MODULE = (
+    '<Module><Type ModuleIdent="1">M</Type><Name>M</Name>'
+    + pdo("RxPdo", "#x1610", 8)
+    + "<Odd>kept too</Odd><VendorSpecific><Y/></VendorSpecific></Module>"
+)
+FULL = esi(rich("#x10"), RICH_MODULE).replace("<Groups>", "<Odd/><Groups>", 1)
+REFERRING = esi(device("<Profile><DictionaryFile>d.xml</DictionaryFile></Profile>", product="#x20"))
+EXTERNAL = (
+    "<EtherCATDict><Dictionary><DataTypes/><Objects><Object><Index>#x2000</Index><Name>{}</Name><Type>UINT</Type>"
+    "<BitSize>16</BitSize></Object></Objects></Dictionary></EtherCATDict>"
+)
+
+
+@pytest.fixture
+def library(tmp_path) -> Path:
+    """Two full documents, one that refers to a dictionary, one ENI file and one that is broken."""
+    return write(
+        tmp_path / "library",
+        {
+            "full.xml": FULL,
+            "other/full.xml": FULL.replace("#x10", "#x11"),
+            "ref.xml": REFERRING,
+            "d.xml": EXTERNAL.format("O"),
+            "eni.xml": "<EtherCATConfig/>",
+            "broken.xml": "",
+            "notes.txt": "no ESI",
+        },
+    )
+
+
+def test_every_input_is_named_and_one_failure_stops_nothing(tmp_path, library):
+    report, _ = ingest(tmp_path / "c.db", library)
+    assert statuses(report) == {
+        "broken.xml": "failed",
+        "d.xml": "stored",
+        "eni.xml": "skipped",
+        "full.xml": "stored",
+        "notes.txt": "skipped",
+        "other/full.xml": "stored",
+        "ref.xml": "stored",
+    }
+    assert report.counts == {"stored": 4, "unchanged": 0, "recovered": 0, "skipped": 2, "failed": 1}
+    assert one(tmp_path / "c.db", "SELECT message FROM sources WHERE status = 'failed'") == "the file is empty"
+    assert (report.devices, report.modules) == (3, 2)
+
+
+def test_a_failed_document_stays_named(tmp_path, library):
+    ingest(tmp_path / "c.db", library)
+    again, _ = ingest(tmp_path / "c.db", library)
+    assert statuses(again)["broken.xml"] == "failed"
+    write(library, {"broken.xml": FULL.replace("#x10", "#x12")})
+    repaired, _ = ingest(tmp_path / "c.db", library)
+    assert statuses(repaired)["broken.xml"] == "stored"
+
+
+def test_ingesting_twice_changes_nothing(tmp_path, library):
+    _, first = ingest(tmp_path / "c.db", library)
+    before = (tmp_path / "c.db").read_bytes()
+    report, second = ingest(tmp_path / "c.db", library)
+    assert report.counts["stored"] == 0
+    assert report.counts["unchanged"] == 4
+    assert second == first
+    assert [(t, rows(tmp_path / "c.db", f"SELECT count(*) FROM {t}")) for t in CONTENT_TABLES] == counts(
+        before, tmp_path
+    )
+
+
+def counts(content: bytes, tmp_path: Path):
+    (tmp_path / "before.db").write_bytes(content)
+    return [(t, rows(tmp_path / "before.db", f"SELECT count(*) FROM {t}")) for t in CONTENT_TABLES]
+
+
+def test_a_finished_ingest_is_one_file(tmp_path, library):
+    (tmp_path / "db").mkdir()
+    for _ in range(2):
+        ingest(tmp_path / "db" / "c.db", library)
+        assert [path.name for path in (tmp_path / "db").iterdir()] == ["c.db"]
+        assert one(tmp_path / "db" / "c.db", "PRAGMA journal_mode") == "delete"
+        write(library, {"new.xml": FULL.replace("#x10", "#x13")})
+
+
+def test_any_order_and_any_number_of_workers_give_the_same_catalog(tmp_path, library):
+    parts = [library / name for name in ("full.xml", "other", "ref.xml", "d.xml")]
+    seen = {
+        ingest(tmp_path / "a.db", *parts)[1],
+        ingest(tmp_path / "b.db", *reversed(parts))[1],
+        ingest(tmp_path / "c.db", *parts, jobs=2)[1],
+    }
+    for part in reversed(parts):
+        _, last = ingest(tmp_path / "d.db", part)
+    assert seen == {last}
+
+
+@pytest.mark.corpus
+def test_any_order_of_real_archives_gives_the_same_catalog(tmp_path, corpus):
+    archives = sorted((corpus / "esi").glob("*.zip"), key=lambda path: path.stat().st_size)[:-1]
+    one_way = ingest(tmp_path / "a.db", *archives, jobs=2)[1]
+    assert ingest(tmp_path / "b.db", *reversed(archives), jobs=1)[1] == one_way
+
+
+def test_the_sample_with_one_and_two_workers(tmp_path, sample_archives):
+    first = ingest(tmp_path / "a.db", *sample_archives, jobs=1)[1]
+    assert ingest(tmp_path / "b.db", *reversed(sample_archives), jobs=2)[1] == first
+
+
+def test_a_changed_document_replaces_what_it_brought(tmp_path):
+    folder = write(tmp_path / "in", {"a.xml": esi(rich("#x1") + rich("#x1", value="02"))})
+    ingest(tmp_path / "c.db", folder)
+    assert rows(tmp_path / "c.db", "SELECT variant FROM devices ORDER BY variant") == [(1,), (2,)]
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM unmapped") == 2
+    write(folder, {"a.xml": esi(device(product="#x1", name="New"))})
+    report, changed = ingest(tmp_path / "c.db", folder)
+    assert statuses(report) == {"a.xml": "stored"}
+    assert rows(tmp_path / "c.db", "SELECT name, variant FROM devices") == [("New", 1)]
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM unmapped") == 0
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM findings") == 0
+    assert changed == ingest(tmp_path / "fresh.db", folder)[1]
+
+
+def test_a_changed_dictionary_file_changes_what_refers_to_it(tmp_path, library):
+    ingest(tmp_path / "c.db", library)
+    write(library, {"d.xml": EXTERNAL.format("Another")})
+    report, _ = ingest(tmp_path / "c.db", library)
+    assert statuses(report)["ref.xml"] == "stored"
+    assert statuses(report)["full.xml"] == "unchanged"
+    query = "SELECT name FROM device_objects WHERE product_code = 32"
+    assert rows(tmp_path / "c.db", query) == [("Another",)]
+    (library / "d.xml").unlink()
+    assert statuses(ingest(tmp_path / "c.db", library)[0])["ref.xml"] == "stored"
+    assert rows(tmp_path / "c.db", query) == []
+
+
+def test_a_removed_file_goes_with_prune_only(tmp_path, library):
+    ingest(tmp_path / "c.db", library)
+    (library / "full.xml").unlink()
+    ingest(tmp_path / "c.db", library)
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM devices WHERE product_code = 16") == 1
+    ingest(tmp_path / "c.db", library, prune=True)
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM devices WHERE product_code = 16") == 0
+
+
+def test_prune_does_not_reach_beyond_the_given_folders(tmp_path, library):
+    other = shutil.copytree(library, tmp_path / "library2")
+    ingest(tmp_path / "c.db", library, other)
+    shutil.rmtree(other)
+    ingest(tmp_path / "c.db", library, prune=True)
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM sources") == 14
+
+
+def test_an_unchanged_archive_is_skipped_and_a_changed_one_replaced(tmp_path, library):
+    archive = zip_folder(library, tmp_path / "a.zip")
+    first, _ = ingest(tmp_path / "c.db", archive)
+    assert statuses(first)["a.zip!other/full.xml"] == "stored"
+    again, _ = ingest(tmp_path / "c.db", archive)
+    assert again.counts["unchanged"] == 4
+    (library / "other" / "full.xml").unlink()
+    zip_folder(library, tmp_path / "a.zip")
+    third, shrunk = ingest(tmp_path / "c.db", archive)
+    assert "a.zip!other/full.xml" not in statuses(third)
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM devices WHERE product_code = 17") == 0
+    assert ingest(tmp_path / "fresh.db", archive)[1] == shrunk
+
+
+def test_archives_inside_archives(tmp_path, library):
+    with zipfile.ZipFile(tmp_path / "outer.zip", "w") as outer:
+        outer.write(zip_folder(library, tmp_path / "inner.zip"), "deep/inner.zip")
+    report, _ = ingest(tmp_path / "c.db", tmp_path / "outer.zip")
+    assert statuses(report)["outer.zip!deep/inner.zip!full.xml"] == "stored"
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM device_objects WHERE product_code = 32") == 1
+
+
+def test_archives_that_cannot_be_used_are_named(tmp_path, library, monkeypatch):
+    write(library, {"bad.zip": b"PK\x03\x04nothing"})
+    zip_folder(tmp_path / "library" / "other", library / "good.zip")
+    monkeypatch.setattr(containers, "MAX_MEMBERS", 0)
+    report, _ = ingest(tmp_path / "c.db", library)
+    assert statuses(report)["bad.zip"] == "failed"
+    assert statuses(report)["good.zip"] == "failed"
+    assert statuses(report)["full.xml"] == "stored"
+
+
+def test_nothing_is_left_when_everything_is_removed(tmp_path, library):
+    zip_folder(library, library / "again.zip")
+    ingest(tmp_path / "c.db", library)
+    filled = {table for table in CONTENT_TABLES if one(tmp_path / "c.db", f"SELECT count(*) FROM {table}")}
+    assert set(CONTENT_TABLES) - filled <= {"drive_modes", "drive_mode_evidence"}, "the documents fill every table"
+    shutil.rmtree(library)
+    library.mkdir()
+    ingest(tmp_path / "c.db", library, prune=True)
+    assert {t: n for t in CONTENT_TABLES if (n := one(tmp_path / "c.db", f"SELECT count(*) FROM {t}"))} == {}
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM device_search") == 0
+
+
+def test_a_catalog_that_was_emptied_fills_again(tmp_path, library):
+    _, first = ingest(tmp_path / "c.db", library)
+    moved = library.rename(tmp_path / "away")
+    library.mkdir()
+    ingest(tmp_path / "c.db", library, prune=True)
+    shutil.copytree(moved, library, dirs_exist_ok=True)
+    assert ingest(tmp_path / "c.db", library, prune=True)[1] == first
+
+
+def test_a_missing_path_is_an_error(tmp_path):
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog, pytest.raises(InputError, match=r"gone"):
+        catalog.ingest([tmp_path / "gone"])
+
+
+def test_a_link_out_of_the_folder_is_skipped(tmp_path, library):
+    write(tmp_path, {"secret.xml": FULL.replace("#x10", "#x99")})
+    (library / "link.xml").symlink_to(tmp_path / "secret.xml")
+    report, _ = ingest(tmp_path / "c.db", library)
+    assert statuses(report)["link.xml"] == "skipped"
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM devices WHERE product_code = 153") == 0
+
+
+STEPS = st.lists(
+    st.tuples(
+        st.sampled_from("abc"), st.sampled_from(["", *(rich("#x1", value=v) for v in ("01", "02")), rich("#x2")])
+    ),
+    min_size=1,
+    max_size=6,
+)
+
+
+@settings(max_examples=6, deadline=None)
+@given(STEPS)
+def test_any_history_equals_a_fresh_ingest(tmp_path_factory, steps):
+    tmp_path = tmp_path_factory.mktemp("history")
+    folder = write(tmp_path / "in", {})
+    folder.mkdir()
+    for name, content in steps:
+        file = folder / f"{name}.xml"
+        if content:
+            write(folder, {file.name: esi(content, RICH_MODULE)})
+        else:
+            file.unlink(missing_ok=True)
+        _, last = ingest(tmp_path / "c.db", folder, prune=True)
+    assert ingest(tmp_path / "fresh.db", folder)[1] == last
+    for table in CONTENT_TABLES:
+        query = f"SELECT count(*) FROM {table}"
+        assert one(tmp_path / "c.db", query) == one(tmp_path / "fresh.db", query), table

@@ -1,0 +1,163 @@
+"""Scalars of ESI documents: HexDecValue, identity numbers, booleans, hexBinary (ESI-FACTS section 1.1)."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from esicatalog.esi.numbers import (
+    BOOL,
+    DEC,
+    FLOAT,
+    HEX,
+    HEX_BINARY,
+    IDENTITY,
+    IMAGE,
+    INT,
+    TEXT,
+    decode_hex_binary,
+    parse_hex_dec,
+)
+
+SCALARS = [HEX, DEC, IDENTITY, INT, BOOL, FLOAT, HEX_BINARY, IMAGE, TEXT]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("402", 402),
+        ("#x1A00", 0x1A00),
+        ("#x1a00", 0x1A00),
+        ("#x00001a00", 0x1A00),
+        ("#x0000000000000000000000001A00", 0x1A00),
+        ("000402", 402),
+        ("+402", 402),
+        ("-402", -402),
+        ("  #x1A00\n", 0x1A00),
+        ("0", 0),
+        ("#x0", 0),
+    ],
+)
+def test_hex_dec_value_of_the_schema(text, value):
+    parsed = HEX.read(text)
+    assert parsed.value == value
+    assert parsed.remark is None
+
+
+@pytest.mark.parametrize("text", ["0x1a00", "0X1A00", "#x0x1A00", "#x0x6041"])
+def test_foreign_prefixes_are_read_with_a_remark(text):
+    parsed = HEX.read(text)
+    assert parsed.value == int(text.lower().rsplit("x", 1)[1], 16)
+    assert parsed.raw == text
+    assert parsed.remark.rule == "L06"
+
+
+@pytest.mark.parametrize("text", ["", "#x", "0x", "abc", "#xZZ", "1.5", "-#x10", "#x-10", "1 2", "#x1|2", "٣"])
+def test_what_is_no_hex_dec_value_is_kept_as_text(text):
+    parsed = HEX.read(text)
+    assert parsed.value is None
+    assert parsed.raw == text
+    assert parsed.remark.rule == "L06"
+
+
+@pytest.mark.parametrize("text", ["#x1010533004", "#x100000000", "4294967296", "-1"])
+def test_identity_numbers_are_uint32(text):
+    parsed = IDENTITY.read(text)
+    assert parsed.value is None
+    assert parsed.raw == text
+    assert parsed.remark is not None
+
+
+def test_the_largest_identity_number():
+    assert IDENTITY.read("#xFFFFFFFF") == (0xFFFF_FFFF, None, None)
+    assert IDENTITY.read("4294967295").value == 0xFFFF_FFFF
+
+
+@pytest.mark.parametrize("scalar", [HEX, DEC, INT])
+def test_numbers_of_64_bits_are_kept_as_text(scalar):
+    assert scalar.read("9223372036854775807").value == 2**63 - 1
+    for text in ("9223372036854775808", "-9223372036854775809", "9" * 40, "9" * 5000):
+        assert scalar.read(text).value is None
+        assert scalar.read(text).raw == text
+
+
+@pytest.mark.parametrize(("text", "value"), [("1", True), ("true", True), ("0", False), ("false", False)])
+def test_booleans(text, value):
+    assert BOOL.read(text).value is value
+    assert BOOL.read(f" {text} ").remark is None
+
+
+@pytest.mark.parametrize("text", ["", "yes", "2"])
+def test_what_is_no_boolean(text):
+    assert BOOL.read(text).value is None
+    assert BOOL.read(text).raw == text
+
+
+def test_integers_may_be_hexadecimal_with_a_remark():
+    assert INT.read("-2000") == (-2000, None, None)
+    assert INT.read("#x10").value == 16
+    assert INT.read("#x10").remark.rule == "L06"
+
+
+@pytest.mark.parametrize("text", ["123", "0g", "80 01", "#x80"])
+def test_malformed_hex_binary_is_kept_and_told(text):
+    parsed = HEX_BINARY.read(text)
+    assert parsed.value == text
+    assert parsed.remark.rule == "L07"
+    assert decode_hex_binary(text) is None
+
+
+def test_hex_binary_is_bytes_in_wire_order():
+    assert HEX_BINARY.read(" 80010aF0 ").value == "80010aF0"
+    assert decode_hex_binary("80010aF0") == bytes([0x80, 0x01, 0x0A, 0xF0])
+    assert decode_hex_binary("") is None, "an empty element is no default, not zero"
+
+
+def test_image_bytes_may_be_broken_over_lines():
+    assert IMAGE.read("424d\n  0a0B ").value == "424D0A0B"
+    assert IMAGE.read("424d0").value == "424d0"
+    assert IMAGE.read("424d0").remark.rule == "L07"
+
+
+@pytest.mark.parametrize("text", ["nan", "inf", "1,5", ""])
+def test_what_is_no_float(text):
+    assert FLOAT.read(text).value is None
+    assert FLOAT.read("20.4").value == 20.4
+
+
+@given(st.integers(-(2**63) + 1, 2**63 - 1))
+def test_decimal_numbers_come_back(value):
+    for scalar in (DEC, INT):
+        assert scalar.read(scalar.spell(value)) == (value, None, None)
+
+
+@given(st.integers(0, 2**63 - 1))
+def test_hexadecimal_numbers_come_back(value):
+    assert HEX.read(HEX.spell(value)) == (value, None, None)
+    for spelling in (f"#x{value:x}", f"#x{value:X}", f"#x{value:020x}", f"{value}", f"+{value}", f"0x{value:x}"):
+        assert HEX.read(spelling).value == value
+
+
+@given(st.integers(0, 0xFFFF_FFFF))
+def test_identity_numbers_come_back(value):
+    assert IDENTITY.read(IDENTITY.spell(value)) == (value, None, None)
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False))
+def test_floats_come_back(value):
+    assert FLOAT.read(FLOAT.spell(value))[:2] == (value, None)
+
+
+@given(st.binary())
+def test_hex_binary_comes_back(data):
+    assert decode_hex_binary(HEX_BINARY.read(data.hex()).value) == (data or None)
+
+
+@given(st.text())
+def test_no_text_breaks_a_scalar_and_every_text_is_kept(text):
+    for scalar in SCALARS:
+        parsed = scalar.read(text)
+        if scalar is IMAGE:
+            continue
+        shown = parsed.raw if parsed.raw is not None else scalar.spell(parsed.value)
+        assert shown == text.strip()
+    parse_hex_dec(text)

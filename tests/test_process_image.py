@@ -1,0 +1,193 @@
+"""Process images: bits concatenated, rounded once, choices of OpMode and slots (ESI-FACTS sections 9, 12, 18)."""
+
+from hypothesis import given
+from hypothesis import strategies as st
+from snippets import device, esi, pdo, read
+
+from esicatalog.esi.reader import read_esi
+from esicatalog.model.process_image import default_process_image
+from esicatalog.model.slots import default_modules, reachable_modules
+
+SMS = "<Sm>MBoxOut</Sm><Sm>MBoxIn</Sm><Sm>Outputs</Sm><Sm>Inputs</Sm>"
+
+
+def images(content: str, modules: str = ""):
+    """Images by SyncManager number."""
+    info = read(esi(device(SMS + content), modules)).document.infos[0]
+    return {image.sm: image for image in default_process_image(info.devices[0], info.modules)}
+
+
+def indices(image) -> list[int | None]:
+    return [placed.pdo.pdo_index for placed in image.pdos]
+
+
+def test_pdos_are_concatenated_bit_by_bit():
+    image = images(pdo("RxPdo", "#x1600", 1, 2, attributes='Sm="2"') + pdo("RxPdo", "#x1601", 6, attributes='Sm="2"'))[
+        2
+    ]
+    assert [[e.bit_offset for e in p.entries] for p in image.pdos] == [[0, 1], [3]]
+    assert (image.bit_size, image.byte_size) == (9, 2)
+
+
+@given(st.lists(st.lists(st.integers(1, 64), max_size=5), max_size=5))
+def test_bytes_are_rounded_once_per_sync_manager(lengths):
+    content = "".join(pdo("TxPdo", f"#x{0x1A00 + n:X}", *bits, attributes='Sm="3"') for n, bits in enumerate(lengths))
+    image = images(content)[3]
+    total = sum(map(sum, lengths))
+    assert image.bit_size == total
+    assert image.byte_size == -(-total // 8)
+    offsets = [e.bit_offset for p in image.pdos for e in p.entries]
+    flat = [bits for entry in lengths for bits in entry]
+    assert offsets == [sum(flat[:n]) for n in range(len(flat))]
+
+
+def test_padding_takes_room():
+    gap = "<Entry><Index>0</Index><BitLen>7</BitLen></Entry>"
+    image = images(f'<RxPdo Sm="2"><Index>#x1600</Index><Name>R</Name>{gap}{gap}</RxPdo>')[2]
+    assert image.bit_size == 14
+
+
+def test_a_pdo_without_sm_is_not_assigned():
+    found = images(
+        pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("RxPdo", "#x1601", 8, attributes='Mandatory="1"')
+    )
+    assert indices(found[2]) == [0x1600]
+    assert indices(found[3]) == []
+
+
+def test_of_two_defaults_that_exclude_each_other_the_first_stays():
+    second = pdo("RxPdo", "#x1601", 8, attributes='Sm="2"', extra="<Exclude>#x1600</Exclude>")
+    image = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + second)[2]
+    assert (indices(image), image.bit_size) == ([0x1600], 16)
+    assert len(image.remarks) == 1
+    first = pdo("RxPdo", "#x1600", 16, attributes='Sm="2"', extra="<Exclude>#x1601</Exclude>")
+    assert indices(images(first + pdo("RxPdo", "#x1601", 8, attributes='Sm="2"'))[2]) == [0x1600]
+
+
+def test_a_pdo_that_excludes_itself_stays():
+    image = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="2"', extra="<Exclude>#x1600</Exclude>"))[2]
+    assert indices(image) == [0x1600]
+
+
+def test_virtual_pdos_are_not_transported():
+    image = images(
+        pdo("TxPdo", "#x1A00", 8, attributes='Sm="3" Virtual="1"') + pdo("TxPdo", "#x1A01", 4, attributes='Sm="3"')
+    )[3]
+    assert (indices(image), image.bit_size) == ([0x1A01], 4)
+    assert len(image.remarks) == 1
+
+
+def op_mode(lists: str = "", attributes: str = "") -> str:
+    vendor = f"<VendorSpecific><TwinCAT {attributes}/></VendorSpecific>"
+    return f"<OpMode><Name>m</Name><AssignActivate>0</AssignActivate>{lists}{vendor}</OpMode>"
+
+
+LISTED = '<Sm No="2"><Pdo>#x1601</Pdo></Sm>'
+PDOS = (
+    pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')
+    + pdo("RxPdo", "#x1601", 3)
+    + pdo("TxPdo", "#x1A00", 5, attributes='Sm="3"')
+)
+
+
+def test_the_lists_of_the_default_op_mode_win():
+    found = images(PDOS + f"<Dc>{op_mode(LISTED)}</Dc>")
+    assert indices(found[2]) == [0x1601]
+    assert indices(found[3]) == [0x1A00], "a SyncManager without a list keeps its default"
+
+
+def test_the_lists_of_superseded_and_later_op_modes_do_not_count():
+    assert indices(images(PDOS + f"<Dc>{op_mode()}{op_mode(LISTED)}</Dc>")[2]) == [0x1600]
+    superseded = op_mode(LISTED, 'IgnoreFromBuildNo="1"')
+    assert indices(images(PDOS + f"<Dc>{superseded}{op_mode()}</Dc>")[2]) == [0x1600]
+
+
+def test_oversampling_repeats_the_entries():
+    four = LISTED.replace("<Pdo>", '<Pdo OSFac="4">')
+    found = images(PDOS + f"<Dc>{op_mode(four)}</Dc>")
+    assert [e.bit_offset for e in found[2].pdos[0].entries] == [0, 3, 6, 9]
+    assert found[2].bit_size == 12
+
+
+def test_the_order_of_entries_in_the_io_terminal(data):
+    """data/io_terminal_8di_8do.xml: eight bits each way in SM0 and SM1, no mailbox."""
+    first = read_esi(data / "io_terminal_8di_8do.xml").document.infos[0].devices[0]
+    assert [(image.bit_size, image.byte_size) for image in default_process_image(first)] == [(8, 1), (8, 1)]
+
+
+def modular(data):
+    info = read_esi(data / "two_axis_modular_drive.xml").document.infos[0]
+    return info.devices[0], info.modules
+
+
+def test_default_modules_fill_the_slots(data):
+    """data/two_axis_modular_drive.xml: two slots, four modules each, CSP (0x10800) preselected."""
+    found, modules = modular(data)
+    assert len(reachable_modules(found, modules)) == 4
+    plugged = default_modules(found, modules)
+    assert [(item.slot_number, item.module.module_ident) for item in plugged] == [(0, 0x10800), (1, 0x10800)]
+
+
+def test_indices_shift_by_slot(data):
+    """SlotPdoIncrement 64, SlotIndexIncrement #x800: slot 1 has 0x1740 for 0x1700, 0x6840 for 0x6040."""
+    found, modules = modular(data)
+    by_sm = {image.sm: image for image in default_process_image(found, modules)}
+    assert indices(by_sm[2]) == [0x1700, 0x1740]
+    outputs = [[e.entry.entry_index for e in placed.entries] for placed in by_sm[2].pdos]
+    assert outputs == [[0x6040, 0x607A, 0x60B1, 0x60B2], [0x6840, 0x687A, 0x68B1, 0x68B2]]
+    assert by_sm[2].bit_size == 2 * (16 + 32 + 32 + 16)
+
+
+MODULE = (
+    '<Module><Type ModuleIdent="1">M</Type><Name>M</Name><RxPdo Sm="2"><Index {0}>#x1602</Index><Name>R</Name>'
+    "<Exclude {0}>#x17F0</Exclude><Entry><Index {0}>#x6060</Index><BitLen>8</BitLen></Entry></RxPdo></Module>"
+)
+
+
+def in_slots(slots: str, attributes: str, module: str = 'DependOnSlot="1"') -> list[tuple[int, int]]:
+    """(PDO index, entry index) of the one module in every slot."""
+    found = images(f"<Slots {attributes}>{slots}</Slots>", MODULE.format(module))
+    return [(placed.pdo.pdo_index, placed.pdo.entries[0].entry_index) for placed in found[2].pdos]
+
+
+def slot(attributes: str = "", instances: int = 1) -> str:
+    ident = '<ModuleIdent Default="1">1</ModuleIdent>'
+    return f'<Slot MinInstances="{instances}" MaxInstances="{instances}" {attributes}>{ident}</Slot>'
+
+
+def test_increments_of_the_device():
+    steps = 'SlotIndexIncrement="#x800" SlotPdoIncrement="64"'
+    assert in_slots(slot() * 3, steps) == [(0x1602, 0x6060), (0x1642, 0x6860), (0x1682, 0x7060)]
+    assert in_slots(slot(instances=2) + slot(), steps) == [(0x1602, 0x6060), (0x1642, 0x6860), (0x1682, 0x7060)]
+
+
+def test_increments_of_a_slot_win_even_when_they_are_zero():
+    own = slot('SlotIndexIncrement="#x10" SlotPdoIncrement="1"')
+    assert in_slots(slot() + own, 'SlotIndexIncrement="#x800"')[1] == (0x1603, 0x6070)
+    assert in_slots(slot() + slot('SlotIndexIncrement="0"'), 'SlotIndexIncrement="#x800"')[1] == (0x1602, 0x6060)
+
+
+def test_without_depend_on_slot_nothing_shifts():
+    assert set(in_slots(slot() * 2, 'SlotIndexIncrement="#x800" SlotPdoIncrement="64"', "")) == {(0x1602, 0x6060)}
+
+
+def test_slot_groups_shift_too():
+    steps = 'SlotGroupIndexIncrement="#x100" SlotGroupPdoIncrement="8" SlotIndexIncrement="1"'
+    both = slot('SlotGroup="1"') + slot('SlotGroup="2"')
+    assert in_slots(both, steps, 'DependOnSlotGroup="1"') == [(0x160A, 0x6160), (0x1612, 0x6260)]
+    assert in_slots(both, steps, 'DependOnSlotGroup="1" DependOnSlot="1"') == [(0x160A, 0x6160), (0x1612, 0x6261)]
+
+
+def test_an_index_that_would_leave_16_bits_stays():
+    assert in_slots(slot() * 2, 'SlotIndexIncrement="#xA000" SlotPdoIncrement="1"')[1] == (0x1603, 0x6060)
+
+
+def test_module_classes_reach_modules():
+    slot = '<Slots><Slot MinInstances="0" MaxInstances="4"><ModuleClass><Class>io</Class></ModuleClass></Slot></Slots>'
+    modules = "".join(
+        f'<Module><Type ModuleIdent="{n}" ModuleClass="{kind}">M</Type><Name>M</Name></Module>'
+        for n, kind in enumerate(("io", "drive", "io"), 1)
+    )
+    info = read(esi(device(slot), modules)).document.infos[0]
+    assert [m.module_ident for m in reachable_modules(info.devices[0], info.modules)] == [1, 3]
+    assert default_modules(info.devices[0], info.modules) == []

@@ -1,0 +1,222 @@
+"""Reading records: tolerant of order, keeping spelling, order of repeats, languages, and what it does not know."""
+
+import random
+import re
+
+import msgspec
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from lxml import etree
+from snippets import device, esi, only_device, pdo, read
+
+from esicatalog.errors import DocumentError
+from esicatalog.esi.reader import Reader
+from esicatalog.esi.records.common import Name, display_text
+
+
+def findings(text: str, rule: str = "L05") -> list[tuple[int, str]]:
+    return [(f.line, f.message) for f in read(text).findings if f.rule == rule]
+
+
+def unmapped(text: str) -> dict[str, str]:
+    return {item.path: item.value for item in only_device(text).unmapped}
+
+
+def test_an_unknown_element_is_kept_with_path_and_line():
+    text = esi("\n\n" + device('\n<Mystery a="1">one<Inner>two</Inner>three</Mystery>'))
+    assert unmapped(text) == {
+        "Mystery": "one",
+        "Mystery/@a": "1",
+        "Mystery/Inner": "two",
+        "Mystery/Inner/following-text": "three",
+    }
+    ((line, message),) = findings(text)
+    assert line == 4
+    assert "Mystery" in message
+
+
+def test_an_unknown_attribute_is_kept_with_path_and_line():
+    text = esi(device('<Sm>MBoxOut</Sm>\n<Sm Color="blue">MBoxIn</Sm>'))
+    assert unmapped(text) == {"Sm[1]/@Color": "blue"}
+    ((line, message),) = findings(text)
+    assert line == 2
+    assert "Color" in message
+
+
+def test_a_repeated_single_element_is_kept():
+    text = esi(device("<Dc/>\n<ESC><Reg0108>1</Reg0108></ESC>\n<ESC><Reg0108>2</Reg0108></ESC>"))
+    assert only_device(text).esc_reg0108 == 1
+    assert list(unmapped(text).values()) == ["2"]
+    assert findings(text)[0][0] == 3
+
+
+def test_a_repeated_record_is_kept():
+    text = esi(device("<Mailbox><CoE/></Mailbox>\n<Mailbox><FoE/><EoE IP='1'/></Mailbox>"))
+    assert only_device(text).mailbox.coe
+    assert not only_device(text).mailbox.foe
+    assert unmapped(text)["Mailbox[1]/EoE/@IP"] == "1"
+
+
+def test_stray_text_is_kept():
+    text = esi(device("<Dc>stray\n<OpMode><Name>DC</Name></OpMode>tail</Dc>after"))
+    assert sorted(item.value for item in only_device(text).unmapped) == ["after", "stray", "tail"]
+    assert len(findings(text)) == 3
+
+
+def test_a_repeated_unknown_attribute_below_a_cached_record_is_told_for_every_device():
+    strange = pdo("RxPdo", "#x1600", 8, attributes='Strange="x"')
+    text = esi(device(strange) + device(strange, revision="#x2"))
+    devices = read(text).document.infos[0].devices
+    assert [len(d.unmapped) for d in devices] == [1, 1]
+    assert len(findings(text)) == 2
+
+
+def test_unknown_things_outside_of_devices_belong_to_the_document():
+    document = read(esi().replace("<Groups>", "<Odd>text</Odd><Groups>")).document
+    assert [(item.path.rsplit("/", 1)[-1], item.value) for item in document.unmapped] == [("Odd", "text")]
+
+
+def test_comments_and_processing_instructions_are_no_content():
+    text = esi(device("<!-- note --><?pi x?><Sm><!-- in -->MBoxOut<!-- after --></Sm>"))
+    assert only_device(text).sync_managers[0].usage == "MBoxOut"
+    assert read(text).findings == ()
+
+
+def test_the_order_of_different_elements_does_not_matter():
+    parts = [
+        "<Fmmu>Outputs</Fmmu>",
+        '<Sm StartAddress="#x1000">Outputs</Sm>',
+        pdo("RxPdo", "#x1600", 16, 16),
+        "<Mailbox><CoE SdoInfo='1'/><EoE/></Mailbox>",
+        "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>",
+        "<ESC><Reg0108>3</Reg0108></ESC>",
+        "<Info><Electrical><EBusCurrent>-5</EBusCurrent></Electrical></Info>",
+    ]
+    expected = only_device(esi(device("".join(parts))))
+    for seed in range(5):
+        random.Random(seed).shuffle(parts)
+        assert only_device(esi(device("".join(parts)))) == expected
+
+
+def test_the_order_of_repeats_is_meaning():
+    text = esi(device("<Sm>MBoxOut</Sm><Fmmu>Inputs</Fmmu><Sm>MBoxIn</Sm><Fmmu>Outputs</Fmmu><Sm>Outputs</Sm>"))
+    found = only_device(text)
+    assert [sm.usage for sm in found.sync_managers] == ["MBoxOut", "MBoxIn", "Outputs"]
+    assert [fmmu.usage for fmmu in found.fmmus] == ["Inputs", "Outputs"]
+
+
+def test_the_vendors_spelling_is_kept_beside_the_value():
+    found = only_device(esi(device('<Sm StartAddress="4096" ControlByte="#x0026" Virtual="false">Outputs</Sm>')))
+    (sm,) = found.sync_managers
+    assert (sm.start_address, sm.control_byte, sm.virtual) == (0x1000, 0x26, False)
+    assert sm.spelling == {"start_address": "4096", "virtual": "false"}
+
+
+def test_an_identity_out_of_range_is_null_with_its_text():
+    found = only_device(esi(device(product="#x1010533004")))
+    assert found.product_code is None
+    assert found.spelling["product_code"] == "#x1010533004"
+
+
+def test_a_malformed_number_is_told_with_its_line():
+    ((line, message),) = findings(esi(device('\n<Sm StartAddress="wrong">Outputs</Sm>')), "L06")
+    assert line == 2
+    assert "wrong" in message
+
+
+def test_equal_subtrees_give_equal_records_and_findings_every_time():
+    reader = Reader()
+    content = esi(device(pdo("RxPdo", "0x1600", 8))).encode()
+    first, second = reader.read(content), reader.read(content)
+    assert first == second
+    assert [f.rule for f in second.findings] == ["L06"]
+
+
+def test_names_in_several_languages():
+    text = esi(device().replace("<Name>N</Name>", '<Name LcId="1031">Gerät</Name><Name LcId="2052">设备</Name>'))
+    assert only_device(text).names == (Name(text="Gerät", lcid=1031), Name(text="设备", lcid=2052))
+
+
+@pytest.mark.parametrize(
+    ("names", "asked", "shown"),
+    [
+        ([(1031, "de"), (1033, "en"), (2052, "zh")], 1031, "de"),
+        ([(1031, "de"), (1033, "en")], 1036, "en"),
+        ([(1031, "de"), (None, "plain")], 1036, "plain"),
+        ([(1031, "de"), (0, "zero")], 1036, "zero"),
+        ([(2052, "zh"), (1031, "de")], 1036, "zh"),
+        ([(1033, ""), (1031, "de")], 1033, "de"),
+        ([(1033, "")], 1033, ""),
+        ([], 1033, None),
+    ],
+)
+def test_the_name_to_show(names, asked, shown):
+    assert display_text(tuple(Name(text=text, lcid=lcid) for lcid, text in names), asked) == shown
+
+
+def test_vendor_specific_xml_is_kept_as_it_stands():
+    xml = '<VendorSpecific><T:Own xmlns:T="urn:t" b="2" a="1">x<Inner/>&amp;</T:Own></VendorSpecific>'
+    kept = etree.fromstring(only_device(esi(device(xml))).vendor_specific)
+    (own,) = kept
+    assert own.tag == "{urn:t}Own"
+    assert dict(own.attrib) == {"a": "1", "b": "2"}
+    assert (own.text, own[0].tag, own[0].tail) == ("x", "Inner", "&")
+
+
+def test_empty_elements_differ_from_absent_ones():
+    found = only_device(esi(device("<Dc/><Slots/><Mailbox><FoE/></Mailbox>")))
+    assert (found.dc, found.has_slots, found.mailbox.foe, found.mailbox.coe) == (True, True, True, False)
+    plain = only_device(esi(device()))
+    assert (plain.dc, plain.has_slots, plain.mailbox, plain.eeprom) == (False, False, None, None)
+
+
+def test_a_module_document():
+    module = "<Module><Type ModuleIdent='#x7'>M</Type><Name>Module</Name></Module>"
+    vendor = "<Vendor><Id>1</Id><Name>V</Name></Vendor>"
+    document = read(f"<EtherCATModule>{vendor}<Modules>{module}</Modules></EtherCATModule>").document
+    assert document.root == "EtherCATModule"
+    assert [m.module_ident for m in document.infos[0].modules] == [7]
+
+
+def test_a_diagnosis_document():
+    message = "<DiagMessage><TextId>#x10</TextId><MessageText>Too hot</MessageText></DiagMessage>"
+    document = read(f"<EtherCATDiag><DiagMessages>{message}</DiagMessages></EtherCATDiag>").document
+    assert [(m.text_id, m.message_texts[0].text) for m in document.diag_messages.diag_messages] == [(16, "Too hot")]
+
+
+NAMES = st.sampled_from(
+    ["Device", "Type", "Name", "Sm", "RxPdo", "Entry", "Index", "Dc", "OpMode", "Info", "Slot", "X"]
+)
+TEXTS = st.text(st.characters(codec="utf-8", exclude_categories=("Cc", "Cs"), exclude_characters="<&\ufffe\uffff"))
+TREES = st.recursive(
+    TEXTS,
+    lambda inner: st.builds(lambda tag, parts: f"<{tag}>{''.join(parts)}</{tag}>", NAMES, st.lists(inner, max_size=4)),
+    max_leaves=12,
+)
+
+
+def leaves(value: object) -> list[str]:
+    """All texts and numbers in a record, as texts."""
+    if isinstance(value, dict | list | tuple):
+        return [text for part in (value.values() if isinstance(value, dict) else value) for text in leaves(part)]
+    return [str(value)]
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(TREES, max_size=4))
+def test_any_tree_below_a_device_keeps_its_texts(parts):
+    text = esi(device("".join(parts)))
+    kept = " ".join(leaves(msgspec.to_builtins(read(text))))
+    for found in etree.fromstring(text).iter("Device"):
+        for word in " ".join(found.itertext()).split():
+            assert word in kept or int(word) in map(int, re.findall(r"-?\d+", kept))
+
+
+@given(st.binary(max_size=300))
+def test_no_bytes_break_the_reader(content):
+    for document in (content, b"<EtherCATInfo>" + content + b"</EtherCATInfo>"):
+        try:
+            read(document)
+        except DocumentError as error:
+            assert "\n" not in str(error)

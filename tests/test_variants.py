@@ -1,0 +1,134 @@
+"""Descriptions of one identity: stored once per content, numbered by rule, whatever the order they came in."""
+
+from itertools import permutations
+from pathlib import Path
+
+import pytest
+from snippets import device, esi, pdo, rows, write
+
+from esicatalog import Catalog
+
+PLAIN = device(name="plain")
+RICHER = device(pdo("RxPdo", "#x1600", 8, 8), name="richer")
+VENDOR = "<Id>#x00000E5C</Id><Name>{}</Name>"
+
+
+def versioned(content: str, version: int) -> str:
+    return esi(content).replace("<Vendor>", f'<Vendor FileVersion="{version}">')
+
+
+def stored(tmp_path: Path, files: dict[str, str], order: tuple[str, ...] | None = None) -> list[tuple[int, str]]:
+    """(variant, name) of all descriptions after ingesting the files one by one."""
+    folder = write(tmp_path / "in", files)
+    db = tmp_path / f"{'-'.join(order or ['all'])}.db"
+    with Catalog.open(db, create=True) as catalog:
+        for name in order or sorted(files):
+            catalog.ingest([folder / name], jobs=1)
+        assert catalog.check().problems == []
+    return rows(db, "SELECT variant, name FROM devices ORDER BY variant")
+
+
+@pytest.mark.parametrize(
+    ("files", "names"),
+    [
+        ({"a": esi(PLAIN), "b": esi(RICHER)}, ["richer", "plain"]),
+        ({"a": esi(RICHER) + "<after/>", "b": esi(PLAIN)}, ["plain", "richer"]),
+        ({"a": versioned(PLAIN, 1), "b": versioned(device(name="newer"), 2)}, ["newer", "plain"]),
+        ({"a": versioned(RICHER, 1), "b": versioned(PLAIN, 9)}, ["richer", "plain"]),
+        ({"a": esi(RICHER) + "<after/>", "b": esi(RICHER), "c": esi(PLAIN)}, ["richer", "plain"]),
+        ({"a": versioned(PLAIN, 9), "b": versioned(PLAIN, 1), "c": versioned(device(name="x"), 5)}, ["plain", "x"]),
+    ],
+    ids=[
+        "richer",
+        "not recovered",
+        "newer",
+        "richer before newer",
+        "one sound source is enough",
+        "newest source counts",
+    ],
+)
+def test_the_preferred_description_is_the_same_in_any_order(tmp_path, files, names):
+    for order in (tuple(files), tuple(reversed(files))):
+        assert stored(tmp_path, files, order) == list(enumerate(names, 1))
+
+
+def test_among_equals_the_lowest_content_hash_is_preferred(tmp_path):
+    files = {name: esi(device(name=name)) for name in "abc"}
+    for order in list(permutations(files))[::2]:
+        stored(tmp_path, files, order)
+        db = tmp_path / f"{'-'.join(order)}.db"
+        hashes = [row[0] for row in rows(db, "SELECT content_hash FROM devices ORDER BY variant")]
+        assert hashes == sorted(hashes)
+        assert len(hashes) == 3
+
+
+def test_modules_count_for_richness(tmp_path):
+    slots = '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>1</ModuleIdent></Slot></Slots>'
+    module = f'<Module><Type ModuleIdent="1">M</Type><Name>M</Name>{pdo("RxPdo", "#x1600", *[1] * 9)}</Module>'
+    modular = esi(device(slots, name="modular"), module)
+    assert stored(tmp_path, {"a": esi(RICHER), "b": modular}) == [(1, "modular"), (2, "richer")]
+
+
+def test_identical_content_is_stored_once(tmp_path):
+    files = {
+        "a.xml": esi(RICHER),
+        "b.xml": "\n\n" + esi(RICHER, vendor=VENDOR.format("Spelled Otherwise")),
+        "c.xml": versioned(RICHER, 3).replace("<GroupType>G<", "<GroupType>Other<"),
+    }
+    assert stored(tmp_path, files) == [(1, "richer")]
+    query = (
+        "SELECT s.member, x.line, x.group_type FROM device_sources x JOIN sources s ON s.id = x.source_id ORDER BY 1"
+    )
+    assert rows(tmp_path / "all.db", query) == [("a.xml", 1, "G"), ("b.xml", 3, "G"), ("c.xml", 1, "Other")]
+
+
+def test_the_same_identity_twice_in_one_document(tmp_path):
+    assert stored(tmp_path, {"a.xml": esi(PLAIN + RICHER + PLAIN)}) == [(1, "richer"), (2, "plain")]
+    assert rows(tmp_path / "all.db", "SELECT count(*) FROM device_sources") == [(3,)]
+
+
+def test_devices_without_codes_are_told_apart_by_type(tmp_path):
+    caps = "".join(
+        device(product="", type_text=kind, name=f"{kind} {name}") for kind in ("CAP", "FEED") for name in ("x", "y")
+    )
+    stored(tmp_path, {"a.xml": esi(caps)})
+    found = rows(tmp_path / "all.db", "SELECT type, variant, product_code, revision_no FROM devices ORDER BY 1, 2")
+    assert found == [(kind, number, None, None) for kind in ("CAP", "FEED") for number in (1, 2)]
+
+
+def test_vendors_are_other_devices(tmp_path):
+    files = {
+        "a.xml": esi(PLAIN),
+        "b.xml": esi(PLAIN, vendor="<Id>7</Id><Name>V</Name>"),
+        "c.xml": esi(PLAIN, vendor=""),
+    }
+    assert [variant for variant, _ in stored(tmp_path, files)] == [1, 1, 1]
+    assert rows(tmp_path / "all.db", "SELECT vendor_id FROM devices ORDER BY 1") == [(None,), (7,), (0xE5C,)]
+
+
+def test_vendor_names_keep_every_spelling(tmp_path):
+    names = ["Maker GmbH", "Maker GmbH", "MAKER"]
+    files = {f"{n}.xml": esi(device(name=str(n)), vendor=VENDOR.format(name)) for n, name in enumerate(names)}
+    stored(tmp_path, files)
+    counted = rows(tmp_path / "all.db", "SELECT name, document_count FROM vendor_names ORDER BY document_count")
+    assert counted == [("MAKER", 1), ("Maker GmbH", 2)]
+    assert rows(tmp_path / "all.db", "SELECT vendor_id, name FROM vendors") == [(0xE5C, "Maker GmbH")]
+
+
+def test_groups_are_kept_per_vendor_and_content(tmp_path):
+    other = esi(PLAIN).replace("<Name>Group</Name>", "<Name>Another name</Name>")
+    vendor = esi(PLAIN, vendor="<Id>7</Id><Name>V</Name>")
+    stored(tmp_path, {"a.xml": esi(PLAIN), "b.xml": esi(RICHER), "c.xml": other, "d.xml": vendor})
+    found = rows(tmp_path / "all.db", "SELECT vendor_id, type, name FROM groups ORDER BY 1, 3")
+    assert found == [(7, "G", "Group"), (0xE5C, "G", "Another name"), (0xE5C, "G", "Group")]
+    assert rows(tmp_path / "all.db", "SELECT count(*) FROM source_groups") == [(4,)]
+
+
+def test_equal_dictionaries_are_stored_once(tmp_path, data):
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([data], jobs=1)
+    (all_objects,) = rows(tmp_path / "c.db", "SELECT sum(object_count) FROM dictionaries")[0]
+    (links,) = rows(tmp_path / "c.db", "SELECT count(*) FROM dictionary_objects")[0]
+    assert links == all_objects
+    duplicates = "SELECT content_hash FROM objects GROUP BY content_hash HAVING count(*) > 1"
+    assert rows(tmp_path / "c.db", duplicates) == []
