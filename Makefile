@@ -34,7 +34,7 @@ test-corpus: install
 	ESICATALOG_CORPUS=$(CORPUS) $(BIN)/python -m pytest -m corpus
 
 bench: install
-	$(BIN)/python benchmarks/ingest.py --corpus $(CORPUS)/esi
+	$(BIN)/python benchmarks/ingest.py $(CORPUS)/esi
 
 docs: install
 	$(BIN)/python docs/generate.py

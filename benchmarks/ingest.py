@@ -26,15 +26,15 @@ from esicatalog.errors import EsiCatalogError
 from esicatalog.esi.containers import Archive
 from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover
 
-COLD_LIMIT = 2.8
+COLD_LIMIT = 3.0
 WARM_LIMIT = 0.3
 MEMORY_LIMIT_MB = 400
 
 _INGEST = """
 import json, resource, sys
-from esicatalog.catalog.database import open_catalog
-from esicatalog.ingest.run import ingest
-report = ingest(open_catalog(sys.argv[1], create=True), [sys.argv[2]], jobs=int(sys.argv[3]))
+from esicatalog import Catalog
+with Catalog.open(sys.argv[1], create=True) as catalog:
+    report = catalog.ingest([sys.argv[2]], jobs=int(sys.argv[3]))
 kilobytes = [resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
 print(json.dumps({"counts": report.counts, "peak_mb": [k / 1024 for k in kilobytes]}))
 """

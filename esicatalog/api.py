@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 import sqlalchemy as sa
 
 from esicatalog.catalog.check import CheckResult, check_catalog
-from esicatalog.catalog.database import database_error, open_catalog, upgrade_catalog
+from esicatalog.catalog.database import database_error, is_missing, open_catalog, upgrade_catalog
 from esicatalog.catalog.identify import device_sources_of, find_device, identify
 from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification
 from esicatalog.identity import Identity, parse_identity
@@ -39,16 +39,18 @@ class DeviceDescription(NamedTuple):
 class Catalog:
     """A catalog of EtherCAT devices in a database."""
 
-    def __init__(self, engine: sa.Engine) -> None:
-        self._engine = engine
+    def __init__(self, target: str | os.PathLike[str], create: bool) -> None:
+        self._target = target
+        self._is_new = create and is_missing(target)
+        self._opened: sa.Engine | None = None if self._is_new else open_catalog(target, create=create)
 
     @classmethod
     def open(cls, target: str | os.PathLike[str], create: bool = False) -> Self:
-        """Open the catalog in a file or at a database URL, creating it when asked.
+        """Open the catalog in a file or at a database URL; ``create`` makes a missing one on first use.
 
         Raises :class:`~esicatalog.errors.CatalogError` with what to do when that is not possible.
         """
-        return cls(open_catalog(target, create=create))
+        return cls(target, create)
 
     @staticmethod
     def migrate(target: str | os.PathLike[str]) -> tuple[str, str]:
@@ -57,7 +59,14 @@ class Catalog:
 
     def close(self) -> None:
         """Close all connections."""
-        self._engine.dispose()
+        if self._opened is not None:
+            self._opened.dispose()
+
+    @property
+    def _engine(self) -> sa.Engine:
+        if self._opened is None:
+            self._opened = open_catalog(self._target, create=True)
+        return self._opened
 
     def __enter__(self) -> Self:
         return self
@@ -79,9 +88,16 @@ class Catalog:
         :class:`~esicatalog.errors.InputError` for a missing path and
         :class:`~esicatalog.errors.CatalogError` when the database cannot be written.
         """
-        from esicatalog.ingest.run import ingest
+        from esicatalog.ingest.pool import Workers
+        from esicatalog.ingest.run import default_jobs, ingest
 
-        return ingest(self._engine, paths, jobs, prune, progress)
+        workers = Workers()
+        try:
+            if self._is_new and (jobs or default_jobs()) > 1:
+                workers.start(jobs or default_jobs())
+            return ingest(self._engine, paths, jobs, prune, progress, workers)
+        finally:
+            workers.stop()
 
     def identify(self, vendor_id: int, product_code: int, revision_no: int | None = None) -> Identification:
         """What the catalog knows about an identity; see :class:`~esicatalog.catalog.results.Identification`."""

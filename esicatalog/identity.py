@@ -6,6 +6,8 @@ from typing import NamedTuple
 from esicatalog.errors import InputError
 
 UINT32_MAX = 0xFFFF_FFFF
+_MOST_DIGITS = 20
+_SHOWN = 60
 
 _NUMBER = re.compile(r"(?:0x|#x)([0-9a-f]+)|([0-9]+)", re.IGNORECASE)
 
@@ -27,26 +29,28 @@ class Identity(NamedTuple):
 def parse_number(text: str, what: str = "number", limit: int = UINT32_MAX) -> int:
     """A number written ``0x1097``, ``#x1097`` or ``4247``. Raises :class:`InputError`."""
     match = _NUMBER.fullmatch(text.strip())
-    value = None if match is None else int(match[1], 16) if match[1] else int(match[2])
-    if value is None:
-        raise InputError(f"{what} {text!r} is not a number; write 0x1097, #x1097 or 4247")
-    if value > limit:
-        raise InputError(f"{what} {text!r} is larger than 0x{limit:x}")
+    if match is None:
+        raise InputError(f"{what} {text[:_SHOWN]!r} is not a number; write 0x1097, #x1097 or 4247")
+    digits = (match[1] or match[2]).lstrip("0") or "0"
+    value = int(digits, 16 if match[1] else 10) if len(digits) <= _MOST_DIGITS else None
+    if value is None or value > limit:
+        raise InputError(f"{what} {text[:_SHOWN]!r} is larger than 0x{limit:x}")
     return value
 
 
 def parse_identity(text: str) -> Identity:
     """An identity written ``V:P[:R][@VARIANT]``. Raises :class:`InputError`."""
-    numbers, _, variant = text.partition("@")
+    numbers, at, variant_text = text.partition("@")
     parts = numbers.split(":")
     if len(parts) not in (2, 3):
         raise InputError(f"identity {text!r} is not VENDOR:PRODUCT[:REVISION][@VARIANT]")
     vendor_id, product_code, *rest = (
         parse_number(part, what) for part, what in zip(parts, ("vendor", "product", "revision"), strict=False)
     )
-    return Identity(
-        vendor_id, product_code, rest[0] if rest else None, parse_number(variant, "variant") if variant else None
-    )
+    variant = parse_number(variant_text, "variant") if at else None
+    if variant == 0:
+        raise InputError(f"identity {text!r}: variants count from 1")
+    return Identity(vendor_id, product_code, rest[0] if rest else None, variant)
 
 
 def parse_mapped(text: str) -> tuple[int, int | None]:

@@ -1,5 +1,6 @@
 """Counts of elements by lxml alone against the views of the catalog, device by device."""
 
+import xml.etree.ElementTree as ElementTree
 from collections import Counter
 from pathlib import Path
 
@@ -111,8 +112,6 @@ def test_counts_of_the_corpus(corpus_db):
 
 def test_one_row_an_element_in_the_io_terminal(data, data_db):
     """Counted by the standard library alone, padding included."""
-    import xml.etree.ElementTree as ElementTree
-
     root = ElementTree.parse(data / "io_terminal_8di_8do.xml").getroot()
     wanted = Counter()
     for item in root.iter("Device"):
@@ -155,7 +154,7 @@ def test_known_numbers_of_the_corpus(corpus_db):
 def test_identities_and_signals_by_lxml_alone(corpus_db):
     """The same numbers from the documents themselves: AssignActivate bits of ESI-FACTS section 17."""
     held: dict[str, set] = {"identities": set(), "sync0": set(), "sync1": set()}
-    for source, location, member in rows(corpus_db, "SELECT id, location, member FROM sources WHERE device_count > 0"):
+    for location, member in rows(corpus_db, "SELECT location, member FROM sources WHERE device_count > 0"):
         container, name = container_of(location, member)
         root = tree(container.read(name))
         for info in [root] if root.tag == "EtherCATInfo" else root.findall("EtherCATInfo"):

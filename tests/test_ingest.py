@@ -272,6 +272,21 @@ def test_a_catalog_that_was_emptied_fills_again(tmp_path, library):
     assert ingest(tmp_path / "c.db", library, prune=True)[1] == first
 
 
+def test_an_archive_that_was_removed_and_comes_back_is_read_again(tmp_path, library):
+    folder = write(tmp_path / "in", {"a.xml": FULL})
+    archive = zip_folder(library, folder / "a.zip")
+    _, first = ingest(tmp_path / "c.db", folder)
+    archive.rename(tmp_path / "away.zip")
+    ingest(tmp_path / "c.db", folder, prune=True)
+    (tmp_path / "away.zip").rename(archive)
+    assert ingest(tmp_path / "c.db", folder, prune=True)[1] == first
+
+
+def test_overlapping_paths_in_any_order(tmp_path, library):
+    first = ingest(tmp_path / "a.db", library, library / "other")[1]
+    assert ingest(tmp_path / "b.db", library / "other", library)[1] == first
+
+
 def test_a_missing_path_is_an_error(tmp_path):
     with Catalog.open(tmp_path / "c.db", create=True) as catalog, pytest.raises(InputError, match=r"gone"):
         catalog.ingest([tmp_path / "gone"])

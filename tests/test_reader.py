@@ -171,6 +171,20 @@ def test_empty_elements_differ_from_absent_ones():
     assert (plain.dc, plain.has_slots, plain.mailbox, plain.eeprom) == (False, False, None, None)
 
 
+@pytest.mark.parametrize(("written", "read_as"), [("YY K", "YY K"), (" YK", " YK"), ("YY  ", "YY"), ("", "")])
+def test_blanks_in_physics_are_unused_ports(written, read_as):
+    """Character i describes port i: leading and inner blanks count, trailing ones do not (ESI-FACTS section 4)."""
+    found = only_device(esi(device().replace('Physics="YY"', f'Physics="{written}"')))
+    assert found.physics.rstrip() == read_as
+
+
+def test_attributes_of_other_namespaces_are_kept():
+    """Only those of XML Schema instances say nothing about the device."""
+    foreign = 'xmlns:v="urn:vendor" v:extra="kept" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xsi:nil="0"'
+    found = only_device(esi(device(f"<Sm {foreign}>Outputs</Sm>")))
+    assert [item.value for item in found.unmapped] == ["kept"]
+
+
 def test_a_module_document():
     module = "<Module><Type ModuleIdent='#x7'>M</Type><Name>Module</Name></Module>"
     vendor = "<Vendor><Id>1</Id><Name>V</Name></Vendor>"

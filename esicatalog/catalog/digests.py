@@ -87,7 +87,7 @@ class Digests:
 
     def _dictionary(self, dictionary: Dictionary) -> bytes:
         rest = _encode(msgspec.structs.replace(dictionary, data_types=(), objects=()))
-        types = b"".join(self.types(dictionary).digests)
+        types = self.types(dictionary).digest
         return digest(rest + b"types" + types + b"objects" + b"".join(self.objects(dictionary)))
 
     def diagnostics(self, diagnostics: Diagnostics) -> bytes:
@@ -120,6 +120,7 @@ class DeclaredTypes:
     def __init__(self, digests: Digests, data_types: tuple[DataType, ...]) -> None:
         self.by_name: Mapping[str, DataType] = type_table(data_types)
         self.digests = [digests.data_type(data_type) for data_type in data_types]
+        self.digest = digest(b"".join(self.digests))
         self._digest_of = digests.data_type
         self._declared = data_types  # keeps the identities valid that this was found by
         self._closures: dict[str | None, bytes] = {None: b""}

@@ -35,6 +35,11 @@ def prepare_load(connection: sa.Connection) -> None:
         _enforce_foreign_keys(connection, False)
 
 
+def forget_content_hash(connection: sa.Connection) -> None:
+    """The catalog is about to change: until the load is finished there is no content hash."""
+    write_state(connection, CONTENT_HASH, None)
+
+
 def finish_load(connection: sa.Connection, changed: bool) -> None:
     """Build what is missing, store the content hash, leave one file."""
     if read_state(connection, _INDEXES_PENDING):

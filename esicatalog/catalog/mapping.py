@@ -25,10 +25,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.records.profile import ChannelInfo, Profile
 from esicatalog.esi.records.slots import Slot, SlotModuleClass, SlotModuleIdent
-from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.dictionary import ObjectEntry
-from esicatalog.model.drive_evidence import ModeEvidence
-from esicatalog.model.drive_modes import DriveModeVerdict
 from esicatalog.model.pdo_facts import entry_facts, pdo_facts
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import sync_signals
@@ -136,12 +133,9 @@ TABLE_RECORDS: dict[str, type[Record]] = {
     "enum_values": EnumInfo,
     "objects": Object,
     "object_entries": ObjectEntry,
-    "device_facts": DeviceFacts,
     "dictionaries": Dictionary,
     "diagnostics": Diagnostics,
     "diag_messages": DiagMessage,
-    "drive_modes": DriveModeVerdict,
-    "mode_evidence": ModeEvidence,
     "devices": Device,
     "modules": Module,
     "groups": Group,
@@ -188,17 +182,19 @@ class Codec:
             if field.xml.kind is IMAGE:
                 self.image_column = start
             self._decoders.append((field.name, start, _decoder(field)))
-        columns.append(Column("spelling", "json", "Vendor's text of values that are not spelled canonically, JSON"))
-        self._converters.append((len(sources), _json))
-        sources.append("spelling")
-        self._spelling = len(sources) - 1
+        self._spelling: int | None = None
+        if fields_of(record_type):
+            self._spelling = len(sources)
+            columns.append(Column("spelling", "json", "Vendor's text of values that are not spelled canonically, JSON"))
+            self._converters.append((len(sources), _json))
+            sources.append("spelling")
         self._get = attrgetter(*sources)
         self.stored_columns = tuple(columns)
         self.derived_columns = _derived_columns(record_type)
         self._derive = _DERIVED.get(record_type, ())
         self._derived_getter = _tuple_getter([column.name for column in self.derived_columns])
-        self._is_plain = len(self._converters) == 1 and not self._derive
-        """Nothing but the spelling may need converting: true of object entries, the largest table by far."""
+        self._is_plain = not self._converters and not self._derive
+        """Nothing needs converting: true of object entries, the largest table by far."""
 
     @property
     def columns(self) -> tuple[Column, ...]:
@@ -208,7 +204,7 @@ class Codec:
     def encode(self, record: Any) -> tuple[Any, ...]:
         """Column values of a record."""
         taken: tuple[Any, ...] = self._get(record)
-        if self._is_plain and taken[-1] is None:
+        if self._is_plain:
             return taken
         values = list(taken)
         for at, convert in self._converters:
@@ -222,9 +218,8 @@ class Codec:
         """The record of a row: ``values`` start with the stored columns; other fields come by keyword."""
         fields = {name: decode(values, at) for name, at, decode in self._decoders}
         fields.update(elsewhere)
-        spelling = values[self._spelling]
-        if spelling is not None:
-            fields["spelling"] = msgspec.json.decode(spelling)
+        if self._spelling is not None and values[self._spelling] is not None:
+            fields["spelling"] = msgspec.json.decode(values[self._spelling])
         return self.record_type(**fields)
 
 

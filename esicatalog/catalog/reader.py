@@ -32,6 +32,7 @@ class RecordReader:
         self._diagnostics: dict[int, Diagnostics] = {}
         self._objects: dict[int, Object] = {}
         self._types: dict[int, DataType] = {}
+        self._type_sets: dict[int, Sequence[int]] = {}
 
     def device(self, device_id: int, source_id: int | None = None) -> Device:
         """One description; with ``source_id`` in the group that this document puts it in."""
@@ -93,19 +94,28 @@ class RecordReader:
         table, links = schema.dictionaries, schema.dictionary_objects.c
         own = codec(Dictionary)
         row = self._connection.execute(
-            sa.select(*(table.c[column.name] for column in own.stored_columns)).where(table.c.id == dictionary_id)
+            sa.select(table.c.type_set_id, *(table.c[column.name] for column in own.stored_columns)).where(
+                table.c.id == dictionary_id
+            )
         ).one()
         object_ids = self._linked(links.object_id, links.dictionary_id, links.position, dictionary_id)
-        types = schema.dictionary_data_types.c
-        type_ids = self._linked(types.data_type_id, types.dictionary_id, types.position, dictionary_id)
+        type_ids = self._type_ids(row[0])
         self._load(Object, object_ids, self._objects)
         self._load(DataType, type_ids, self._types)
         dictionary: Dictionary = own.decode(
-            row,
+            row[1:],
             data_types=tuple(self._types[number] for number in type_ids),
             objects=tuple(self._objects[number] for number in object_ids),
         )
         return dictionary
+
+    def _type_ids(self, type_set_id: int) -> Sequence[int]:
+        known = self._type_sets.get(type_set_id)
+        if known is None:
+            types = schema.type_set_data_types.c
+            known = self._linked(types.data_type_id, types.type_set_id, types.position, type_set_id)
+            self._type_sets[type_set_id] = known
+        return known
 
     def _linked(self, target: Any, parent: Any, position: Any, number: int) -> Sequence[int]:
         query = sa.select(target).where(parent == number).order_by(position)

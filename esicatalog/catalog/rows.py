@@ -54,12 +54,19 @@ class DiagnosticsRows(msgspec.Struct):
     messages: list[Row]
 
 
+class TypeSetRows(msgspec.Struct):
+    """All data types of a dictionary: their keys in document order."""
+
+    key: bytes
+    data_types: list[bytes]
+
+
 class DictionaryRows(msgspec.Struct):
-    """A dictionary: its own row and the keys of its types and objects in document order."""
+    """A dictionary: its own row, the key of its type set and those of its objects in document order."""
 
     key: bytes
     row: Row
-    data_types: list[bytes]
+    type_set: bytes
     objects: list[bytes]
 
 
@@ -129,6 +136,7 @@ class DocumentRows(msgspec.Struct):
     findings: list[tuple[str, str, str, int, str]]
     unmapped: list[tuple[str, str]]
     new_types: list[TypeRows] = []
+    new_type_sets: list[TypeSetRows] = []
     new_objects: list[ObjectRows] = []
     new_dictionaries: list[DictionaryRows] = []
     new_diagnostics: list[DiagnosticsRows] = []
@@ -161,6 +169,7 @@ class RowMaker:
             findings=[(f.rule, f.severity, f.message, f.line, f.path) for f in read.findings],
             unmapped=[(item.path, item.value) for item in document.unmapped],
             new_types=[],
+            new_type_sets=[],
             new_objects=[],
             new_dictionaries=[],
             new_diagnostics=[],
@@ -254,10 +263,18 @@ class RowMaker:
             for declared, object_key in zip(dictionary.objects, object_keys, strict=True):
                 if self._new(object_key):
                     self._out.new_objects.append(_object_rows(declared, types, object_key))
-            type_keys = [self._data_type(data_type) for data_type in dictionary.data_types]
+            type_set = self._type_set(dictionary)
             row = codec(Dictionary).encode(dictionary)
-            self._out.new_dictionaries.append(DictionaryRows(key, row, type_keys, object_keys))
+            self._out.new_dictionaries.append(DictionaryRows(key, row, type_set, object_keys))
         return key
+
+    def _type_set(self, dictionary: Dictionary) -> bytes:
+        types = self._digests.types(dictionary)
+        if self._new(types.digest):
+            for data_type in dictionary.data_types:
+                self._data_type(data_type)
+            self._out.new_type_sets.append(TypeSetRows(types.digest, types.digests))
+        return types.digest
 
     def _data_type(self, data_type: DataType) -> bytes:
         key = self._digests.data_type(data_type)

@@ -299,6 +299,7 @@ dictionaries = _table(
     "Object dictionaries, each distinct one once; profiles and EtherCATDict documents point to them.",
     _key(),
     sa.Column("content_hash", types.blob(), nullable=False, unique=True, comment="Digest of the content"),
+    _reference("type_sets.id", "Data types that it declares", nullable=False, index=True),
     *_recorded("dictionaries"),
     _integer("object_count", "Number of objects", nullable=False),
 )
@@ -319,10 +320,16 @@ data_types = _table(
 diag_messages = _part("diag_messages", "diagnostics", "Diagnosis texts by text id, as object 0x10F3 refers to them.")
 sub_items = _part("sub_items", "data_types", "Members of composite data types.")
 enum_values = _part("enum_values", "data_types", "Values of enumerations.")
-dictionary_data_types = _table(
-    "dictionary_data_types",
-    "Which data types a dictionary declares.",
-    _reference("dictionaries.id", "Dictionary", primary_key=True),
+type_sets = _table(
+    "type_sets",
+    "Sets of data types that dictionaries declare, each distinct one once; type_set_data_types lists them.",
+    _key(),
+    sa.Column("content_hash", types.blob(), nullable=False, unique=True, comment="Digest of the content"),
+)
+type_set_data_types = _table(
+    "type_set_data_types",
+    "Which data types a type set holds.",
+    _reference("type_sets.id", "Type set", primary_key=True),
     _integer("position", "Position in document order, from 0", primary_key=True),
     _reference("data_types.id", "Data type", nullable=False, index=True),
 )

@@ -212,7 +212,7 @@ _UNREFERENCED: tuple[tuple[str, str, tuple[tuple[str, str], ...], tuple[tuple[st
         "dictionaries",
         "id",
         (("profiles", "dictionary_id"), ("sources", "dictionary_id")),
-        (("dictionary_objects", "dictionary_id"), ("dictionary_data_types", "dictionary_id")),
+        (("dictionary_objects", "dictionary_id"),),
     ),
     (
         "diagnostics",
@@ -221,10 +221,11 @@ _UNREFERENCED: tuple[tuple[str, str, tuple[tuple[str, str], ...], tuple[tuple[st
         (("diag_messages", "diagnostics_id"),),
     ),
     ("objects", "id", (("dictionary_objects", "object_id"),), (("object_entries", "object_id"),)),
+    ("type_sets", "id", (("dictionaries", "type_set_id"),), (("type_set_data_types", "type_set_id"),)),
     (
         "data_types",
         "id",
-        (("dictionary_data_types", "data_type_id"),),
+        (("type_set_data_types", "data_type_id"),),
         (("sub_items", "data_type_id"), ("enum_values", "data_type_id")),
     ),
     ("groups", "id", (("source_groups", "group_id"),), ()),

@@ -21,6 +21,7 @@ from esicatalog.catalog.rows import (
     OwnerRows,
     Section,
     TypeRows,
+    TypeSetRows,
 )
 from esicatalog.catalog.settle import Affected, collect_garbage, settle
 from esicatalog.esi.content import digest
@@ -68,7 +69,16 @@ class Writer:
         self._buffer = RowBuffer(connection)
         self._keys = {
             table: _KeyMap(connection, schema.metadata.tables[table])
-            for table in ("data_types", "objects", "dictionaries", "diagnostics", "modules", "devices", "groups")
+            for table in (
+                "data_types",
+                "type_sets",
+                "objects",
+                "dictionaries",
+                "diagnostics",
+                "modules",
+                "devices",
+                "groups",
+            )
         }
         self._vendors = {row[0] for row in connection.execute(sa.select(schema.vendors.c.vendor_id))}
         self._images = {row[0] for row in connection.execute(sa.select(schema.images.c.sha256))}
@@ -83,6 +93,8 @@ class Writer:
             return
         for types in document.new_types:
             self._add_type(types)
+        for type_set in document.new_type_sets:
+            self._add_type_set(type_set)
         for objects in document.new_objects:
             self._add_object(objects)
         for dictionary in document.new_dictionaries:
@@ -251,19 +263,28 @@ class Writer:
         keys.put(rows.key, number)
         self._buffer.add_numbered("object_entries", rows.entries, number)
 
+    def _add_type_set(self, rows: TypeSetRows) -> None:
+        keys = self._keys["type_sets"]
+        if keys.get(rows.key) is None:
+            number = self._buffer.add_numbered("type_sets", [(rows.key,)])
+            keys.put(rows.key, number)
+            self._add_links("type_set_data_types", number, "data_types", rows.data_types)
+
     def _add_dictionary(self, rows: DictionaryRows) -> None:
         keys = self._keys["dictionaries"]
         if keys.get(rows.key) is not None:
             return
-        number = self._buffer.add_numbered("dictionaries", [(rows.key, *rows.row, len(rows.objects))])
+        type_set = self._keys["type_sets"].require(rows.type_set)
+        row = (rows.key, type_set, *rows.row, len(rows.objects))
+        number = self._buffer.add_numbered("dictionaries", [row])
         keys.put(rows.key, number)
-        for table, source, parts in (
-            ("dictionary_data_types", "data_types", rows.data_types),
-            ("dictionary_objects", "objects", rows.objects),
-        ):
-            self._keys[source].load(parts)
-            numbers = self._keys[source]
-            self._buffer.add(table, [(number, at, numbers.require(key)) for at, key in enumerate(parts)])
+        self._add_links("dictionary_objects", number, "objects", rows.objects)
+
+    def _add_links(self, table: str, owner: int, target: str, parts: list[bytes]) -> None:
+        """Rows (owner, position, number of the part)."""
+        numbers = self._keys[target]
+        numbers.load(parts)
+        self._buffer.add(table, [(owner, at, numbers.require(key)) for at, key in enumerate(parts)])
 
     def _add_diagnostics(self, rows: DiagnosticsRows) -> None:
         keys = self._keys["diagnostics"]

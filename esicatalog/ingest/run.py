@@ -8,13 +8,13 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from itertools import chain
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.database import database_error
-from esicatalog.catalog.load import end_load, finish_load, prepare_load
+from esicatalog.catalog.load import end_load, finish_load, forget_content_hash, prepare_load
 from esicatalog.catalog.writer import SourceRow, Writer
 from esicatalog.errors import DocumentError
 from esicatalog.esi.containers import Folder
@@ -25,10 +25,13 @@ from esicatalog.ingest.tasks import Known, Outcome, Task
 from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
 from esicatalog.version import __version__
 
+if TYPE_CHECKING:
+    from esicatalog.ingest.pool import Workers
+
 Progress = Callable[[DocumentLine, int, int], None]
 """Called after every document: its line, documents done, documents in all."""
 
-_COMMIT_SECONDS = 5.0
+_COMMIT_SECONDS = 1.0
 """What a killed ingest has to read again at most; a commit costs the work of putting the catalog in order."""
 
 
@@ -55,17 +58,19 @@ def ingest(
     jobs: int | None = None,
     prune: bool = False,
     progress: Progress | None = None,
+    workers: "Workers | None" = None,
 ) -> IngestReport:
     """Ingest everything below ``paths`` into the catalog.
 
-    ``prune`` also removes what the given folders no longer hold. Raises :class:`InputError` for a missing path and
+    ``prune`` also removes what the given folders no longer hold; ``workers`` may have been started before. Raises
+    :class:`InputError` for a missing path and
     :class:`CatalogError` when the database cannot be written; what was committed before stays.
     """
     started = time.monotonic()
     given = [os.path.realpath(path) for path in paths]
     try:
         with engine.connect() as connection, _without_cycle_search():
-            run = _Run(connection, given, jobs or default_jobs(), progress)
+            run = _Run(connection, given, jobs or default_jobs(), progress, workers)
             try:
                 prepare_load(connection)
                 lines = run.ingest(prune)
@@ -90,8 +95,16 @@ def _without_cycle_search() -> Iterator[None]:
 
 
 class _Run:
-    def __init__(self, connection: sa.Connection, paths: list[str], jobs: int, progress: Progress | None) -> None:
+    def __init__(
+        self,
+        connection: sa.Connection,
+        paths: list[str],
+        jobs: int,
+        progress: Progress | None,
+        workers: "Workers | None",
+    ) -> None:
         self._connection = connection
+        self._workers = workers
         self._paths = paths
         self._jobs = jobs
         self._progress = progress
@@ -161,6 +174,7 @@ class _Run:
         from esicatalog.ingest.pool import run_tasks
 
         self.changed = True
+        forget_content_hash(self._connection)
         writer = Writer(self._connection, __version__)
         for location in gone:
             writer.forget(location)
@@ -172,7 +186,7 @@ class _Run:
             Outcome(number, item.problem[0], item.problem[1]) for number, item in enumerate(todo) if item.problem
         ]
         committed = time.monotonic()
-        outcomes = run_tasks(tasks, self._jobs)
+        outcomes = run_tasks(tasks, self._jobs, self._workers)
         for done, outcome in enumerate(chain(problems, outcomes), len(self._lines) + 1):
             item = todo[outcome.number]
             self._store(writer, item, outcome, archive_ids)

@@ -1,6 +1,5 @@
 """The Datasette application of one catalog."""
 
-import inspect
 import os
 from pathlib import Path
 from typing import Any
@@ -8,6 +7,7 @@ from typing import Any
 from datasette.app import Datasette
 from datasette.database import Database
 from datasette.utils import parse_metadata
+from datasette.version import __version_info__ as datasette_version
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.database import catalog_url, sqlite_path
@@ -49,7 +49,7 @@ def datasette_app(path: str | os.PathLike[str], immutable: bool = False) -> Any:
     """
     metadata = parse_metadata(resource("datasette-metadata.yml").read_text(encoding="utf-8"))
     arguments: dict[str, Any] = {"metadata": metadata, "settings": SETTINGS}
-    if "config" in inspect.signature(Datasette).parameters:
+    if datasette_version[0] != "0":
         # Datasette 1.0 takes canned queries from the configuration.
         arguments["config"] = metadata
     datasette = Datasette([], **arguments)

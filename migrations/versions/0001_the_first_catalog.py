@@ -65,18 +65,6 @@ def upgrade() -> None:
         sqlite_strict=True,
     )
     op.create_table(
-        "dictionaries",
-        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
-        sa.Column("content_hash", BLOB, nullable=False, comment="Digest of the content"),
-        sa.Column("unit_types", TEXT, comment="Units of the vendor's own, as JSON"),
-        sa.Column("spelling", TEXT, comment="Vendor's text of values that are not spelled canonically, JSON"),
-        sa.Column("object_count", INTEGER, nullable=False, comment="Number of objects"),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_dictionaries")),
-        sa.UniqueConstraint("content_hash", name=op.f("uq_dictionaries_content_hash")),
-        comment="Object dictionaries, each distinct one once; profiles and EtherCATDict documents point to them.",
-        sqlite_strict=True,
-    )
-    op.create_table(
         "groups",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
         sa.Column("vendor_id", INTEGER, comment="Vendor; NULL when the document gives none"),
@@ -156,6 +144,15 @@ def upgrade() -> None:
         sqlite_strict=True,
     )
     op.create_index("ix_objects_object_index", "objects", ["object_index"], unique=False)
+    op.create_table(
+        "type_sets",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("content_hash", BLOB, nullable=False, comment="Digest of the content"),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_type_sets")),
+        sa.UniqueConstraint("content_hash", name=op.f("uq_type_sets_content_hash")),
+        comment="Sets of data types that dictionaries declare, each distinct one once; type_set_data_types lists them.",
+        sqlite_strict=True,
+    )
     op.create_table(
         "vendors",
         sa.Column("vendor_id", INTEGER, autoincrement=False, nullable=False, comment="Vendor id"),
@@ -311,37 +308,20 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_diag_messages_diagnostics_id"), "diag_messages", ["diagnostics_id"], unique=False)
     op.create_table(
-        "dictionary_data_types",
-        sa.Column("dictionary_id", INTEGER, nullable=False, comment="Dictionary"),
-        sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
-        sa.Column("data_type_id", INTEGER, nullable=False, comment="Data type"),
-        sa.ForeignKeyConstraint(
-            ["data_type_id"], ["data_types.id"], name=op.f("fk_dictionary_data_types_data_type_id")
-        ),
-        sa.ForeignKeyConstraint(
-            ["dictionary_id"], ["dictionaries.id"], name=op.f("fk_dictionary_data_types_dictionary_id")
-        ),
-        sa.PrimaryKeyConstraint("dictionary_id", "position", name=op.f("pk_dictionary_data_types")),
-        comment="Which data types a dictionary declares.",
+        "dictionaries",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("content_hash", BLOB, nullable=False, comment="Digest of the content"),
+        sa.Column("type_set_id", INTEGER, nullable=False, comment="Data types that it declares"),
+        sa.Column("unit_types", TEXT, comment="Units of the vendor's own, as JSON"),
+        sa.Column("spelling", TEXT, comment="Vendor's text of values that are not spelled canonically, JSON"),
+        sa.Column("object_count", INTEGER, nullable=False, comment="Number of objects"),
+        sa.ForeignKeyConstraint(["type_set_id"], ["type_sets.id"], name=op.f("fk_dictionaries_type_set_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_dictionaries")),
+        sa.UniqueConstraint("content_hash", name=op.f("uq_dictionaries_content_hash")),
+        comment="Object dictionaries, each distinct one once; profiles and EtherCATDict documents point to them.",
         sqlite_strict=True,
     )
-    op.create_index(
-        op.f("ix_dictionary_data_types_data_type_id"), "dictionary_data_types", ["data_type_id"], unique=False
-    )
-    op.create_table(
-        "dictionary_objects",
-        sa.Column("dictionary_id", INTEGER, nullable=False, comment="Dictionary"),
-        sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
-        sa.Column("object_id", INTEGER, nullable=False, comment="Object"),
-        sa.ForeignKeyConstraint(
-            ["dictionary_id"], ["dictionaries.id"], name=op.f("fk_dictionary_objects_dictionary_id")
-        ),
-        sa.ForeignKeyConstraint(["object_id"], ["objects.id"], name=op.f("fk_dictionary_objects_object_id")),
-        sa.PrimaryKeyConstraint("dictionary_id", "position", name=op.f("pk_dictionary_objects")),
-        comment="Which objects a dictionary holds.",
-        sqlite_strict=True,
-    )
-    op.create_index(op.f("ix_dictionary_objects_object_id"), "dictionary_objects", ["object_id"], unique=False)
+    op.create_index(op.f("ix_dictionaries_type_set_id"), "dictionaries", ["type_set_id"], unique=False)
     op.create_table(
         "enum_values",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
@@ -417,52 +397,12 @@ def upgrade() -> None:
         sa.Column("max_real", REAL, comment="Maximum as floating point number"),
         sa.Column("unit", INTEGER, comment="Unit, packed 32-bit notation of ETG.1004"),
         sa.Column("display_name", TEXT, comment="Display name"),
-        sa.Column("spelling", TEXT, comment="Vendor's text of values that are not spelled canonically, JSON"),
         sa.ForeignKeyConstraint(["object_id"], ["objects.id"], name=op.f("fk_object_entries_object_id")),
         sa.PrimaryKeyConstraint("id", name=op.f("pk_object_entries")),
         comment="Subindices of objects: type, size, access, PDO mapping, values.",
         sqlite_strict=True,
     )
     op.create_index(op.f("ix_object_entries_object_id"), "object_entries", ["object_id"], unique=False)
-    op.create_table(
-        "sources",
-        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
-        sa.Column("location", TEXT, nullable=False, comment="Absolute path; archive!member for archives"),
-        sa.Column(
-            "member",
-            TEXT,
-            nullable=False,
-            comment="Path relative to the folder given to ingest; archive.zip!member for archives",
-        ),
-        sa.Column("archive_id", INTEGER, comment="Archive it lies in; NULL for a file on disk"),
-        sa.Column("status", TEXT, nullable=False, comment="stored, recovered (stored after repair), skipped or failed"),
-        sa.Column("message", TEXT, comment="Why it was recovered, skipped or failed"),
-        sa.Column("sha256", TEXT, comment="SHA-256 of the document"),
-        sa.Column("byte_count", INTEGER, comment="Size in bytes"),
-        sa.Column("reader_version", TEXT, nullable=False, comment="Version of esicatalog that read it"),
-        sa.Column(
-            "root",
-            TEXT,
-            comment="Root element: EtherCATInfo, EtherCATInfoList, EtherCATModule, EtherCATDict or EtherCATDiag",
-        ),
-        sa.Column("encoding", TEXT, comment="Encoding it was read with"),
-        sa.Column("device_count", INTEGER, nullable=False, comment="Device elements in the document"),
-        sa.Column("module_count", INTEGER, nullable=False, comment="Module elements in the document"),
-        sa.Column("dictionary_id", INTEGER, comment="Dictionary of an EtherCATDict document"),
-        sa.Column("diagnostics_id", INTEGER, comment="Diagnosis texts of an EtherCATDiag document"),
-        sa.ForeignKeyConstraint(["archive_id"], ["archives.id"], name=op.f("fk_sources_archive_id")),
-        sa.ForeignKeyConstraint(["diagnostics_id"], ["diagnostics.id"], name=op.f("fk_sources_diagnostics_id")),
-        sa.ForeignKeyConstraint(["dictionary_id"], ["dictionaries.id"], name=op.f("fk_sources_dictionary_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_sources")),
-        sa.UniqueConstraint("location", name=op.f("uq_sources_location")),
-        comment="Documents that were given to ingest: stored, skipped and failed ones.",
-        sqlite_strict=True,
-    )
-    op.create_index(op.f("ix_sources_archive_id"), "sources", ["archive_id"], unique=False)
-    op.create_index(op.f("ix_sources_diagnostics_id"), "sources", ["diagnostics_id"], unique=False)
-    op.create_index(op.f("ix_sources_dictionary_id"), "sources", ["dictionary_id"], unique=False)
-    op.create_index(op.f("ix_sources_sha256"), "sources", ["sha256"], unique=False)
-    op.create_index(op.f("ix_sources_status"), "sources", ["status"], unique=False)
     op.create_table(
         "sub_items",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
@@ -504,6 +444,18 @@ def upgrade() -> None:
         sqlite_strict=True,
     )
     op.create_index(op.f("ix_sub_items_data_type_id"), "sub_items", ["data_type_id"], unique=False)
+    op.create_table(
+        "type_set_data_types",
+        sa.Column("type_set_id", INTEGER, nullable=False, comment="Type set"),
+        sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
+        sa.Column("data_type_id", INTEGER, nullable=False, comment="Data type"),
+        sa.ForeignKeyConstraint(["data_type_id"], ["data_types.id"], name=op.f("fk_type_set_data_types_data_type_id")),
+        sa.ForeignKeyConstraint(["type_set_id"], ["type_sets.id"], name=op.f("fk_type_set_data_types_type_set_id")),
+        sa.PrimaryKeyConstraint("type_set_id", "position", name=op.f("pk_type_set_data_types")),
+        comment="Which data types a type set holds.",
+        sqlite_strict=True,
+    )
+    op.create_index(op.f("ix_type_set_data_types_data_type_id"), "type_set_data_types", ["data_type_id"], unique=False)
     op.create_table(
         "vendor_names",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
@@ -601,24 +553,19 @@ def upgrade() -> None:
     op.create_index(op.f("ix_device_names_device_id"), "device_names", ["device_id"], unique=False)
     op.create_index(op.f("ix_device_names_module_id"), "device_names", ["module_id"], unique=False)
     op.create_table(
-        "device_sources",
-        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
-        sa.Column("device_id", INTEGER, nullable=False, comment="Device description"),
-        sa.Column("source_id", INTEGER, nullable=False, comment="Document"),
-        sa.Column(
-            "section", INTEGER, nullable=False, comment="Number of the EtherCATInfo element in the document, from 0"
+        "dictionary_objects",
+        sa.Column("dictionary_id", INTEGER, nullable=False, comment="Dictionary"),
+        sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
+        sa.Column("object_id", INTEGER, nullable=False, comment="Object"),
+        sa.ForeignKeyConstraint(
+            ["dictionary_id"], ["dictionaries.id"], name=op.f("fk_dictionary_objects_dictionary_id")
         ),
-        sa.Column("position", INTEGER, nullable=False, comment="Position among the Device elements, from 0"),
-        sa.Column("line", INTEGER, nullable=False, comment="Line of the Device element"),
-        sa.Column("group_type", TEXT, comment="Group that the document puts it in"),
-        sa.ForeignKeyConstraint(["device_id"], ["devices.id"], name=op.f("fk_device_sources_device_id")),
-        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_device_sources_source_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_device_sources")),
-        comment="Which documents and lines carry a device description.",
+        sa.ForeignKeyConstraint(["object_id"], ["objects.id"], name=op.f("fk_dictionary_objects_object_id")),
+        sa.PrimaryKeyConstraint("dictionary_id", "position", name=op.f("pk_dictionary_objects")),
+        comment="Which objects a dictionary holds.",
         sqlite_strict=True,
     )
-    op.create_index(op.f("ix_device_sources_device_id"), "device_sources", ["device_id"], unique=False)
-    op.create_index(op.f("ix_device_sources_source_id"), "device_sources", ["source_id"], unique=False)
+    op.create_index(op.f("ix_dictionary_objects_object_id"), "dictionary_objects", ["object_id"], unique=False)
     op.create_table(
         "eeproms",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
@@ -642,22 +589,6 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_eeproms_device_id"), "eeproms", ["device_id"], unique=False)
     op.create_index(op.f("ix_eeproms_module_id"), "eeproms", ["module_id"], unique=False)
-    op.create_table(
-        "findings",
-        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
-        sa.Column("source_id", INTEGER, nullable=False, comment="Document"),
-        sa.Column("rule", TEXT, nullable=False, comment="Rule id"),
-        sa.Column("severity", TEXT, nullable=False, comment="E error, W warning, I information"),
-        sa.Column("message", TEXT, nullable=False, comment="What was found and what was done"),
-        sa.Column("line", INTEGER, nullable=False, comment="Line in the document, 0 when unknown"),
-        sa.Column("path", TEXT, nullable=False, comment="Element path"),
-        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_findings_source_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_findings")),
-        comment="What was noticed in the documents: broken markup, malformed values, unknown elements, missing references.",
-        sqlite_strict=True,
-    )
-    op.create_index(op.f("ix_findings_rule"), "findings", ["rule"], unique=False)
-    op.create_index(op.f("ix_findings_source_id"), "findings", ["source_id"], unique=False)
     op.create_table(
         "fmmus",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
@@ -777,24 +708,6 @@ def upgrade() -> None:
     op.create_index(op.f("ix_mailboxes_device_id"), "mailboxes", ["device_id"], unique=False)
     op.create_index(op.f("ix_mailboxes_module_id"), "mailboxes", ["module_id"], unique=False)
     op.create_table(
-        "module_sources",
-        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
-        sa.Column("module_id", INTEGER, nullable=False, comment="Module"),
-        sa.Column("source_id", INTEGER, nullable=False, comment="Document"),
-        sa.Column(
-            "section", INTEGER, nullable=False, comment="Number of the EtherCATInfo element in the document, from 0"
-        ),
-        sa.Column("position", INTEGER, nullable=False, comment="Position among the Module elements, from 0"),
-        sa.Column("line", INTEGER, nullable=False, comment="Line of the Module element"),
-        sa.ForeignKeyConstraint(["module_id"], ["modules.id"], name=op.f("fk_module_sources_module_id")),
-        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_module_sources_source_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_module_sources")),
-        comment="Which documents and lines carry a module.",
-        sqlite_strict=True,
-    )
-    op.create_index(op.f("ix_module_sources_module_id"), "module_sources", ["module_id"], unique=False)
-    op.create_index(op.f("ix_module_sources_source_id"), "module_sources", ["source_id"], unique=False)
-    op.create_table(
         "pdos",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
         sa.Column("device_id", INTEGER, comment="Device description that the row belongs to; NULL for a module's"),
@@ -903,71 +816,44 @@ def upgrade() -> None:
     op.create_index(op.f("ix_slots_device_id"), "slots", ["device_id"], unique=False)
     op.create_index(op.f("ix_slots_module_id"), "slots", ["module_id"], unique=False)
     op.create_table(
-        "source_groups",
+        "sources",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
-        sa.Column("source_id", INTEGER, nullable=False, comment="Document"),
-        sa.Column("group_id", INTEGER, nullable=False, comment="Group"),
+        sa.Column("location", TEXT, nullable=False, comment="Absolute path; archive!member for archives"),
         sa.Column(
-            "section", INTEGER, nullable=False, comment="Number of the EtherCATInfo element in the document, from 0"
-        ),
-        sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
-        sa.ForeignKeyConstraint(["group_id"], ["groups.id"], name=op.f("fk_source_groups_group_id")),
-        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_source_groups_source_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_source_groups")),
-        comment="Which document defines which group.",
-        sqlite_strict=True,
-    )
-    op.create_index(op.f("ix_source_groups_group_id"), "source_groups", ["group_id"], unique=False)
-    op.create_index(op.f("ix_source_groups_source_id"), "source_groups", ["source_id"], unique=False)
-    op.create_table(
-        "source_references",
-        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
-        sa.Column("source_id", INTEGER, nullable=False, comment="Document that refers"),
-        sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
-        sa.Column("kind", TEXT, nullable=False, comment="DictionaryFile, DiagFile or InfoReference"),
-        sa.Column("reference", TEXT, nullable=False, comment="As the vendor wrote it"),
-        sa.Column(
-            "found_location",
+            "member",
             TEXT,
-            comment="Where it was found, relative to the folder or archive; NULL when it was not",
+            nullable=False,
+            comment="Path relative to the folder given to ingest; archive.zip!member for archives",
         ),
-        sa.Column("sha256", TEXT, comment="SHA-256 of what was found"),
-        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_source_references_source_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_source_references")),
-        comment="Which documents a document pulls in: dictionaries, diagnosis texts, module lists.",
-        sqlite_strict=True,
-    )
-    op.create_index(op.f("ix_source_references_source_id"), "source_references", ["source_id"], unique=False)
-    op.create_table(
-        "source_vendors",
-        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
-        sa.Column("source_id", INTEGER, nullable=False, comment="Document"),
+        sa.Column("archive_id", INTEGER, comment="Archive it lies in; NULL for a file on disk"),
+        sa.Column("status", TEXT, nullable=False, comment="stored, recovered (stored after repair), skipped or failed"),
+        sa.Column("message", TEXT, comment="Why it was recovered, skipped or failed"),
+        sa.Column("sha256", TEXT, comment="SHA-256 of the document"),
+        sa.Column("byte_count", INTEGER, comment="Size in bytes"),
+        sa.Column("reader_version", TEXT, nullable=False, comment="Version of esicatalog that read it"),
         sa.Column(
-            "position", INTEGER, nullable=False, comment="Number of the EtherCATInfo element in the document, from 0"
+            "root",
+            TEXT,
+            comment="Root element: EtherCATInfo, EtherCATInfoList, EtherCATModule, EtherCATDict or EtherCATDiag",
         ),
-        sa.Column("schema_version", TEXT, comment="Schema version that the author used"),
-        sa.Column("info_references", TEXT, comment="Module documents it refers to, as JSON"),
-        sa.Column("shared_pdos", TEXT, comment="Shared Pdo elements of files before schema 1.2, as JSON"),
-        sa.Column("has_vendor", BOOLEAN, nullable=False, comment="1 when the element Vendor is present"),
-        sa.Column("vendor_id", INTEGER, comment="Vendor id assigned by the ETG"),
-        sa.Column("name", TEXT, comment="Name to show: English, else the first"),
-        sa.Column("names", TEXT, comment="Names in all languages, JSON; NULL when name says it all"),
-        sa.Column("comments", TEXT, comment="Comments in all languages, as JSON"),
-        sa.Column("urls", TEXT, comment="Links in all languages, as JSON"),
-        sa.Column("description_url", TEXT, comment="Link to the description"),
-        sa.Column("file_version", INTEGER, comment="The vendor's own version of the file"),
-        sa.Column("unique_name", TEXT, comment="Unique name (obsolete)"),
-        sa.Column("image_symbol", TEXT, comment="Image as a symbolic name (obsolete)"),
-        sa.Column("image_file", TEXT, comment="Image file name"),
-        sa.Column("image_sha256", TEXT, comment="Image, key in images"),
-        sa.Column("vendor_specific", TEXT, comment="Vendor-specific XML"),
-        sa.Column("spelling", TEXT, comment="Vendor's text of values that are not spelled canonically, JSON"),
-        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_source_vendors_source_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_source_vendors")),
-        comment="Vendor section of each document: vendor as written, file version, schema version.",
+        sa.Column("encoding", TEXT, comment="Encoding it was read with"),
+        sa.Column("device_count", INTEGER, nullable=False, comment="Device elements in the document"),
+        sa.Column("module_count", INTEGER, nullable=False, comment="Module elements in the document"),
+        sa.Column("dictionary_id", INTEGER, comment="Dictionary of an EtherCATDict document"),
+        sa.Column("diagnostics_id", INTEGER, comment="Diagnosis texts of an EtherCATDiag document"),
+        sa.ForeignKeyConstraint(["archive_id"], ["archives.id"], name=op.f("fk_sources_archive_id")),
+        sa.ForeignKeyConstraint(["diagnostics_id"], ["diagnostics.id"], name=op.f("fk_sources_diagnostics_id")),
+        sa.ForeignKeyConstraint(["dictionary_id"], ["dictionaries.id"], name=op.f("fk_sources_dictionary_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_sources")),
+        sa.UniqueConstraint("location", name=op.f("uq_sources_location")),
+        comment="Documents that were given to ingest: stored, skipped and failed ones.",
         sqlite_strict=True,
     )
-    op.create_index(op.f("ix_source_vendors_source_id"), "source_vendors", ["source_id"], unique=False)
+    op.create_index(op.f("ix_sources_archive_id"), "sources", ["archive_id"], unique=False)
+    op.create_index(op.f("ix_sources_diagnostics_id"), "sources", ["diagnostics_id"], unique=False)
+    op.create_index(op.f("ix_sources_dictionary_id"), "sources", ["dictionary_id"], unique=False)
+    op.create_index(op.f("ix_sources_sha256"), "sources", ["sha256"], unique=False)
+    op.create_index(op.f("ix_sources_status"), "sources", ["status"], unique=False)
     op.create_table(
         "sync_managers",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
@@ -1025,25 +911,6 @@ def upgrade() -> None:
     op.create_index(op.f("ix_sync_units_device_id"), "sync_units", ["device_id"], unique=False)
     op.create_index(op.f("ix_sync_units_module_id"), "sync_units", ["module_id"], unique=False)
     op.create_table(
-        "unmapped",
-        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
-        sa.Column("device_id", INTEGER, comment="Device description"),
-        sa.Column("module_id", INTEGER, comment="Module"),
-        sa.Column("source_id", INTEGER, comment="Document, for values outside of devices and modules"),
-        sa.Column("position", INTEGER, nullable=False, comment="Order of occurrence, from 0"),
-        sa.Column("path", TEXT, nullable=False, comment="Path of the element or attribute below its owner"),
-        sa.Column("value", TEXT, nullable=False, comment="Its text"),
-        sa.ForeignKeyConstraint(["device_id"], ["devices.id"], name=op.f("fk_unmapped_device_id")),
-        sa.ForeignKeyConstraint(["module_id"], ["modules.id"], name=op.f("fk_unmapped_module_id")),
-        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_unmapped_source_id")),
-        sa.PrimaryKeyConstraint("id", name=op.f("pk_unmapped")),
-        comment="Values that no column holds: unknown or repeated elements and attributes, with their place.",
-        sqlite_strict=True,
-    )
-    op.create_index(op.f("ix_unmapped_device_id"), "unmapped", ["device_id"], unique=False)
-    op.create_index(op.f("ix_unmapped_module_id"), "unmapped", ["module_id"], unique=False)
-    op.create_index(op.f("ix_unmapped_source_id"), "unmapped", ["source_id"], unique=False)
-    op.create_table(
         "vendor_extensions",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
         sa.Column("device_id", INTEGER, comment="Device description; NULL for a module"),
@@ -1065,6 +932,59 @@ def upgrade() -> None:
     )
     op.create_index(op.f("ix_vendor_extensions_device_id"), "vendor_extensions", ["device_id"], unique=False)
     op.create_index(op.f("ix_vendor_extensions_module_id"), "vendor_extensions", ["module_id"], unique=False)
+    op.create_table(
+        "device_sources",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("device_id", INTEGER, nullable=False, comment="Device description"),
+        sa.Column("source_id", INTEGER, nullable=False, comment="Document"),
+        sa.Column(
+            "section", INTEGER, nullable=False, comment="Number of the EtherCATInfo element in the document, from 0"
+        ),
+        sa.Column("position", INTEGER, nullable=False, comment="Position among the Device elements, from 0"),
+        sa.Column("line", INTEGER, nullable=False, comment="Line of the Device element"),
+        sa.Column("group_type", TEXT, comment="Group that the document puts it in"),
+        sa.ForeignKeyConstraint(["device_id"], ["devices.id"], name=op.f("fk_device_sources_device_id")),
+        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_device_sources_source_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_device_sources")),
+        comment="Which documents and lines carry a device description.",
+        sqlite_strict=True,
+    )
+    op.create_index(op.f("ix_device_sources_device_id"), "device_sources", ["device_id"], unique=False)
+    op.create_index(op.f("ix_device_sources_source_id"), "device_sources", ["source_id"], unique=False)
+    op.create_table(
+        "findings",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("source_id", INTEGER, nullable=False, comment="Document"),
+        sa.Column("rule", TEXT, nullable=False, comment="Rule id"),
+        sa.Column("severity", TEXT, nullable=False, comment="E error, W warning, I information"),
+        sa.Column("message", TEXT, nullable=False, comment="What was found and what was done"),
+        sa.Column("line", INTEGER, nullable=False, comment="Line in the document, 0 when unknown"),
+        sa.Column("path", TEXT, nullable=False, comment="Element path"),
+        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_findings_source_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_findings")),
+        comment="What was noticed in the documents: broken markup, malformed values, unknown elements, missing references.",
+        sqlite_strict=True,
+    )
+    op.create_index(op.f("ix_findings_rule"), "findings", ["rule"], unique=False)
+    op.create_index(op.f("ix_findings_source_id"), "findings", ["source_id"], unique=False)
+    op.create_table(
+        "module_sources",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("module_id", INTEGER, nullable=False, comment="Module"),
+        sa.Column("source_id", INTEGER, nullable=False, comment="Document"),
+        sa.Column(
+            "section", INTEGER, nullable=False, comment="Number of the EtherCATInfo element in the document, from 0"
+        ),
+        sa.Column("position", INTEGER, nullable=False, comment="Position among the Module elements, from 0"),
+        sa.Column("line", INTEGER, nullable=False, comment="Line of the Module element"),
+        sa.ForeignKeyConstraint(["module_id"], ["modules.id"], name=op.f("fk_module_sources_module_id")),
+        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_module_sources_source_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_module_sources")),
+        comment="Which documents and lines carry a module.",
+        sqlite_strict=True,
+    )
+    op.create_index(op.f("ix_module_sources_module_id"), "module_sources", ["module_id"], unique=False)
+    op.create_index(op.f("ix_module_sources_source_id"), "module_sources", ["source_id"], unique=False)
     op.create_table(
         "pdo_entries",
         sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
@@ -1159,6 +1079,91 @@ def upgrade() -> None:
         sqlite_strict=True,
     )
     op.create_index(op.f("ix_slot_modules_slot_id"), "slot_modules", ["slot_id"], unique=False)
+    op.create_table(
+        "source_groups",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("source_id", INTEGER, nullable=False, comment="Document"),
+        sa.Column("group_id", INTEGER, nullable=False, comment="Group"),
+        sa.Column(
+            "section", INTEGER, nullable=False, comment="Number of the EtherCATInfo element in the document, from 0"
+        ),
+        sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
+        sa.ForeignKeyConstraint(["group_id"], ["groups.id"], name=op.f("fk_source_groups_group_id")),
+        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_source_groups_source_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_source_groups")),
+        comment="Which document defines which group.",
+        sqlite_strict=True,
+    )
+    op.create_index(op.f("ix_source_groups_group_id"), "source_groups", ["group_id"], unique=False)
+    op.create_index(op.f("ix_source_groups_source_id"), "source_groups", ["source_id"], unique=False)
+    op.create_table(
+        "source_references",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("source_id", INTEGER, nullable=False, comment="Document that refers"),
+        sa.Column("position", INTEGER, nullable=False, comment="Position in document order, from 0"),
+        sa.Column("kind", TEXT, nullable=False, comment="DictionaryFile, DiagFile or InfoReference"),
+        sa.Column("reference", TEXT, nullable=False, comment="As the vendor wrote it"),
+        sa.Column(
+            "found_location",
+            TEXT,
+            comment="Where it was found, relative to the folder or archive; NULL when it was not",
+        ),
+        sa.Column("sha256", TEXT, comment="SHA-256 of what was found"),
+        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_source_references_source_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_source_references")),
+        comment="Which documents a document pulls in: dictionaries, diagnosis texts, module lists.",
+        sqlite_strict=True,
+    )
+    op.create_index(op.f("ix_source_references_source_id"), "source_references", ["source_id"], unique=False)
+    op.create_table(
+        "source_vendors",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("source_id", INTEGER, nullable=False, comment="Document"),
+        sa.Column(
+            "position", INTEGER, nullable=False, comment="Number of the EtherCATInfo element in the document, from 0"
+        ),
+        sa.Column("schema_version", TEXT, comment="Schema version that the author used"),
+        sa.Column("info_references", TEXT, comment="Module documents it refers to, as JSON"),
+        sa.Column("shared_pdos", TEXT, comment="Shared Pdo elements of files before schema 1.2, as JSON"),
+        sa.Column("has_vendor", BOOLEAN, nullable=False, comment="1 when the element Vendor is present"),
+        sa.Column("vendor_id", INTEGER, comment="Vendor id assigned by the ETG"),
+        sa.Column("name", TEXT, comment="Name to show: English, else the first"),
+        sa.Column("names", TEXT, comment="Names in all languages, JSON; NULL when name says it all"),
+        sa.Column("comments", TEXT, comment="Comments in all languages, as JSON"),
+        sa.Column("urls", TEXT, comment="Links in all languages, as JSON"),
+        sa.Column("description_url", TEXT, comment="Link to the description"),
+        sa.Column("file_version", INTEGER, comment="The vendor's own version of the file"),
+        sa.Column("unique_name", TEXT, comment="Unique name (obsolete)"),
+        sa.Column("image_symbol", TEXT, comment="Image as a symbolic name (obsolete)"),
+        sa.Column("image_file", TEXT, comment="Image file name"),
+        sa.Column("image_sha256", TEXT, comment="Image, key in images"),
+        sa.Column("vendor_specific", TEXT, comment="Vendor-specific XML"),
+        sa.Column("spelling", TEXT, comment="Vendor's text of values that are not spelled canonically, JSON"),
+        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_source_vendors_source_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_source_vendors")),
+        comment="Vendor section of each document: vendor as written, file version, schema version.",
+        sqlite_strict=True,
+    )
+    op.create_index(op.f("ix_source_vendors_source_id"), "source_vendors", ["source_id"], unique=False)
+    op.create_table(
+        "unmapped",
+        sa.Column("id", INTEGER, autoincrement=True, nullable=False, comment="Row number; not stable between catalogs"),
+        sa.Column("device_id", INTEGER, comment="Device description"),
+        sa.Column("module_id", INTEGER, comment="Module"),
+        sa.Column("source_id", INTEGER, comment="Document, for values outside of devices and modules"),
+        sa.Column("position", INTEGER, nullable=False, comment="Order of occurrence, from 0"),
+        sa.Column("path", TEXT, nullable=False, comment="Path of the element or attribute below its owner"),
+        sa.Column("value", TEXT, nullable=False, comment="Its text"),
+        sa.ForeignKeyConstraint(["device_id"], ["devices.id"], name=op.f("fk_unmapped_device_id")),
+        sa.ForeignKeyConstraint(["module_id"], ["modules.id"], name=op.f("fk_unmapped_module_id")),
+        sa.ForeignKeyConstraint(["source_id"], ["sources.id"], name=op.f("fk_unmapped_source_id")),
+        sa.PrimaryKeyConstraint("id", name=op.f("pk_unmapped")),
+        comment="Values that no column holds: unknown or repeated elements and attributes, with their place.",
+        sqlite_strict=True,
+    )
+    op.create_index(op.f("ix_unmapped_device_id"), "unmapped", ["device_id"], unique=False)
+    op.create_index(op.f("ix_unmapped_module_id"), "unmapped", ["module_id"], unique=False)
+    op.create_index(op.f("ix_unmapped_source_id"), "unmapped", ["source_id"], unique=False)
 
 
 def downgrade() -> None:

@@ -1,0 +1,285 @@
+"""The command contract: exit codes, one line for every error, JSON alone on stdout."""
+
+import json
+import os
+import shutil
+import sqlite3
+import subprocess
+import sys
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from snippets import device, esi, rows, write
+from sqlalchemy.exc import OperationalError
+
+from esicatalog.catalog.database import database_error
+from esicatalog.cli.main import COMMANDS, cli
+
+EYOU = ("0x1097", "0x2406", "0x8f")
+
+
+def run(*words: object, db: Path | None = None):
+    arguments = [str(word) for word in words] + (["--db", str(db)] if db is not None else [])
+    return CliRunner().invoke(cli, arguments, catch_exceptions=False)
+
+
+def one_line_error(result) -> str:
+    """The single line on stderr of a command that could not do its work."""
+    assert result.exit_code == 2
+    assert result.stdout == ""
+    assert "Traceback" not in result.stderr
+    (line,) = result.stderr.splitlines()
+    return line
+
+
+@pytest.mark.parametrize("vendor", ["0x1097", "#x1097", "4247"])
+def test_identify_in_every_notation(data_db, vendor):
+    result = run("identify", vendor, "0x2406", "143", "--format", "json", db=data_db)
+    answer = json.loads(result.stdout)
+    assert (result.exit_code, answer["match"]) == (0, "exact")
+    assert answer["query"].items() >= {"vendor_id": 0x1097, "product_code": 0x2406, "revision_no": 0x8F}.items()
+    assert answer["query"]["vendor_id_hex"] == "0x00001097"
+    assert answer["device"]["type"] == "EYOU_ServoModule_V143"
+    assert [source["member"] for source in answer["device"]["sources"]] == ["eyou_servo_module.xml"]
+    assert answer["variants"] == [answer["device"]]
+    assert {"query", "match", "reason", "device", "variants", "candidates"} == answer.keys()
+
+
+def test_the_line_of_a_source_is_that_of_the_device_element(data, data_db):
+    answer = json.loads(run("identify", *EYOU, "--format", "json", db=data_db).stdout)
+    lines = (data / "eyou_servo_module.xml").read_text().splitlines()
+    assert "<Device" in lines[answer["device"]["sources"][0]["line"] - 1]
+
+
+@pytest.mark.parametrize(
+    ("identity", "match", "code"),
+    [
+        (("0xE5C", "0x0D080808", "0x00110000"), "exact", 0),
+        (("0xE5C", "0x0D080808"), "product", 0),
+        (("0xE5C", "0x0D080808", "0x00120000"), "product", 1),
+        (("0xE5C", "1", "1"), "vendor", 1),
+        (("0x999", "1", "1"), "none", 1),
+    ],
+)
+def test_what_identify_answers(data_db, identity, match, code):
+    result = run("identify", *identity, "--format", "json", db=data_db)
+    answer = json.loads(result.stdout)
+    assert (answer["match"], result.exit_code) == (match, code)
+    assert (answer["device"] is None) == (code == 1)
+    assert bool(answer["candidates"]) == ((match != "none" and match != "exact") or identity[1] == "0x0D080808")
+    assert run("identify", *identity, db=data_db).exit_code == code
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("identify", "zz", "1"),
+        ("identify", "1", "0x1g", "1"),
+        ("identify", "1", "2", "0x100000000"),
+        ("identify", "1", "2", "9" * 5000),
+        ("show", "1"),
+        ("show", "1:2@0"),
+        ("devices", "--maps", "0x10000"),
+        ("devices", "--maps", "0x6000:"),
+        ("devices", "--not-maps", "x"),
+        ("devices", "--object", "0x6000:999"),
+        ("devices", "--bits", "one", "--maps", "0x6000"),
+        ("devices", "--bits", "1"),
+        ("devices", "--profile", "x"),
+        ("devices", "--vendor", "0xZZ"),
+        ("devices", "--vendor", ""),
+        ("ingest", "no-such-folder"),
+    ],
+)
+def test_malformed_input_is_one_line_and_exit_2(data_db, words):
+    assert one_line_error(run(*words, db=data_db)).startswith("esicatalog: ")
+
+
+def test_an_empty_list_is_an_answer(data_db):
+    result = run("devices", "--vendor", "nobody", "--format", "json", db=data_db)
+    assert (result.exit_code, json.loads(result.stdout)) == (0, [])
+
+
+def test_the_shape_of_devices(data_db):
+    result = run("devices", "--sync", "sync1", "--format", "json", db=data_db)
+    (found,) = json.loads(result.stdout)
+    assert result.stderr == ""
+    assert found.keys() >= {"vendor_id", "product_code", "revision_no", "variant", "vendor", "type", "name", "evidence"}
+    assert (found["product_code"], found["product_code_hex"]) == (0x0D080808, "0x0d080808")
+    assert any("0x0700" in text for text in found["evidence"])
+
+
+def test_devices_as_csv(data_db):
+    lines = run("devices", "--format", "csv", db=data_db).stdout.splitlines()
+    assert len(lines) == 7
+    assert "0x00001097,0x00002406,0x0000008f,1," in lines[4]
+
+
+def test_mappings_on_the_command_line(data_db):
+    words = ("--maps", "0x6000:1", "--maps", "0x6010:1", "--bits", "1", "--format", "json")
+    assert len(json.loads(run("devices", *words, db=data_db).stdout)) == 2
+    assert json.loads(run("devices", *words, "--not-maps", "0x7000:1", db=data_db).stdout) == []
+
+
+def test_json_is_utf_8_whatever_the_locale(tmp_path):
+    write(tmp_path, {"a.xml": esi(device(name="Gerät 设备"))})
+    environment = {**os.environ, "LC_ALL": "C", "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0"}
+    command = [sys.executable, "-m", "esicatalog"]
+    db = str(tmp_path / "c.db")
+    subprocess.run(
+        [*command, "ingest", tmp_path / "a.xml", "--db", db], check=True, capture_output=True, env=environment
+    )
+    done = subprocess.run([*command, "devices", "--format", "json", "--db", db], capture_output=True, env=environment)
+    assert json.loads(done.stdout.decode())[0]["name"] == "Gerät 设备"
+
+
+def test_the_shape_of_ingest(tmp_path, data):
+    result = run("ingest", data, "--jobs", "1", "--format", "json", db=tmp_path / "c.db")
+    report = json.loads(result.stdout)
+    assert result.exit_code == 0
+    assert report.keys() == {"sources", "devices", "modules", "seconds", "documents"}
+    assert report["sources"] == {"stored": 5, "unchanged": 0, "recovered": 0, "skipped": 1, "failed": 0}
+    assert (report["devices"], report["modules"]) == (6, 7)
+    assert {line["path"] for line in report["documents"]} == {path.name for path in data.iterdir()}
+    assert all(line.keys() == {"path", "status", "message", "devices", "modules"} for line in report["documents"])
+
+
+def test_a_failed_document_is_exit_1(tmp_path):
+    folder = write(tmp_path / "in", {"good.xml": esi(device()), "bad.xml": ""})
+    result = run("ingest", folder, "--jobs", "1", db=tmp_path / "c.db")
+    assert result.exit_code == 1
+    assert "bad.xml" in result.stdout
+    assert json.loads(run("devices", "--format", "json", db=tmp_path / "c.db").stdout)[0]["type"] == "T1"
+
+
+def test_check_ends_with_the_content_hash(data_db, tmp_path):
+    result = run("check", db=data_db)
+    last = result.stdout.splitlines()[-1]
+    assert result.exit_code == 0
+    assert len(last) == 64
+    assert set(last) <= set("0123456789abcdef")
+    assert rows(data_db, "SELECT value FROM catalog_state WHERE key = 'content_hash'") == [(last,)]
+
+
+def test_check_says_what_is_wrong(data_db, tmp_path):
+    damaged = shutil.copy(data_db, tmp_path / "c.db")
+    with closing(sqlite3.connect(damaged)) as connection:
+        connection.execute("DELETE FROM device_sources WHERE device_id = 1")
+        connection.execute("UPDATE devices SET variant = 7 WHERE id = 2")
+        connection.execute("DELETE FROM device_search WHERE rowid = 3")
+        connection.commit()
+    result = run("check", db=damaged)
+    assert result.exit_code == 1
+    assert len(result.stderr.splitlines()) == 4
+
+
+def test_show_prints_a_sheet(data_db):
+    text = run("show", "0x1097:0x2406:0x8f", db=data_db).stdout
+    assert "EYOU_ServoModule_V143" in text
+    assert "0x00001097" in text
+    sheet = json.loads(run("show", "0x1097:0x2406", "--format", "json", db=data_db).stdout)
+    assert sheet["identity"]["revision_no"] == 143
+
+
+def test_show_of_an_unknown_device_is_exit_1(data_db):
+    result = run("show", "0x1097:0x2407", db=data_db)
+    assert result.exit_code == 1
+    assert len(result.stderr.splitlines()) == 1
+    assert run("show", "0x1097:0x2406@2", db=data_db).exit_code == 1
+
+
+def foreign(path: Path) -> None:
+    with closing(sqlite3.connect(path)) as connection:
+        connection.execute("CREATE TABLE cats (name TEXT)")
+
+
+def at_version(version: str):
+    def make(path: Path) -> None:
+        with closing(sqlite3.connect(path)) as connection:
+            connection.execute("UPDATE alembic_version SET version_num = ?", (version,))
+            connection.commit()
+
+    return make
+
+
+UNUSABLE = {
+    "missing": (lambda path: path.unlink(), "ingest"),
+    "foreign": (lambda path: (path.unlink(), foreign(path)), "other tables"),
+    "empty": (lambda path: path.write_bytes(b""), "ingest"),
+    "no database": (lambda path: path.write_bytes(b"not a database at all " * 100), "not an SQLite"),
+    "older": (at_version("0000"), "migrate"),
+    "newer": (at_version("9999"), "newer"),
+    "cut off": (lambda path: path.write_bytes(path.read_bytes()[:20_000]), "damaged"),
+    "folder": (lambda path: (path.unlink(), path.mkdir()), "cannot be opened"),
+}
+
+
+@pytest.mark.parametrize("kind", UNUSABLE)
+@pytest.mark.parametrize("words", [("devices",), ("identify", *EYOU), ("show", "0x1097:0x2406"), ("check",)])
+def test_an_unusable_catalog_is_one_line_that_says_what_to_do(tmp_path, data_db, kind, words):
+    make, hint = UNUSABLE[kind]
+    path = Path(shutil.copy(data_db, tmp_path / "c.db"))
+    make(path)
+    assert hint in one_line_error(run(*words, db=path))
+
+
+@pytest.mark.parametrize("kind", ["foreign", "no database", "older", "newer", "folder"])
+def test_ingest_leaves_alone_what_is_no_catalog_of_its_version(tmp_path, data, data_db, kind):
+    path = Path(shutil.copy(data_db, tmp_path / "c.db"))
+    UNUSABLE[kind][0](path)
+    before = path.read_bytes() if path.is_file() else b""
+    assert UNUSABLE[kind][1] in one_line_error(run("ingest", data, db=path))
+    assert (path.read_bytes() if path.is_file() else b"") == before
+
+
+def test_ingest_into_a_folder_that_is_not_there(tmp_path, data):
+    assert "no such folder" in one_line_error(run("ingest", data, db=tmp_path / "no" / "c.db"))
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+def test_a_folder_that_cannot_be_written(tmp_path, data):
+    (tmp_path / "db").mkdir()
+    (tmp_path / "db").chmod(0o500)
+    assert "cannot be" in one_line_error(run("ingest", data, db=tmp_path / "db" / "c.db"))
+
+
+@pytest.mark.skipif(not Path("/proc/self").is_dir(), reason="no folder that nobody can write to")
+def test_a_folder_that_nobody_can_write(data):
+    assert "cannot be opened" in one_line_error(run("ingest", data, db=Path("/proc/c.db")))
+
+
+@pytest.mark.parametrize(
+    ("reason", "hint"),
+    [
+        ("database is locked", "another process"),
+        ("attempt to write a readonly database", "cannot be written"),
+        ("unable to open database file", "cannot be opened"),
+        ("database or disk is full", "disk is full"),
+        ("database disk image is malformed", "ingest again"),
+        ("file is not a database", "not an SQLite catalog"),
+        ("something\nunexpected", "nothing of the last step was stored"),
+    ],
+)
+def test_database_errors_say_what_to_do(reason, hint):
+    words = str(database_error("c.db", OperationalError("SELECT 1", {}, sqlite3.OperationalError(reason))))
+    assert words.startswith("c.db: ")
+    assert hint in words
+    assert "\n" not in words
+
+
+def test_migrate_has_nothing_to_do(data_db):
+    assert "nothing to do" in run("migrate", db=data_db).stdout
+
+
+def test_every_command_explains_itself():
+    for name in COMMANDS:
+        result = run(name, "--help")
+        assert result.exit_code == 0
+        assert "Usage:" in result.stdout
+
+
+def test_the_catalog_comes_from_the_environment(data_db, monkeypatch):
+    monkeypatch.setenv("ESICATALOG_DB", str(data_db))
+    assert run("check").exit_code == 0

@@ -1,0 +1,61 @@
+"""Identities and numbers as people write them."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from esicatalog.errors import InputError
+from esicatalog.identity import Identity, parse_identity, parse_mapped, parse_number
+
+UINT32 = st.integers(0, 0xFFFF_FFFF)
+
+
+@given(UINT32)
+def test_a_number_is_the_same_in_every_notation(value):
+    for text in (f"0x{value:x}", f"0X{value:X}", f"#x{value:08X}", f"{value}", f" {value} ", f"000{value}"):
+        assert parse_number(text) == value
+
+
+@pytest.mark.parametrize("text", ["0x1097", "#x1097", "4247"])
+def test_the_notations_of_the_contract(text):
+    assert parse_number(text) == 0x1097
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "x", "0x", "#x", "-1", "+1", "1.0", "1e3", "zz", "0x1g", "1 2", "٣", "0x100000000", "9" * 20, "9" * 9000],
+)
+def test_what_is_no_uint32(text):
+    with pytest.raises(InputError) as error:
+        parse_number(text)
+    assert "\n" not in str(error.value)
+    assert len(str(error.value)) < 200
+
+
+@given(st.builds(Identity, UINT32, UINT32, st.none() | UINT32, st.none() | st.integers(1, 9)))
+def test_identities_come_back(identity):
+    assert parse_identity(str(identity)) == identity
+
+
+@pytest.mark.parametrize("text", ["", "1", "1:2:3:4", "1:", ":2", "a:b", "1:2@", "1:2@0", "1:2@x", "1:2:3@-1"])
+def test_what_is_no_identity(text):
+    with pytest.raises(InputError):
+        parse_identity(text)
+
+
+def test_mapped_objects():
+    assert parse_mapped("0x6040") == (0x6040, None)
+    assert parse_mapped("#x6040:0") == (0x6040, 0)
+    assert parse_mapped("24640:0x10") == (0x6040, 16)
+    for text in ("", "0x6040:", ":1", "0x10000", "0x6040:256", "0x6040:1:2", "x"):
+        with pytest.raises(InputError):
+            parse_mapped(text)
+
+
+@given(st.text())
+def test_no_text_breaks_the_parsers(text):
+    for parse in (parse_number, parse_identity, parse_mapped):
+        try:
+            parse(text)
+        except InputError as error:
+            assert "\n" not in str(error) or "\n" in text

@@ -1,0 +1,118 @@
+"""The schema: every table and column explained, and migrations that lead to exactly what the metadata says."""
+
+import ast
+from pathlib import Path
+
+import pytest
+import sqlalchemy as sa
+from alembic.autogenerate import compare_metadata
+from alembic.config import Config
+from alembic.migration import MigrationContext
+from alembic.script import ScriptDirectory
+from conftest import CHECKOUT
+from snippets import one, rows
+from sqlalchemy.dialects import postgresql
+
+from esicatalog.catalog import database, schema
+from esicatalog.catalog.views import FULL_TEXT, views
+
+SQL_KEYWORDS = {"index", "order", "group", "default", "table", "check", "references", "transaction", "values", "to"}
+
+
+def migrated(path: Path) -> sa.Engine:
+    return database.open_catalog(path, create=True)
+
+
+@pytest.mark.parametrize("table", schema.metadata.sorted_tables, ids=str)
+def test_every_table_and_column_has_a_comment(table):
+    assert table.comment
+    assert [column.name for column in table.columns if not column.comment] == []
+
+
+@pytest.mark.parametrize("table", schema.metadata.sorted_tables, ids=str)
+def test_no_column_is_an_sql_keyword(table):
+    assert {column.name for column in table.columns} & SQL_KEYWORDS == set()
+
+
+def test_every_view_is_explained():
+    for dialect in ("sqlite", "postgresql"):
+        assert all(view.doc.endswith(".") for view in views(dialect))
+        assert len({view.name for view in views(dialect)}) == len(views(dialect))
+
+
+def test_migrations_lead_to_the_metadata(tmp_path):
+    engine = migrated(tmp_path / "c.db")
+    options = {
+        "compare_type": True,
+        "compare_server_default": True,
+        "include_object": lambda item, name, kind, *_: not (kind == "table" and str(name).startswith(FULL_TEXT)),
+    }
+    with engine.connect() as connection:
+        context = MigrationContext.configure(connection, opts=options)
+        assert compare_metadata(context, schema.metadata) == []
+
+
+def test_migrations_make_the_same_tables_as_create_all(tmp_path):
+    """Columns, types, keys and STRICT, as SQLite reports them."""
+    migrated(tmp_path / "migrated.db")
+    created = sa.create_engine(f"sqlite:///{tmp_path / 'created.db'}")
+    schema.metadata.create_all(created)
+
+    def described(path: Path) -> dict[str, object]:
+        found: dict[str, object] = {}
+        for (name,) in rows(path, "SELECT name FROM sqlite_master WHERE type = 'table' AND sql NOT LIKE '%VIRTUAL%'"):
+            if not name.startswith((FULL_TEXT, "alembic", "sqlite_")):
+                indexes = rows(path, f"PRAGMA index_list({name})")
+                found[name] = (
+                    rows(path, f"PRAGMA table_info({name})"),
+                    sorted(row[2:] for row in rows(path, f"PRAGMA foreign_key_list({name})")),
+                    sorted((row[2], tuple(rows(path, f"PRAGMA index_info({row[1]})"))) for row in indexes),
+                    one(path, "SELECT strict FROM pragma_table_list WHERE name = ?", name),
+                )
+        return found
+
+    assert described(tmp_path / "migrated.db") == described(tmp_path / "created.db")
+
+
+def test_every_table_is_strict_and_checks_its_references(data_db):
+    names = [table.name for table in schema.metadata.sorted_tables]
+    for name in names:
+        assert one(data_db, "SELECT strict FROM pragma_table_list WHERE name = ?", name) == 1
+    with database.open_catalog(data_db).connect() as connection:
+        assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1
+
+
+def test_the_schema_version_is_the_newest_migration():
+    config = Config()
+    config.set_main_option("script_location", str(CHECKOUT / "migrations"))
+    script = ScriptDirectory.from_config(config)
+    assert script.get_current_head() == database.SCHEMA_VERSION
+    files = sorted(path.name for path in (CHECKOUT / "migrations" / "versions").glob("[0-9]*.py"))
+    assert [name[:4] for name in files] == [f"{number:04d}" for number in range(1, len(files) + 1)]
+    assert len(list(script.walk_revisions())) == len(files)
+
+
+def test_migrations_stand_alone():
+    """A migration must mean the same when the package has changed."""
+    for path in (CHECKOUT / "migrations" / "versions").glob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Import | ast.ImportFrom):
+                assert "esicatalog" not in ast.unparse(node)
+
+
+def test_the_schema_compiles_for_postgresql():
+    for table in schema.metadata.sorted_tables:
+        assert "CREATE TABLE" in str(sa.schema.CreateTable(table).compile(dialect=postgresql.dialect()))
+
+
+@pytest.mark.parametrize("table", ["devices", "pdo_entries", "objects", "initcmds", "dc_modes", "vendors"])
+def test_every_row_is_reached_by_its_identity(data_db, table):
+    """The views named in the design carry vendor, product and revision as numbers and as text."""
+    view = {"devices": "device_overview", "vendors": "device_overview"}.get(table, f"device_{table}")
+    found = rows(
+        data_db, f"SELECT vendor_id, vendor_id_hex, product_code, product_code_hex, revision_no_hex FROM {view}"
+    )
+    assert found
+    for vendor, vendor_hex, product, product_hex, revision_hex in found:
+        assert (vendor_hex, product_hex) == (f"0x{vendor:08x}", f"0x{product:08x}")
+        assert len(revision_hex) == 10

@@ -1,0 +1,235 @@
+"""Which devices can do X: every filter against what the documents say."""
+
+from pathlib import Path
+
+import pytest
+from snippets import device, dictionary, elements, esi, pdo, rows, write
+from test_counts import find, number, tree
+from test_round_trip import container_of
+
+from esicatalog import Catalog, InputError
+
+MODULAR, IO, EYOU, L6N, RT118X = "ECX-A202", "ECX-D808", "EYOU_ServoModule_V143", "L6N", "RT118X-SERVO-MOTOR"
+
+
+def types(db: Path, **wanted) -> list[str]:
+    with Catalog.open(db) as catalog:
+        return [found.type for found in catalog.devices(**wanted)]
+
+
+@pytest.mark.parametrize(
+    ("wanted", "found"),
+    [
+        ({}, [MODULAR, IO, IO, EYOU, L6N, RT118X]),
+        ({"vendor_id": 0x1097}, [EYOU]),
+        ({"vendor": "eyou"}, [EYOU]),
+        ({"vendor": "100%"}, []),
+        ({"product_code": 0x0D080808}, [IO, IO]),
+        ({"sync": "sync0"}, [MODULAR, IO, IO, EYOU, L6N, RT118X]),
+        ({"sync": "sync1"}, [IO]),
+        ({"protocol": "foe"}, [MODULAR]),
+        ({"protocol": "coe"}, [MODULAR, EYOU, L6N, RT118X]),
+        ({"protocol": "eoe"}, []),
+        ({"complete_access": True}, [MODULAR]),
+        ({"profile_no": 5001}, [IO, IO]),
+        ({"profile_no": 402}, [MODULAR, EYOU, L6N, RT118X]),
+        ({"objects": [(0x6840, None)]}, [RT118X]),
+        ({"maps": [(0x6040, 0)], "bits": 16}, [MODULAR, EYOU, L6N, RT118X]),
+        ({"maps": [(0x6040, 0)], "bits": 8}, []),
+        ({"maps": [(0x6040, 1)]}, [IO, IO]),
+        ({"maps": [(0x6040, None)]}, [MODULAR, IO, IO, EYOU, L6N, RT118X]),
+        ({"maps": [(0x6040, 0)], "not_maps": [(0x6840, None)]}, [MODULAR, EYOU, L6N]),
+        ({"limit": 2}, [MODULAR, IO]),
+        ({"limit": 0}, []),
+    ],
+)
+def test_filters_on_our_examples(data_db, wanted, found):
+    assert types(data_db, **wanted) == found
+
+
+def test_profile_numbers_count_wherever_they_stand(tmp_path):
+    slots = '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>1</ModuleIdent></Slot></Slots>'
+    channel = "<Profile><ChannelInfo><ProfileNo>402</ProfileNo></ChannelInfo></Profile>"
+    module = f'<Module><Type ModuleIdent="1">M</Type><Name>M</Name>{channel}</Module>'
+    devices = [
+        device("<Profile><ProfileNo>402</ProfileNo></Profile>", "1", type_text="own"),
+        device(channel, "2", type_text="channel"),
+        device(slots, "3", type_text="module"),
+        device("<Profile><ProfileNo>5001</ProfileNo><AddInfo>402</AddInfo></Profile>", "4", type_text="none"),
+    ]
+    db = catalog_of(tmp_path, esi("".join(devices), module))
+    assert types(db, profile_no=402) == ["own", "channel", "module"]
+    with Catalog.open(db) as catalog:
+        assert "module" in catalog.devices(profile_no=402)[2].evidence[0]
+
+
+def catalog_of(tmp_path: Path, *documents: str) -> Path:
+    folder = write(tmp_path / "in", {f"{n}.xml": text for n, text in enumerate(documents)})
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([folder], jobs=1)
+    return tmp_path / "c.db"
+
+
+WORDS = esi(
+    device(product="0x044C2C52", revision="#x00110000", type_text="EL1100", name="8Ch. Dig. Input 24V, 3ms")
+    + device(product="2", revision="3", type_text="X9", name="Präzisionsantrieb GmbH &amp; Co")
+    + device(product="5", revision="3", type_text="AX", name="Servo 3 A")
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("EL1100", ["EL1100"]),
+        ("el1100", ["EL1100"]),
+        ("1100", ["EL1100"]),
+        ("EL11", ["EL1100"]),
+        ("x9", ["X9"]),
+        ("3", ["X9", "AX", "EL1100"]),
+        ("A", ["AX"]),
+        ("8c", ["EL1100"]),
+        ("servo 3", ["AX"]),
+        ("prazisions", ["X9"]),
+        ("Präzision", ["X9"]),
+        ("antrieb", ["X9"]),
+        ("0x044c2c52", ["EL1100"]),
+        ("#x44C2C52", ["EL1100"]),
+        ("72100946", ["EL1100"]),
+        ("0xe5c", ["X9", "AX", "EL1100"]),
+        ("test vendor", ["X9", "AX", "EL1100"]),
+        ("EL1100 nothing", []),
+        ("&", []),
+        ("", []),
+        ('" OR *', []),
+        ("NEAR(", []),
+        ("name:x9 AND -", []),
+    ],
+)
+def test_words(tmp_path_factory, text, found):
+    db = tmp_path_factory.getbasetemp() / "words"
+    if not (db / "c.db").exists():
+        catalog_of(db, WORDS)
+    assert types(db / "c.db", text=text) == found
+
+
+def test_wrong_filters_are_errors(data_db):
+    with Catalog.open(data_db) as catalog:
+        for wanted in ({"sync": "sync9"}, {"protocol": "xoe"}, {"bits": 1}):
+            with pytest.raises(InputError):
+                catalog.devices(**wanted)
+
+
+def test_only_the_preferred_description_counts_unless_asked(tmp_path):
+    poor = device(pdo("RxPdo", "#x1600", 1), name="poor")
+    rich = device(pdo("RxPdo", "#x1600", 8, 8), name="rich")
+    db = catalog_of(tmp_path, esi(poor), esi(rich))
+    assert types(db, maps=[(0x7000, 1)], bits=1) == []
+    assert types(db, maps=[(0x7000, 1)], bits=1, all_variants=True) == ["T1"]
+    assert types(db, all_variants=True) == ["T1", "T1"]
+
+
+def test_a_subindex_that_is_absent_is_0(tmp_path):
+    bare = "<RxPdo><Index>#x1600</Index><Name>R</Name><Entry><Index>#x6040</Index><BitLen>16</BitLen></Entry></RxPdo>"
+    db = catalog_of(tmp_path, esi(device(bare)))
+    assert types(db, maps=[(0x6040, 0)]) == ["T1"]
+    assert types(db, maps=[(0x6040, 1)]) == []
+    assert types(db, not_maps=[(0x6040, 0)]) == []
+
+
+def test_objects_with_subindex(tmp_path):
+    item = (
+        "<SubItem><SubIdx>{0}</SubIdx><Name>S{0}</Name><Type>UINT</Type><BitSize>16</BitSize><BitOffs>0</BitOffs>"
+        "</SubItem>"
+    )
+    types_xml = f"<DataType><Name>DT</Name><BitSize>64</BitSize>{item.format(0)}{item.format(4)}</DataType>"
+    record = "<Object><Index>#x2000</Index><Name>O</Name><Type>DT</Type><BitSize>64</BitSize></Object>"
+    db = catalog_of(tmp_path, esi(device(dictionary(types_xml, record))))
+    assert types(db, objects=[(0x2000, 4)]) == ["T1"]
+    assert types(db, objects=[(0x2000, 3)]) == []
+    assert types(db, objects=[(0x2000, None), (0x2000, 0)]) == ["T1"]
+
+
+def test_evidence_names_pdo_module_and_assignment(data_db):
+    with Catalog.open(data_db) as catalog:
+        (found,) = catalog.devices(maps=[(0x60FF, 0)], vendor_id=0xE5C)
+        texts = found.evidence
+    assert any("0x60FF:00, 32 bit, in RxPdo 0x1701 of module 0x10900" in text for text in texts), texts
+
+
+QUESTIONS = [
+    ({(0x6000, 1), (0x6010, 1)}, {(0x7000, 1)}, 1),
+    ({(0x6040, 0), (0x607A, 0)}, {(0x60FF, 0)}, None),
+    ({(0x6000, 1)}, set(), 16),
+]
+
+
+def answer_of_documents(db: Path) -> list[set[tuple]]:
+    """Identities whose description maps what the questions ask for, by lxml: own PDOs and those of slot modules."""
+    found: list[set[tuple]] = [set() for _ in QUESTIONS]
+    for location, member in rows(db, "SELECT location, member FROM sources WHERE device_count > 0"):
+        container, name = container_of(location, member)
+        root = tree(container.read(name))
+        for info in [root] if root.tag == "EtherCATInfo" else root.findall("EtherCATInfo"):
+            modules = list(elements(info, "Descriptions", "Modules", "Module"))
+            for reference in info.findall("InfoReference"):
+                external = find(container, name, reference.text)
+                if external is not None:
+                    modules += elements(tree(container.read(external)), "Modules", "Module")
+            for item in elements(info, "Descriptions", "Devices", "Device"):
+                codes = item.find("Type")
+                identity = tuple(
+                    map(number, (info.findtext("Vendor/Id"), codes.get("ProductCode"), codes.get("RevisionNo")))
+                )
+                mapped = mappings([item, *reachable(item, modules)])
+                for position, (maps, not_maps, bits) in enumerate(QUESTIONS):
+                    wanted = all(any(entry[:2] == one and bits in (None, entry[2]) for entry in mapped) for one in maps)
+                    if wanted and not not_maps & {entry[:2] for entry in mapped}:
+                        found[position].add(identity)
+    return found
+
+
+def reachable(item, modules: list) -> list:
+    idents = {number(e.text) for e in elements(item, "Slots", "Slot", "ModuleIdent")}
+    classes = {e.text.strip() for e in elements(item, "Slots", "Slot", "ModuleClass", "Class") if e.text}
+    return [
+        module
+        for module in modules
+        if number(module.find("Type").get("ModuleIdent")) in idents or module.find("Type").get("ModuleClass") in classes
+    ]
+
+
+def mappings(owners: list) -> set[tuple]:
+    return {
+        (number(entry.findtext("Index")), number(entry.findtext("SubIndex")) or 0, number(entry.findtext("BitLen")))
+        for owner in owners
+        for kind in ("RxPdo", "TxPdo")
+        for entry in elements(owner, kind, "Entry")
+    }
+
+
+def answer_of_catalog(db: Path) -> list[set[tuple]]:
+    with Catalog.open(db) as catalog:
+        return [
+            {
+                (found.vendor_id, found.product_code, found.revision_no)
+                for found in catalog.devices(maps=sorted(maps), not_maps=sorted(not_maps), bits=bits, all_variants=True)
+            }
+            for maps, not_maps, bits in QUESTIONS
+        ]
+
+
+def test_mappings_of_our_examples(data_db):
+    expected = answer_of_documents(data_db)
+    assert answer_of_catalog(data_db) == expected
+    assert len(expected[1]) > 0
+
+
+def test_mappings_of_a_sample(sample_db):
+    assert answer_of_catalog(sample_db) == answer_of_documents(sample_db)
+
+
+@pytest.mark.corpus
+def test_mappings_of_the_corpus(corpus_db):
+    expected = answer_of_documents(corpus_db)
+    assert answer_of_catalog(corpus_db) == expected
+    assert all(expected)
