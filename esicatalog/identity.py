@@ -57,3 +57,11 @@ def parse_mapped(text: str) -> tuple[int, int | None]:
     """An object written ``INDEX[:SUBINDEX]``. Raises :class:`InputError`."""
     index, colon, subindex = text.partition(":")
     return parse_number(index, "index", 0xFFFF), parse_number(subindex, "subindex", 0xFF) if colon else None
+
+
+def parse_plugged(text: str) -> tuple[int, int]:
+    """A module in a slot written ``SLOT=IDENT``. Raises :class:`InputError`."""
+    slot, equals, ident = text.partition("=")
+    if not equals:
+        raise InputError(f"module {text!r} is not SLOT=IDENT, e.g. 0=0x119800")
+    return parse_number(slot, "slot", 0xFFFF), parse_number(ident, "module ident")

@@ -127,7 +127,8 @@ def _overview(dialect: str) -> View:
         "device_overview",
         "One row per device description with what it has: protocols, SYNC signals, PDOs, slots, sources.",
         f"SELECT {_device_identity(dialect)}, d.group_type, d.physics, d.e_bus_current_ma, d.invisible, "
-        "(SELECT min(p.profile_no) FROM profiles p WHERE p.device_id = d.id) AS profile_no, "
+        "(SELECT min(coalesce(p.profile_no, c.profile_no)) FROM profiles p "
+        "LEFT JOIN profile_channels c ON c.profile_id = p.id WHERE p.device_id = d.id) AS profile_no, "
         "b.coe, b.eoe, b.foe, b.soe, b.aoe, b.voe, b.coe_complete_access, b.coe_sdo_info, "
         f"{count('dc_modes')} AS dc_modes, "
         "(SELECT max(CASE WHEN x.sync0 THEN 1 ELSE 0 END) FROM dc_modes x WHERE x.device_id = d.id) AS sync0, "

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 import click
 
 from esicatalog.errors import EsiCatalogError, NotFound
-from esicatalog.identity import parse_identity, parse_mapped, parse_number
+from esicatalog.identity import parse_identity, parse_mapped, parse_number, parse_plugged
 
 EXIT_NO = 1
 """The answer is "no": not found, failed documents, problems."""
@@ -81,6 +81,7 @@ class _Parsed(click.ParamType[Any]):
 NUMBER = _Parsed("number", parse_number)
 IDENTITY = _Parsed("identity", parse_identity)
 MAPPED = _Parsed("index[:subindex]", parse_mapped)
+PLUGGED = _Parsed("slot=ident", parse_plugged)
 
 
 def print_json(value: Any) -> None:

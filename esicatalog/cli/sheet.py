@@ -1,6 +1,6 @@
 """The sheet of one device, as text and as JSON."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import msgspec
@@ -12,7 +12,9 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
-from esicatalog.model.process_image import SmImage, byte_bit, default_process_image
+from esicatalog.model.drive_modes import drive_modes
+from esicatalog.model.process_image import SmImage, alternative_assignments, byte_bit, process_image
+from esicatalog.model.slots import chosen_modules
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import default_op_mode, sync_signals
 
@@ -28,16 +30,57 @@ _COE_DETAILS = {
 }
 
 
-def sheet_lines(description: DeviceDescription) -> Iterator[str]:
-    """The sheet as lines of text."""
+def sheet_lines(description: DeviceDescription, choice: Mapping[int, int]) -> Iterator[str]:
+    """The sheet as lines of text; ``choice`` is ModuleIdent by slot. Raises :class:`InputError` for a bad choice."""
+    images = _images(description, choice)
     yield from _identity(description)
     yield from _sync_managers(description)
-    yield from _process_image(default_process_image(description.device, description.modules))
+    yield from _process_image(images, "Process image" if choice else "Default process image")
+    yield from _assignments(description)
     yield from _pdos(description.device.rx_pdos, description.device.tx_pdos, "PDOs of the device")
     for module in description.modules:
         yield from _module(module)
     yield from _mailbox(description.device.mailbox)
     yield from _dc_modes(description.device.op_modes)
+    yield from _drive_modes(description)
+
+
+def _images(description: DeviceDescription, choice: Mapping[int, int]) -> list[SmImage]:
+    device = description.device
+    position = default_op_mode(device.op_modes)
+    op_mode = device.op_modes[position] if position is not None else None
+    return process_image(device, chosen_modules(device, description.modules, choice), op_mode)
+
+
+def _assignments(description: DeviceDescription) -> Iterator[str]:
+    rows = [
+        [
+            "*" if item.is_default else "",
+            item.name,
+            "; ".join(f"SM{sm}: {' '.join(map(_hex, indices)) or 'none'}" for sm, indices in item.pdo_indices.items()),
+        ]
+        for item in alternative_assignments(description.device)
+    ]
+    yield from _section("Predefined PDO assignments (* = default)", ("", "name", "PDOs"), rows)
+
+
+def _drive_modes(description: DeviceDescription) -> Iterator[str]:
+    found = drive_modes(description.device, description.modules)
+    rows = [
+        [
+            f"axis {item.axis}" if item.kind == "CiA 402" else item.kind,
+            item.mode,
+            item.verdict + (" (conflict)" if item.conflict else ""),
+            item.evidence,
+        ]
+        for item in found.verdicts
+    ]
+    yield from _section("Drive modes: what the file says, not what the drive does", ("", "mode", "", "evidence"), rows)
+    recipes = [[f"axis {item.axis}", item.mode, item.recipe] for item in found.verdicts if item.recipe]
+    yield from _section("How to run them", ("", "mode", "recipe"), recipes)
+    for item in found.evidence:
+        if item.conflict:
+            yield f"  conflict: {item.evidence}"
 
 
 def _section(title: str, head: tuple[str, ...], rows: list[list[str]]) -> Iterator[str]:
@@ -104,7 +147,7 @@ def _sync_managers(description: DeviceDescription) -> Iterator[str]:
     yield from _section("Sync managers", head, rows)
 
 
-def _process_image(images: list[SmImage]) -> Iterator[str]:
+def _process_image(images: list[SmImage], heading: str) -> Iterator[str]:
     for image in images:
         rows = [
             [
@@ -119,9 +162,7 @@ def _process_image(images: list[SmImage]) -> Iterator[str]:
             for pdo in image.pdos
             for placed in pdo.entries
         ]
-        title = (
-            f"Default process image, SM{image.sm} {image.usage or ''}: {image.byte_size} bytes ({image.bit_size} bits)"
-        )
+        title = f"{heading}, SM{image.sm} {image.usage or ''}: {image.byte_size} bytes ({image.bit_size} bits)"
         yield ""
         yield title
         for line in table_lines(rows, ("byte.bit", "bits", "entry", "type", "name", "PDO")) if rows else []:
@@ -226,9 +267,10 @@ def _cycle(nanoseconds: int | None, factor: int | None) -> str:
     return f"factor {factor}" if factor is not None else ""
 
 
-def sheet_json(description: DeviceDescription) -> dict[str, Any]:
-    """The sheet as JSON: identity, sources, process image, and the records of device and modules."""
-    images = default_process_image(description.device, description.modules)
+def sheet_json(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
+    """The sheet as JSON: identity, sources, process image, drive modes, and the records of device and modules."""
+    images = _images(description, choice)
+    modes = drive_modes(description.device, description.modules)
     return {
         "identity": description.found.as_json(),
         "sources": [{"member": s.member, "line": s.line, "group_type": s.group_type} for s in description.sources],
@@ -250,6 +292,7 @@ def sheet_json(description: DeviceDescription) -> dict[str, Any]:
                         "direction": pdo.direction,
                         "pdo_index": pdo.pdo.pdo_index,
                         "module_ident": pdo.module.module_ident if pdo.module is not None else None,
+                        "slot": pdo.slot_number,
                     }
                     for pdo in image.pdos
                     for placed in pdo.entries
@@ -257,6 +300,8 @@ def sheet_json(description: DeviceDescription) -> dict[str, Any]:
             }
             for image in images
         ],
+        "drive_modes": msgspec.to_builtins(modes.verdicts),
+        "mode_evidence": msgspec.to_builtins(modes.evidence),
         "device": msgspec.to_builtins(description.device),
         "modules": [msgspec.to_builtins(module) for module in description.modules],
     }

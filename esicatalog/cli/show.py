@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from esicatalog.cli.common import IDENTITY, db_option, format_option, print_json, reporting_errors
+from esicatalog.cli.common import IDENTITY, PLUGGED, db_option, format_option, print_json, reporting_errors
 
 if TYPE_CHECKING:
     from esicatalog.identity import Identity
@@ -13,10 +13,18 @@ if TYPE_CHECKING:
 @click.command("show")
 @click.argument("identity", type=IDENTITY)
 @db_option
+@click.option(
+    "--module",
+    "modules",
+    metavar="SLOT=IDENT",
+    multiple=True,
+    type=PLUGGED,
+    help="Plug this module into this slot (counted from 0); may be repeated. Else the default modules.",
+)
 @format_option("table", "json")
 @reporting_errors
-def command(identity: "Identity", db: str, output_format: str) -> None:
-    """Print the sheet of one device: identity, sync managers, process image, PDOs, InitCmds, DC modes, mailbox.
+def command(identity: "Identity", db: str, modules: tuple[tuple[int, int], ...], output_format: str) -> None:
+    """Print the sheet of one device: sync managers, process image, PDOs, InitCmds, DC modes, drive modes.
 
     IDENTITY is VENDOR:PRODUCT[:REVISION][@VARIANT]; without REVISION the latest.
     """
@@ -26,7 +34,7 @@ def command(identity: "Identity", db: str, output_format: str) -> None:
     with Catalog.open(db) as catalog:
         description = catalog.device(identity)
     if output_format == "json":
-        print_json(sheet_json(description))
+        print_json(sheet_json(description, dict(modules)))
     else:
-        for line in sheet_lines(description):
+        for line in sheet_lines(description, dict(modules)):
             click.echo(line)
