@@ -5,7 +5,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from snippets import device, dictionary, esi, one, pdo, rows, write
 
@@ -309,7 +309,7 @@ STEPS = st.lists(
 )
 
 
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=6, deadline=None, phases=[Phase.explicit, Phase.generate])
 @given(STEPS)
 def test_any_history_equals_a_fresh_ingest(tmp_path_factory, steps):
     tmp_path = tmp_path_factory.mktemp("history")

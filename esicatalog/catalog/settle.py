@@ -208,6 +208,7 @@ def _delete_owned(connection: sa.Connection, owner: str, numbers: list[int]) -> 
 
 _UNREFERENCED: tuple[tuple[str, str, tuple[tuple[str, str], ...], tuple[tuple[str, str], ...]], ...] = (
     # table, key, columns that keep a row alive, tables that go with it
+    ("archives", "id", (("sources", "archive_id"),), ()),
     (
         "dictionaries",
         "id",

@@ -72,6 +72,8 @@ class Field(msgspec.Struct, frozen=True):
 
 
 _MAX_LEAVES = 50_000
+_SCHEMA_INSTANCE = "{http://www.w3.org/2001/XMLSchema-instance}"
+"""Attributes that say where the schema lies, nothing about the device."""
 
 R = TypeVar("R", bound=Record)
 
@@ -178,7 +180,7 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
     for name, text in element.items():
         slot = node.attributes.get(name)
         if slot is None:
-            if name[0] != "{":
+            if not name.startswith(_SCHEMA_INSTANCE):
                 notes.unmapped_attribute(element, name, text)
         elif slot.name in values:
             notes.unmapped_attribute(element, name, text, repeated=True)

@@ -38,7 +38,7 @@ class Parsed(NamedTuple):
 class Scalar:
     """One kind of scalar: ``read(text)`` gives a :class:`Parsed`, ``spell(value)`` the canonical text."""
 
-    __slots__ = ("_cache", "_keep_raw", "_parse", "name", "spell")
+    __slots__ = ("_cache", "_keep_raw", "_parse", "_strip", "name", "spell")
 
     def __init__(
         self,
@@ -46,8 +46,10 @@ class Scalar:
         parse: Callable[[str], tuple[Any, Remark | None]],
         spell: Callable[[Any], str],
         keep_raw: bool = True,
+        strip: Callable[[str], str] = str.strip,
     ) -> None:
         self.name = name
+        self._strip = strip
         self._keep_raw = keep_raw
         self.spell = spell
         self._parse = parse
@@ -57,9 +59,10 @@ class Scalar:
         """Parse ``text`` as it stands in the document (surrounding blanks allowed)."""
         parsed = self._cache.get(text)
         if parsed is None:
-            value, remark = self._parse(text.strip())
-            differs = value is None or self.spell(value) != text.strip()
-            parsed = Parsed(value, text.strip() if differs and self._keep_raw else None, remark)
+            stripped = self._strip(text)
+            value, remark = self._parse(stripped)
+            differs = value is None or self.spell(value) != stripped
+            parsed = Parsed(value, stripped if differs and self._keep_raw else None, remark)
             if len(text) < 64 and len(self._cache) < 100_000:
                 self._cache[text] = parsed
         return parsed
@@ -147,6 +150,8 @@ FLOAT = Scalar("xs:float", _float, _spell_float)
 HEX_BINARY = Scalar("xs:hexBinary", _hex_binary, str)
 IMAGE = Scalar("xs:hexBinary", _image, str, keep_raw=False)
 """Bytes of an image file; upper-case digits without blanks, or the text as it stands when that is not hexBinary."""
+PHYSICS = Scalar("PhysicsType", _plain, str, strip=str.rstrip)
+"""One character a port; a blank before others is an unused port, trailing ones mean nothing."""
 TEXT = Scalar("xs:string", _plain, str)
 
 

@@ -39,17 +39,20 @@ def discover(paths: Iterable[str | os.PathLike[str]]) -> Iterator[Found | FoundA
     Raises :class:`InputError` for a path that does not exist.
     """
     seen: set[str] = set()
-    for given in paths:
-        path = Path(given)
-        try:
-            real = path.resolve(strict=True)
-        except (OSError, RuntimeError) as error:
-            raise InputError(f"{path}: no such file or folder") from error
+    # Outer folders first: what lies below two of the paths is named relative to the outer one, whatever the order.
+    for real in sorted(map(_existing, paths)):
         found = _folder(real) if real.is_dir() else [_file(real, real.parent, archive_by_content=True)]
         for item in found:
             if item.location not in seen:
                 seen.add(item.location)
                 yield item
+
+
+def _existing(path: str | os.PathLike[str]) -> Path:
+    try:
+        return Path(path).resolve(strict=True)
+    except (OSError, RuntimeError) as error:
+        raise InputError(f"{os.fspath(path)}: no such file or folder") from error
 
 
 def _folder(root: Path) -> Iterator[Found | FoundArchive]:

@@ -178,6 +178,7 @@ class _Run:
         writer = Writer(self._connection, __version__)
         for location in gone:
             writer.forget(location)
+        writer.commit()
         archive_ids = {location: writer.archive(location) for location in opened}
         writer.commit()
         todo.sort(key=_reading_order)

@@ -196,7 +196,7 @@ def upgrade() -> None:
         sa.Column("download_module_list", BOOLEAN, comment="Obsolete"),
         sa.Column("show_hideable_sub_devices", BOOLEAN, comment="Show hideable sub-devices (schema 1.17)"),
         sa.Column("invisible", BOOLEAN, comment="No slave controller: end cap, power feed"),
-        sa.Column("physics", TEXT, comment="Ports A to D: Y MII, K E-bus, H fast hot connect"),
+        sa.Column("physics", TEXT, comment="Ports A to D: Y MII, K E-bus, H fast hot connect, blank unused"),
         sa.Column("crc32", INTEGER, comment="Check sum against alteration"),
         sa.Column("sci", TEXT, comment="Saved configuration (SCI files), as XML"),
         sa.Column("alternative_types", TEXT, comment="Devices that can stand in, as JSON"),

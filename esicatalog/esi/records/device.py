@@ -4,7 +4,7 @@ from typing import Annotated
 
 from esicatalog.esi.binding import PRESENT, RAW, Record, Xml
 from esicatalog.esi.notes import Unmapped
-from esicatalog.esi.numbers import BOOL, DEC, FLOAT, HEX, HEX_BINARY, IDENTITY, IMAGE, INT
+from esicatalog.esi.numbers import BOOL, DEC, FLOAT, HEX, HEX_BINARY, IDENTITY, IMAGE, INT, PHYSICS
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.mailbox import Mailbox
@@ -204,7 +204,9 @@ class Device(Record):
         bool | None, Xml("Type@ShowHideableSubDevices", BOOL, "Show hideable sub-devices (schema 1.17)")
     ] = None
     invisible: Annotated[bool | None, Xml("@Invisible", BOOL, "No slave controller: end cap, power feed")] = None
-    physics: Annotated[str | None, Xml("@Physics", doc="Ports A to D: Y MII, K E-bus, H fast hot connect")] = None
+    physics: Annotated[
+        str | None, Xml("@Physics", PHYSICS, "Ports A to D: Y MII, K E-bus, H fast hot connect, blank unused")
+    ] = None
     crc32: Annotated[int | None, Xml("@Crc32", HEX, "Check sum against alteration")] = None
     sci: Annotated[str | None, Xml("Sci", RAW, "Saved configuration (SCI files), as XML")] = None
     hide_types: Annotated[tuple[HideType, ...], Xml("HideType")] = ()
