@@ -14,7 +14,7 @@ from esicatalog.catalog import schema
 from esicatalog.errors import InputError
 from esicatalog.esi import containers
 
-KEPT = {"catalog_state", "alembic_version", "archives"}
+KEPT = {"catalog_state", "alembic_version"}
 CONTENT_TABLES = [table.name for table in schema.metadata.sorted_tables if table.name not in KEPT]
 
 

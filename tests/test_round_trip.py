@@ -17,8 +17,6 @@ from esicatalog.esi.containers import Archive, Folder
 from esicatalog.esi.reader import Reader
 from esicatalog.model.dictionary import resolve_object, type_table
 
-BATCH = 100
-
 
 def container_of(location: str, member: str):
     """The container and the member's name in it, from a source's location."""
