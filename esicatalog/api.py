@@ -9,29 +9,30 @@
 import contextlib
 import os
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple, Self
 
-import sqlalchemy as sa
-
-from esicatalog.catalog.check import CheckResult, check_catalog
-from esicatalog.catalog.database import database_error, is_missing, open_catalog, upgrade_catalog
-from esicatalog.catalog.identify import device_sources_of, find_device, identify
-from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification
 from esicatalog.identity import Identity, parse_identity
 
 if TYPE_CHECKING:
+    import sqlalchemy as sa
+
+    from esicatalog.catalog.check import CheckResult
+    from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification
     from esicatalog.catalog.search import Mapped
     from esicatalog.esi.records.device import Device
     from esicatalog.esi.records.module import Module
     from esicatalog.ingest.report import IngestReport
     from esicatalog.ingest.run import Progress
 
+# SQLAlchemy and the records are loaded by what needs them: an ingest sets its workers to work before.
+
 
 class DeviceDescription(NamedTuple):
     """A device as the catalog holds it: identity, documents, records of the device and of its modules."""
 
-    found: FoundDevice
-    sources: tuple[DeviceSource, ...]
+    found: "FoundDevice"
+    sources: "tuple[DeviceSource, ...]"
     device: "Device"
     modules: "tuple[Module, ...]"
 
@@ -41,8 +42,9 @@ class Catalog:
 
     def __init__(self, target: str | os.PathLike[str], create: bool) -> None:
         self._target = target
-        self._is_new = create and is_missing(target)
-        self._opened: sa.Engine | None = None if self._is_new else open_catalog(target, create=create)
+        self._opened: sa.Engine | None = None
+        if not (create and _is_missing_file(target)):
+            self._open(create)
 
     @classmethod
     def open(cls, target: str | os.PathLike[str], create: bool = False) -> Self:
@@ -55,6 +57,8 @@ class Catalog:
     @staticmethod
     def migrate(target: str | os.PathLike[str]) -> tuple[str, str]:
         """Bring a catalog of an older version up to date; returns the schema versions before and after."""
+        from esicatalog.catalog.database import upgrade_catalog
+
         return upgrade_catalog(target)
 
     def close(self) -> None:
@@ -62,10 +66,11 @@ class Catalog:
         if self._opened is not None:
             self._opened.dispose()
 
-    @property
-    def _engine(self) -> sa.Engine:
+    def _open(self, create: bool) -> "sa.Engine":
+        from esicatalog.catalog.database import open_catalog
+
         if self._opened is None:
-            self._opened = open_catalog(self._target, create=True)
+            self._opened = open_catalog(self._target, create=create)
         return self._opened
 
     def __enter__(self) -> Self:
@@ -88,19 +93,21 @@ class Catalog:
         :class:`~esicatalog.errors.InputError` for a missing path and
         :class:`~esicatalog.errors.CatalogError` when the database cannot be written.
         """
-        from esicatalog.ingest.pool import Workers
-        from esicatalog.ingest.run import default_jobs, ingest
+        from esicatalog.ingest.plan import make_plan
+        from esicatalog.ingest.reading import Reading
 
-        workers = Workers()
-        try:
-            if self._is_new and (jobs or default_jobs()) > 1:
-                workers.start(jobs or default_jobs())
-            return ingest(self._engine, paths, jobs, prune, progress, workers)
-        finally:
-            workers.stop()
+        given = list(paths)
+        with Reading(jobs) as reading:
+            if self._opened is None:
+                reading.start(make_plan(given))
+            from esicatalog.ingest.run import ingest
 
-    def identify(self, vendor_id: int, product_code: int, revision_no: int | None = None) -> Identification:
+            return ingest(self._open(create=True), given, reading, prune, progress)
+
+    def identify(self, vendor_id: int, product_code: int, revision_no: int | None = None) -> "Identification":
         """What the catalog knows about an identity; see :class:`~esicatalog.catalog.results.Identification`."""
+        from esicatalog.catalog.identify import identify
+
         with self._connection() as connection:
             return identify(connection, vendor_id, product_code, revision_no)
 
@@ -121,7 +128,7 @@ class Catalog:
         objects: "Sequence[Mapped]" = (),
         all_variants: bool = False,
         limit: int | None = None,
-    ) -> list[FoundDevice]:
+    ) -> "list[FoundDevice]":
         """Devices that fulfil all conditions, each with its evidence.
 
         ``maps``, ``not_maps`` and ``objects`` take (index, subindex or None); see
@@ -153,6 +160,7 @@ class Catalog:
 
         Raises :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
         """
+        from esicatalog.catalog.identify import device_sources_of, find_device
         from esicatalog.catalog.reader import RecordReader
 
         wanted = parse_identity(identity) if isinstance(identity, str) else identity
@@ -162,15 +170,27 @@ class Catalog:
             sources = device_sources_of(connection, number)
             return DeviceDescription(found, sources, reader.device(number), tuple(reader.modules_of(number)))
 
-    def check(self) -> CheckResult:
+    def check(self) -> "CheckResult":
         """Verify the database, its references and the stored content hash."""
+        from esicatalog.catalog.check import check_catalog
+
         with self._connection() as connection:
             return check_catalog(connection)
 
     @contextlib.contextmanager
-    def _connection(self) -> Iterator[Any]:
+    def _connection(self) -> "Iterator[sa.Connection]":
+        from sqlalchemy.exc import DBAPIError
+
+        from esicatalog.catalog.database import database_error
+
+        engine = self._open(create=True)
         try:
-            with self._engine.connect() as connection:
+            with engine.connect() as connection:
                 yield connection
-        except sa.exc.DBAPIError as error:
-            raise database_error(str(self._engine.url.database), error) from error
+        except DBAPIError as error:
+            raise database_error(str(engine.url.database), error) from error
+
+
+def _is_missing_file(target: str | os.PathLike[str]) -> bool:
+    text = os.fspath(target)
+    return "://" not in text and not Path(text).exists()

@@ -35,12 +35,6 @@ def sqlite_path(url: sa.URL) -> Path | None:
     return Path(str(url.database))
 
 
-def is_missing(target: str | os.PathLike[str]) -> bool:
-    """Whether the target is an SQLite file that does not exist yet."""
-    path = sqlite_path(catalog_url(target))
-    return path is not None and not path.exists()
-
-
 def make_engine(url: sa.URL) -> sa.Engine:
     """An engine with foreign keys enforced and short waits for locks."""
     engine = sa.create_engine(url)

@@ -20,7 +20,8 @@ def prepare_load(connection: sa.Connection) -> None:
     connection.commit()
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql(f"PRAGMA journal_mode = {'DELETE' if is_empty else 'WAL'}")
-        connection.exec_driver_sql("PRAGMA synchronous = NORMAL")
+        # A catalog that is being made has nothing to lose yet; it is written through at the end.
+        connection.exec_driver_sql(f"PRAGMA synchronous = {'OFF' if is_empty else 'NORMAL'}")
         connection.exec_driver_sql(f"PRAGMA cache_size = -{_CACHE_KB}")
         connection.commit()
     if read_state(connection, _INDEXES_PENDING):
@@ -45,6 +46,9 @@ def finish_load(connection: sa.Connection, changed: bool) -> None:
     if read_state(connection, _INDEXES_PENDING):
         _check_foreign_keys(connection)
         _create_indexes(connection)
+    connection.commit()
+    if connection.dialect.name == "sqlite":
+        connection.exec_driver_sql("PRAGMA synchronous = FULL")
     if changed or read_state(connection, CONTENT_HASH) is None:
         write_state(connection, CONTENT_HASH, content_hash(connection))
         connection.commit()

@@ -45,7 +45,7 @@ def local_path(element: etree._Element, base: etree._Element | None) -> str:
 class Notes:
     """Collects findings and unmapped values of one document, and reuses records of repeated subtrees.
 
-    A subtree whose reading gave no note is remembered under its canonical bytes, so that the same ``Object``
+    A subtree whose reading gave no note is remembered under its serialised text, so that the same ``Object``
     of another device or document is read once per process.
     """
 
@@ -104,7 +104,7 @@ class Notes:
         if record_type in self._owners:
             return self._read_owner(record_type, element, read)
         assert self._cache is not None
-        subtree = _serialise(element, with_tail=False)
+        subtree = _serialise(element, encoding="unicode", with_tail=False)
         record = self._cache.records[record_type].get(subtree)
         if record is None:
             before = len(self.findings)
@@ -124,21 +124,21 @@ class Notes:
 
 
 class SubtreeCache:
-    """Records of subtrees read without a note, by record type and serialised bytes."""
+    """Records of subtrees read without a note, by record type and serialised text."""
 
-    def __init__(self, record_types: frozenset[type], capacity_bytes: int = 48_000_000) -> None:
+    def __init__(self, record_types: frozenset[type], capacity_characters: int = 48_000_000) -> None:
         self.record_types = record_types
-        self.records: dict[type, dict[bytes, Any]] = {record_type: {} for record_type in record_types}
-        self._capacity_bytes = capacity_bytes
-        self._held_bytes = 0
+        self.records: dict[type, dict[str, Any]] = {record_type: {} for record_type in record_types}
+        self._capacity_characters = capacity_characters
+        self._held_characters = 0
 
-    def add(self, record_type: type, subtree: bytes, record: Any) -> None:
+    def add(self, record_type: type, subtree: str, record: Any) -> None:
         """Remember a record; an over-full cache starts anew."""
-        self._held_bytes += len(subtree)
-        if self._held_bytes > self._capacity_bytes:
+        self._held_characters += len(subtree)
+        if self._held_characters > self._capacity_characters:
             for records in self.records.values():
                 records.clear()
-            self._held_bytes = len(subtree)
+            self._held_characters = len(subtree)
         self.records[record_type][subtree] = record
 
 

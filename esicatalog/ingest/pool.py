@@ -19,86 +19,47 @@ _MAX_WAITING_BYTES = 64 * 1024 * 1024
 """Outcomes wait as bytes, ten times smaller than as rows: workers go on while the writer writes."""
 
 
-class Workers:
-    """Worker processes. They may be started before there is work: they load what they need meanwhile."""
-
-    def __init__(self) -> None:
-        self._idle: deque[subprocess.Popen[bytes]] = deque()
-        self._running: set[subprocess.Popen[bytes]] = set()
-
-    def start(self, count: int) -> None:
-        """Start ``count`` processes that wait for tasks."""
-        for _ in range(count):
-            self._idle.append(self._launch())
-
-    def take(self) -> subprocess.Popen[bytes]:
-        """A process that waits for tasks."""
-        try:
-            return self._idle.popleft()
-        except IndexError:
-            return self._launch()
-
-    def stop(self) -> None:
-        """End all processes."""
-        for process in list(self._running):
-            self.end(process)
-
-    def end(self, process: subprocess.Popen[bytes]) -> None:
-        """End one process."""
-        self._running.discard(process)
-        process.kill()
-        process.wait()
-        for stream in (process.stdin, process.stdout):
-            if stream is not None:
-                stream.close()
-
-    def _launch(self) -> subprocess.Popen[bytes]:
-        process = subprocess.Popen(
-            [sys.executable, "-m", "esicatalog.ingest.worker"],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            bufsize=0,
-        )
-        self._running.add(process)
-        return process
+def read_here(tasks: Sequence[Task]) -> Iterator[Outcome]:
+    """Outcomes of all tasks, read in this process."""
+    worker = DocumentWorker()
+    for task in tasks:
+        yield worker.handle(task)
 
 
-def run_tasks(
-    tasks: Sequence[Task], jobs: int, workers: Workers | None = None, deadline_seconds: float = DEADLINE_SECONDS
-) -> Iterator[Outcome]:
-    """Outcomes of all tasks in the order in which they are ready; ``jobs`` 1 stays in this process."""
-    if jobs <= 1 or len(tasks) <= 1:
-        worker = DocumentWorker()
-        for task in tasks:
-            yield worker.handle(task)
-        return
-    yield from _Pool(tasks, min(jobs, len(tasks)), workers or Workers(), deadline_seconds).outcomes()
+class Pool:
+    """Reads documents in worker processes; :meth:`outcomes` gives them in the order in which they are ready."""
 
-
-class _Pool:
-    def __init__(self, tasks: Sequence[Task], jobs: int, workers: Workers, deadline_seconds: float) -> None:
+    def __init__(self, tasks: Sequence[Task], jobs: int, deadline_seconds: float = DEADLINE_SECONDS) -> None:
         self._tasks = {_place(task): task for task in tasks}
         self._total = len(tasks)
         self._deadline_seconds = deadline_seconds
         self._changed = threading.Condition()
         self._outcomes: deque[bytes | BaseException] = deque()
         self._waiting_bytes = 0
-        self._workers = workers
+        self._processes: set[subprocess.Popen[bytes]] = set()
         self._stopped = False
-        self._threads = [threading.Thread(target=self._serve, daemon=True) for _ in range(jobs)]
+        count = min(jobs, len(tasks))
+        self._threads = [threading.Thread(target=self._serve, daemon=True) for _ in range(count)]
 
-    def outcomes(self) -> Iterator[Outcome]:
+    def start(self) -> None:
+        """Start reading."""
         for thread in self._threads:
             thread.start()
-        try:
-            for _ in range(self._total):
-                yield self._take()
-        finally:
-            with self._changed:
-                self._stopped = True
-                self._changed.notify_all()
-            self._workers.stop()
+
+    def stop(self) -> None:
+        """End all processes, whatever they are doing."""
+        with self._changed:
+            self._stopped = True
+            self._changed.notify_all()
+        for process in list(self._processes):
+            process.kill()
+        for thread in self._threads:
+            thread.join()
+
+    def outcomes(self) -> Iterator[Outcome]:
+        """One outcome a task."""
+        for _ in range(self._total):
+            yield self._take()
 
     def _take(self) -> Outcome:
         with self._changed:
@@ -147,18 +108,37 @@ class _Pool:
                 if task is None:
                     break
                 if process is None:
-                    process = self._workers.take()
+                    process = self._launch()
                 answer = self._ask(process, task)
                 self._hold(task, answer.references, held)
                 if process.poll() is not None:
-                    self._workers.end(process)
+                    self._end(process)
                     process = None
                 self._put(bytes(answer.outcome))
         except BaseException as error:
             self._fail(error)
         finally:
             if process is not None:
-                self._workers.end(process)
+                self._end(process)
+
+    def _launch(self) -> subprocess.Popen[bytes]:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "esicatalog.ingest.worker"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            bufsize=0,
+        )
+        self._processes.add(process)
+        return process
+
+    def _end(self, process: subprocess.Popen[bytes]) -> None:
+        self._processes.discard(process)
+        process.kill()
+        process.wait()
+        for stream in (process.stdin, process.stdout):
+            if stream is not None:
+                stream.close()
 
     def _ask(self, process: subprocess.Popen[bytes], task: Task) -> Answer:
         assert process.stdin is not None and process.stdout is not None

@@ -5,6 +5,7 @@ A document can cost it its life (memory limit) but not its siblings theirs.
 """
 
 import contextlib
+import gc
 import os
 import struct
 import sys
@@ -120,6 +121,8 @@ def main() -> None:
         import resource
 
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT_BYTES, MEMORY_LIMIT_BYTES))
+    # Records and rows hold no cycles: looking for some again and again costs more than reading many a document.
+    gc.set_threshold(100_000, 20, 100)
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     worker = DocumentWorker()

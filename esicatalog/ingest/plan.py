@@ -1,0 +1,142 @@
+"""What an ingest has to do: which documents are new or changed, which are unchanged, which are gone."""
+
+import hashlib
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from typing import NamedTuple
+
+from esicatalog.errors import DocumentError
+from esicatalog.esi.containers import Folder
+from esicatalog.esi.content import sha256_hex
+from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover
+from esicatalog.ingest.report import DocumentLine
+from esicatalog.ingest.tasks import Known, Outcome, Task
+from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
+
+
+class HeldDocument(NamedTuple):
+    """What the catalog holds of a location; ``known`` is None when it has to be read again."""
+
+    status: str
+    message: str | None
+    member: str
+    devices: int
+    modules: int
+    archive_id: int | None
+    known: Known | None
+
+    def unchanged_line(self) -> DocumentLine:
+        """Its line in a report that did not read it again."""
+        status = self.status if self.status in ("skipped", "failed") else "unchanged"
+        return DocumentLine(self.member, status, self.message, self.devices, self.modules)
+
+
+class Held(NamedTuple):
+    """What the catalog holds: documents by location, and completely read archives (row number, sha256) by location."""
+
+    documents: dict[str, HeldDocument]
+    archives: dict[str, tuple[int, str]]
+
+
+NOTHING_HELD = Held({}, {})
+
+
+class Plan(NamedTuple):
+    """The work of an ingest. ``todo`` is in reading order; outcomes are numbered by its positions."""
+
+    unchanged: list[DocumentLine]
+    todo: list[Found]
+    tasks: list[Task]
+    problems: list[Outcome]
+    """Outcomes of inputs that cannot be read at all."""
+    gone: list[str]
+    """Locations whose content has to go."""
+    archives: dict[str, str]
+    """Archives that are read, with their sha256."""
+
+    @property
+    def document_count(self) -> int:
+        """Inputs in all."""
+        return len(self.unchanged) + len(self.todo)
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether the catalog stays as it is."""
+        return not (self.todo or self.gone or self.archives)
+
+
+def make_plan(paths: Iterable[str | os.PathLike[str]], held: Held = NOTHING_HELD, prune: bool = False) -> Plan:
+    """Compare what lies below the paths with what the catalog holds. Raises :class:`InputError`."""
+    given = [os.path.realpath(path) for path in paths]
+    unchanged: list[DocumentLine] = []
+    pending: list[Found] = []
+    archives: dict[str, str] = {}
+    seen: set[str] = set()
+    for item in discover(given):
+        seen.add(item.location)
+        if not isinstance(item, FoundArchive):
+            pending.append(item)
+            continue
+        sha256 = _file_sha256(item.location)
+        number, known_sha256 = held.archives.get(item.location, (0, None))
+        if sha256 == known_sha256:
+            inside = {where: document for where, document in held.documents.items() if document.archive_id == number}
+            seen.update(inside)
+            unchanged.extend(document.unchanged_line() for document in inside.values())
+        else:
+            archives[item.location] = sha256
+            pending.extend(archive_members(item))
+    seen.update(item.location for item in pending)
+    todo: list[Found] = []
+    for item in pending:
+        document = held.documents.get(item.location)
+        if document is not None and _file_unchanged(item, document):
+            unchanged.append(document.unchanged_line())
+        else:
+            todo.append(item)
+    todo.sort(key=_reading_order)
+    return Plan(
+        unchanged,
+        todo,
+        [_task(number, item, held) for number, item in enumerate(todo) if item.problem is None],
+        [Outcome(number, *item.problem) for number, item in enumerate(todo) if item.problem is not None],
+        [where for where in held.documents if where not in seen and _is_gone(where, archives, prune, given)],
+        archives,
+    )
+
+
+def _reading_order(item: Found) -> tuple[int, int, str]:
+    """Short paths first: a document comes before those it refers to, which lie beside or below it; small ones first,
+    because a small document may pull in large ones.
+    """
+    return (item.member.count("/"), item.size_bytes, item.location)
+
+
+def _task(number: int, item: Found, held: Held) -> Task:
+    document = held.documents.get(item.location)
+    known = document.known if document is not None and document.member == item.member else None
+    return Task(number, item.root, item.is_archive, item.nested, item.name, known)
+
+
+def _is_gone(location: str, archives: Iterable[str], prune: bool, paths: list[str]) -> bool:
+    if location.split("!", 1)[0] in archives:
+        return True
+    return prune and any(location == path or location.startswith(path + os.sep) for path in paths)
+
+
+def _file_unchanged(item: Found, document: HeldDocument) -> bool:
+    """Whether a file on disk is still what the catalog holds; members of archives are compared where they are read."""
+    if document.known is None or item.is_archive or item.problem is not None or document.member != item.member:
+        return False
+    folder = Folder(Path(item.root))
+    try:
+        sha256 = sha256_hex(folder.read(item.name))
+    except DocumentError:
+        return False
+    return is_unchanged(document.known, sha256, item.name, ReferenceHashes(folder))
+
+
+def _file_sha256(path: str) -> str:
+    with open(path, "rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()

@@ -1,0 +1,42 @@
+"""Reading the documents of a plan. It needs no database: reading can begin while a new catalog is being made."""
+
+import os
+from collections.abc import Callable, Iterator
+from itertools import chain
+from typing import Self
+
+from esicatalog.ingest.plan import Plan
+from esicatalog.ingest.tasks import Outcome
+
+
+class Reading:
+    """The documents of a plan being read, in worker processes or (``jobs`` 1) in this one."""
+
+    def __init__(self, jobs: int | None = None) -> None:
+        self._jobs = jobs or os.cpu_count() or 1
+        self._stop: Callable[[], None] = lambda: None
+        self.plan: Plan | None = None
+        self.outcomes: Iterator[Outcome] = iter(())
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._stop()
+
+    def start(self, plan: Plan) -> Plan:
+        """Let workers read the documents of a plan; returns the plan."""
+        self.plan = plan
+        self.outcomes = iter(plan.problems)
+        if plan.tasks:
+            # Loads the reader, which an ingest that finds nothing new does not need.
+            from esicatalog.ingest.pool import Pool, read_here
+
+            if self._jobs == 1 or len(plan.tasks) == 1:
+                self.outcomes = chain(plan.problems, read_here(plan.tasks))
+            else:
+                pool = Pool(plan.tasks, self._jobs)
+                pool.start()
+                self._stop = pool.stop
+                self.outcomes = chain(plan.problems, pool.outcomes())
+        return plan
