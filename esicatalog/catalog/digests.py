@@ -45,6 +45,7 @@ class Digests:
         self._objects: dict[tuple[int, bytes], tuple[Object, bytes]] = {}
         self._keys: dict[int, tuple[Dictionary, list[bytes]]] = {}
         self._types: dict[tuple[int, ...], DeclaredTypes] = {}
+        self._types_of: dict[int, tuple[Dictionary, DeclaredTypes]] = {}
 
     def data_type(self, data_type: DataType) -> bytes:
         """Digest of a data type as declared."""
@@ -73,12 +74,17 @@ class Digests:
 
     def types(self, dictionary: Dictionary) -> "DeclaredTypes":
         """The data types of a dictionary; dictionaries that declare the same ones share them."""
+        found = self._types_of.get(id(dictionary))
+        if found is not None:
+            return found[1]
+        if len(self._types_of) >= _MAX_DICTIONARIES:
+            self._types_of.clear()
+            self._types.clear()
         key = tuple(map(id, dictionary.data_types))
         known = self._types.get(key)
         if known is None:
-            if len(self._types) >= _MAX_DICTIONARIES:
-                self._types.clear()
             known = self._types[key] = DeclaredTypes(self, dictionary.data_types)
+        self._types_of[id(dictionary)] = (dictionary, known)
         return known
 
     def dictionary(self, dictionary: Dictionary) -> bytes:

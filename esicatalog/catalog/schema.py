@@ -261,6 +261,7 @@ device_modules = _table(
     _reference("devices.id", "Device description", primary_key=True),
     _integer("position", "Position in document order, from 0", primary_key=True),
     _reference("modules.id", "Module", nullable=False, index=True),
+    sqlite_with_rowid=False,
 )
 
 hidden_revisions = _owned("hidden_revisions", "HideType: revisions that a description supersedes.")
@@ -332,6 +333,7 @@ type_set_data_types = _table(
     _reference("type_sets.id", "Type set", primary_key=True),
     _integer("position", "Position in document order, from 0", primary_key=True),
     _reference("data_types.id", "Data type", nullable=False, index=True),
+    sqlite_with_rowid=False,
 )
 objects = _table(
     "objects",
@@ -349,6 +351,7 @@ dictionary_objects = _table(
     _reference("dictionaries.id", "Dictionary", primary_key=True),
     _integer("position", "Position in document order, from 0", primary_key=True),
     _reference("objects.id", "Object", nullable=False, index=True),
+    sqlite_with_rowid=False,
 )
 
 images = _table(

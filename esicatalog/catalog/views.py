@@ -173,7 +173,7 @@ def create_views(connection: sa.Connection) -> None:
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql(
             f"CREATE VIRTUAL TABLE {FULL_TEXT} USING fts5(vendor, type, name, identity, words, "
-            "tokenize = 'unicode61 remove_diacritics 2', prefix = '2 3')"
+            "tokenize = 'unicode61 remove_diacritics 2')"
         )
 
 

@@ -8,6 +8,8 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Annotated, NamedTuple
 
+import msgspec
+
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import Name, display_text
 from esicatalog.esi.records.dictionary import DataType, DeclaredValues, Flags, InfoSubItem, Object, SubItem
@@ -134,14 +136,26 @@ def resolve_object(declared: Object, types: Mapping[str, DataType]) -> ResolvedO
         ]
         values = {0: _single_values(declared, remarks)}
         code = OBJECT_CODES["VAR"]
-    entries = []
+    entries: list[ObjectEntry] = []
     shared: dict[tuple[int, str | None], _Traits] = {}
+    pattern: tuple[SubItem | None, ObjectEntry] | None = None
     for position, member in enumerate(members):
+        own_values = values.get(position)
+        if own_values is None and pattern is not None and member.sub_item is pattern[0]:
+            # Elements of an array without values of their own differ in their place only.
+            entries.append(
+                msgspec.structs.replace(
+                    pattern[1], subindex=member.subindex, name=member.name, bit_offset=member.bit_offset
+                )
+            )
+            continue
         flags = member.flags or declared.flags
         traits = shared.get((id(flags), member.type))
         if traits is None:
             traits = shared[(id(flags), member.type)] = _traits(flags, member.type, types)
-        entries.append(_entry(member, values.get(position), traits))
+        entries.append(_entry(member, own_values, traits))
+        if own_values is None and member.sub_item is not None:
+            pattern = (member.sub_item, entries[-1])
     return ResolvedObject(declared, code, tuple(entries), tuple(remarks))
 
 

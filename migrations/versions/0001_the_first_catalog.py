@@ -454,6 +454,7 @@ def upgrade() -> None:
         sa.PrimaryKeyConstraint("type_set_id", "position", name=op.f("pk_type_set_data_types")),
         comment="Which data types a type set holds.",
         sqlite_strict=True,
+        sqlite_with_rowid=False,
     )
     op.create_index(op.f("ix_type_set_data_types_data_type_id"), "type_set_data_types", ["data_type_id"], unique=False)
     op.create_table(
@@ -533,6 +534,7 @@ def upgrade() -> None:
         sa.PrimaryKeyConstraint("device_id", "position", name=op.f("pk_device_modules")),
         comment="Modules that the slots of a device can reach.",
         sqlite_strict=True,
+        sqlite_with_rowid=False,
     )
     op.create_index(op.f("ix_device_modules_module_id"), "device_modules", ["module_id"], unique=False)
     op.create_table(
@@ -564,6 +566,7 @@ def upgrade() -> None:
         sa.PrimaryKeyConstraint("dictionary_id", "position", name=op.f("pk_dictionary_objects")),
         comment="Which objects a dictionary holds.",
         sqlite_strict=True,
+        sqlite_with_rowid=False,
     )
     op.create_index(op.f("ix_dictionary_objects_object_id"), "dictionary_objects", ["object_id"], unique=False)
     op.create_table(
