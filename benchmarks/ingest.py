@@ -31,12 +31,15 @@ WARM_LIMIT = 0.3
 MEMORY_LIMIT_MB = 400
 
 _INGEST = """
-import json, resource, sys
-from esicatalog import Catalog
-with Catalog.open(sys.argv[1], create=True) as catalog:
-    report = catalog.ingest([sys.argv[2]], jobs=int(sys.argv[3]))
+import io, json, resource, sys
+from esicatalog.cli.main import cli
+output, sys.stdout = sys.stdout, io.TextIOWrapper(io.BytesIO())
+arguments = ["ingest", sys.argv[2], "--db", sys.argv[1], "--jobs", sys.argv[3], "--format", "json"]
+cli(arguments, standalone_mode=False)
+sys.stdout.seek(0)
+report = json.load(sys.stdout)
 kilobytes = [resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
-print(json.dumps({"counts": report.counts, "peak_mb": [k / 1024 for k in kilobytes]}))
+print(json.dumps({"counts": report["sources"], "peak_mb": [k / 1024 for k in kilobytes]}), file=output)
 """
 """A process starts with the peak memory of the one that started it, so this one must stay small."""
 

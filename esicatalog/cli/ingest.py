@@ -1,5 +1,6 @@
 """esicatalog ingest"""
 
+import gc
 import sys
 import time
 from typing import TYPE_CHECKING
@@ -32,6 +33,8 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, outp
 
     with Catalog.open(db, create=True) as catalog:
         report = catalog.ingest(paths, jobs, prune, _Progress())
+    # The process is about to end: searching all that it holds for cycles would be in vain.
+    gc.freeze()
     if sys.stderr.isatty():
         click.echo("\r\033[K", nl=False, err=True)
     if output_format == "json":
