@@ -132,3 +132,14 @@ def test_equal_dictionaries_are_stored_once(tmp_path, data):
     assert links == all_objects
     duplicates = "SELECT content_hash FROM objects GROUP BY content_hash HAVING count(*) > 1"
     assert rows(tmp_path / "c.db", duplicates) == []
+
+
+def test_without_revision_the_latest_visible_one(tmp_path):
+    """HideType may hide a numerically higher revision: latest means hidden by no other entry."""
+    newest = device("<HideType RevisionNo='#x30'/>", product="#x5", revision="#x20")
+    hidden = device(product="#x5", revision="#x30")
+    write(tmp_path / "in", {"a.xml": esi(newest + hidden)})
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([tmp_path / "in"], jobs=1)
+        assert catalog.device("0xe5c:5").found.revision_no == 0x20
+        assert catalog.device("0xe5c:5:0x30").found.revision_no == 0x30

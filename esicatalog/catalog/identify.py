@@ -1,12 +1,12 @@
 """Who is this device: lookup by vendor, product and revision."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import sqlalchemy as sa
 
 from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
-from esicatalog.catalog.schema import device_sources, devices, source_vendors, sources, vendors
+from esicatalog.catalog.schema import device_sources, devices, hidden_revisions, source_vendors, sources, vendors
 from esicatalog.errors import NotFound
 from esicatalog.identity import Identity
 
@@ -127,12 +127,27 @@ def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, Fou
     rows = connection.execute(_SUMMARY.where(*condition)).all()
     if not rows:
         raise NotFound(f"{identity} is not in the catalog; see: esicatalog identify {identity_words(identity)}")
-    latest = rows[-1].revision_no
     wanted = identity.variant or 1
+    chosen = identity.revision_no if identity.revision_no is not None else _latest(connection, identity, rows)
     for row in rows:
-        if row.revision_no == latest and row.variant == wanted:
+        if row.revision_no == chosen and row.variant == wanted:
             return row.id, summary(row)
     raise NotFound(f"{identity} has no variant {wanted}")
+
+
+def _latest(connection: sa.Connection, identity: Identity, rows: Sequence[Any]) -> int | None:
+    """The highest revision that no other entry of the vendor hides (HideType); the highest when all are hidden."""
+    hiding, hidden = devices.alias(), hidden_revisions.c
+    product = sa.func.coalesce(hidden.product_code, hiding.c.product_code)
+    named = sa.select(hidden.revision_no).join(hiding, hiding.c.id == hidden.device_id)
+    named = named.where(
+        hiding.c.vendor_id == identity.vendor_id,
+        product == identity.product_code,
+        sa.or_(hiding.c.product_code != product, hiding.c.revision_no != hidden.revision_no),
+    )
+    gone = set(connection.execute(named).scalars())
+    revisions: list[int | None] = [row.revision_no for row in rows]
+    return next((revision for revision in reversed(revisions) if revision not in gone), revisions[-1])
 
 
 def identity_words(identity: Identity) -> str:
