@@ -13,6 +13,7 @@ from conftest import CHECKOUT
 from snippets import one, rows
 from sqlalchemy.dialects import postgresql
 
+from esicatalog import Catalog
 from esicatalog.catalog import database, schema
 from esicatalog.catalog.views import FULL_TEXT, views
 
@@ -116,3 +117,13 @@ def test_every_row_is_reached_by_its_identity(data_db, table):
     for vendor, vendor_hex, product, product_hex, revision_hex in found:
         assert (vendor_hex, product_hex) == (f"0x{vendor:08x}", f"0x{product:08x}")
         assert len(revision_hex) == 10
+
+
+def test_an_upgrade_fills_the_search_again(tmp_path, data_db):
+    """Views and full text are made anew by every upgrade; the devices must be found as before."""
+    copy = tmp_path / "copy.db"
+    copy.write_bytes(data_db.read_bytes())
+    database.upgrade(database.make_engine(database.catalog_url(copy)))
+    with Catalog.open(copy) as catalog:
+        assert [found.type for found in catalog.devices(text="L6N")] == ["L6N"]
+        assert catalog.check().problems == []

@@ -7,7 +7,8 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from esicatalog.catalog import views
+from esicatalog.catalog import schema, views
+from esicatalog.catalog.full_text import index_devices
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 
@@ -156,3 +157,4 @@ def upgrade(engine: sa.Engine) -> None:
         config.attributes["connection"] = connection
         command.upgrade(config, "head")
         views.create_views(connection)
+        index_devices(connection, connection.execute(sa.select(schema.devices.c.id)).scalars().all())
