@@ -12,6 +12,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.model.device_facts import DeviceFacts, device_facts
 from esicatalog.model.drive_modes import drive_modes
 from esicatalog.model.process_image import SmImage, alternative_assignments, byte_bit, process_image
 from esicatalog.model.slots import chosen_modules
@@ -104,12 +105,25 @@ def _identity(description: DeviceDescription) -> Iterator[str]:
         ("physics", device.physics),
         ("E-bus", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
         ("profiles", ", ".join(_profile_numbers(description)) or None),
+        *_derived(device_facts(device, description.modules)),
     ]
     for name, value in facts:
         if value:
             yield f"  {name:9} {value}"
     for source in description.sources:
         yield f"  source    {source.member}, line {source.line}"
+
+
+def _derived(facts: DeviceFacts) -> list[tuple[str, str | None]]:
+    """Facts that no single element says."""
+    clocks = [name for name, on in (("SYNC0", facts.supports_sync0), ("SYNC1", facts.supports_sync1)) if on]
+    if facts.dc_supported:
+        clocks.insert(0, "DC needed" if facts.dc_needed else "DC optional")
+    return [
+        ("clocks", ", ".join(clocks) or "no DC"),
+        ("cycle", f"{facts.min_cycle_ns} ns at least" if facts.min_cycle_ns is not None else None),
+        ("FSoE", f"{facts.fsoe} evidence: {facts.fsoe_evidence}" if facts.fsoe is not None else None),
+    ]
 
 
 def _profile_numbers(description: DeviceDescription) -> list[str]:
@@ -300,6 +314,7 @@ def sheet_json(description: DeviceDescription, choice: Mapping[int, int]) -> dic
             }
             for image in images
         ],
+        "facts": msgspec.to_builtins(device_facts(description.device, description.modules)),
         "drive_modes": msgspec.to_builtins(modes.verdicts),
         "mode_evidence": msgspec.to_builtins(modes.evidence),
         "device": msgspec.to_builtins(description.device),
