@@ -54,20 +54,12 @@ def open_catalog(target: str | os.PathLike[str], create: bool = False) -> sa.Eng
 
     Raises :class:`CatalogError` with what to do when there is none, or when it is older, newer or no catalog.
     """
-    url = catalog_url(target)
-    path = sqlite_path(url)
-    if path is not None and not path.exists():
-        if not create:
-            raise CatalogError(f"{path}: no such catalog; make one with: esicatalog ingest PATH --db {path}")
-        if not path.parent.is_dir():
-            raise CatalogError(f"{path.parent}: no such folder for the catalog")
-    engine = make_engine(url)
+    path = sqlite_path(catalog_url(target))
+    if create and path is not None and not path.exists() and not path.parent.is_dir():
+        raise CatalogError(f"{path.parent}: no such folder for the catalog")
+    engine, version = _connected(target, create)
     try:
-        with engine.connect() as connection:
-            version = schema_version(connection)
         if version is None:
-            if not create:
-                raise CatalogError(f"{target}: not a catalog; make one with: esicatalog ingest PATH --db {target}")
             upgrade(engine)
         elif version != SCHEMA_VERSION:
             raise CatalogError(_version_message(str(target), version))
@@ -76,21 +68,31 @@ def open_catalog(target: str | os.PathLike[str], create: bool = False) -> sa.Eng
     return engine
 
 
-def upgrade_catalog(target: str | os.PathLike[str]) -> tuple[str, str]:
-    """Bring a catalog of an older version to the current schema; returns the versions before and after.
-
-    Raises :class:`CatalogError` when there is no catalog or when it is newer than this version.
-    """
+def _connected(target: str | os.PathLike[str], create: bool) -> tuple[sa.Engine, str | None]:
+    """An engine and the schema version behind it; None, for an empty database, only with ``create``."""
     url = catalog_url(target)
     path = sqlite_path(url)
-    if path is not None and not path.exists():
+    if not create and path is not None and not path.exists():
         raise CatalogError(f"{path}: no such catalog; make one with: esicatalog ingest PATH --db {path}")
     engine = make_engine(url)
     try:
         with engine.connect() as connection:
             version = schema_version(connection)
-        if version is None:
-            raise CatalogError(f"{target}: not a catalog; make one with: esicatalog ingest PATH --db {target}")
+    except sa.exc.DBAPIError as error:
+        raise database_error(str(target), error) from error
+    if version is None and not create:
+        raise CatalogError(f"{target}: not a catalog; make one with: esicatalog ingest PATH --db {target}")
+    return engine, version
+
+
+def upgrade_catalog(target: str | os.PathLike[str]) -> tuple[str, str]:
+    """Bring a catalog of an older version to the current schema; returns the versions before and after.
+
+    Raises :class:`CatalogError` when there is no catalog or when it is newer than this version.
+    """
+    engine, found = _connected(target, create=False)
+    version = str(found)
+    try:
         if version > SCHEMA_VERSION:
             raise CatalogError(_version_message(str(target), version))
         if version != SCHEMA_VERSION:

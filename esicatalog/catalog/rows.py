@@ -168,13 +168,6 @@ class RowMaker:
             references=[(ref.kind, ref.text, ref.location, ref.sha256) for ref in document.references],
             findings=[(f.rule, f.severity, f.message, f.line, f.path) for f in read.findings],
             unmapped=[(item.path, item.value) for item in document.unmapped],
-            new_types=[],
-            new_type_sets=[],
-            new_objects=[],
-            new_dictionaries=[],
-            new_diagnostics=[],
-            new_modules=[],
-            new_devices=[],
         )
         if document.dictionary is not None:
             out.dictionary = self._dictionary(document.dictionary)

@@ -110,8 +110,6 @@ class Archive:
         try:
             with self._zip.open(info) as stream:
                 content = stream.read(info.file_size + 1)
-        except (OSError, zipfile.BadZipFile, RuntimeError, NotImplementedError, EOFError, ValueError) as error:
-            raise BrokenDocument(f"cannot be unpacked: {error}") from error
         except Exception as error:  # zlib.error and lzma.LZMAError share no base but Exception
             raise BrokenDocument(f"cannot be unpacked: {error}") from error
         if len(content) > info.file_size:

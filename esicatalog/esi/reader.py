@@ -85,7 +85,6 @@ class Reader:
         lines = _lines(elements, "Descriptions/Devices/Device"), _lines(elements, "Descriptions/Modules/Module")
         if parsed.root.tag == "EtherCATModule":
             lines = lines[0], _lines(elements, "Modules/Module")
-        own = list(notes.unmapped)
         references: list[Reference] = []
         if container is not None:
             pull = _Puller(self, container, member, notes, references)
@@ -93,7 +92,6 @@ class Reader:
             referenced = tuple(pull.modules(info, element) for info, element in zip(infos, elements, strict=True))
         else:
             referenced = tuple(() for _ in infos)
-        notes.unmapped = own
         return _result(
             parsed,
             notes,

@@ -98,8 +98,3 @@ def base_type(name: str | None) -> BaseType | None:
         count = int(array[2]) - int(array[1]) + 1
         return BASE_TYPES[_ARRAY_KINDS[array[3]]]._replace(bit_size=count * (element.bit_size or 8))
     return None
-
-
-def is_standard_name(name: str) -> bool:
-    """Whether the name is one that the specification knows, not merely one that vendors use."""
-    return name.strip().upper() not in _ALIASES or name.strip().upper() in ("BOOLEAN", "BIT")

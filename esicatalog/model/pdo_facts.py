@@ -27,12 +27,3 @@ def pdo_facts(pdo: Pdo) -> PdoFacts:
 def entry_facts(entry: Entry) -> EntryFacts:
     """Index 0 is padding whatever else the entry carries (ESI-FACTS section 9)."""
     return EntryFacts(is_padding=entry.entry_index == 0)
-
-
-def entry_bit_offsets(pdo: Pdo) -> list[int]:
-    """Offset in bits of every entry within its PDO: the sum of the lengths before it."""
-    offsets, offset = [], 0
-    for entry in pdo.entries:
-        offsets.append(offset)
-        offset += entry.bit_length or 0
-    return offsets

@@ -201,17 +201,6 @@ class _ImageBuilder:
         self._group, self._group_start = following, self.bit_size
 
 
-def exclusions(device: Device) -> dict[int, set[int]]:
-    """PDOs that may not be assigned together, by PDO index: Exclude taken symmetrically, without self-exclusion."""
-    closed: dict[int, set[int]] = {}
-    for pdo in (*device.rx_pdos, *device.tx_pdos):
-        for item in pdo.excludes:
-            if pdo.pdo_index is not None and item.pdo_index is not None and item.pdo_index != pdo.pdo_index:
-                closed.setdefault(pdo.pdo_index, set()).add(item.pdo_index)
-                closed.setdefault(item.pdo_index, set()).add(pdo.pdo_index)
-    return closed
-
-
 def alternative_assignments(device: Device) -> list[NamedAssignment]:
     """The predefined PDO assignments of TwinCAT: Info/VendorSpecific/TwinCAT/AlternativeSmMapping."""
     if device.info_vendor_specific is None or "AlternativeSmMapping" not in device.info_vendor_specific:
