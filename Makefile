@@ -35,6 +35,7 @@ test-corpus: install
 
 bench: install
 	$(BIN)/python benchmarks/ingest.py $(CORPUS)/esi
+	$(BIN)/python benchmarks/queries.py $(CORPUS)/esi
 
 docs: install
 	$(BIN)/python docs/generate.py

@@ -63,6 +63,80 @@ group by device_id
 order by {_ORDER}
 """,
     },
+    "drives_with_a_mode": {
+        "title": "Which drives support CSV",
+        "description": (
+            "mode: PP VL PV TQ HM IP CSP CSV CST CSTCA (empty = CSV); strict: 1 = only the verdict yes (empty = yes "
+            "and likely). What the files say, not what the drives do: read 0x6502 on the drive. recipe says what to "
+            "plug, assign, choose and write."
+        ),
+        "params": ["mode", "strict"],
+        "sql": f"""\
+select device_id, {_IDENTITY},
+  axis, mode, verdict, conflict, evidence, recipe
+from device_drive_modes
+where mode = upper(ifnull(nullif(trim(:mode), ''), 'CSV')) and kind = 'CiA 402' and variant = 1 and hidden = 0
+  and verdict in ('yes', case when :strict in ('', '0') then 'likely' end)
+order by {_ORDER}, axis
+""",
+    },
+    "csv_drives_with_sync1": {
+        "title": "Drives with CSV and SYNC1",
+        "description": "Verdict yes or likely for CSV, and an OpMode whose AssignActivate generates SYNC1.",
+        "params": [],
+        "sql": f"""\
+select device_id, {_IDENTITY},
+  axis, verdict, evidence, recipe,
+  (select group_concat(ifnull(c.name || ' ', '') || hex0x(c.assign_activate), ', ') from dc_modes c
+    where c.device_id = m.device_id and c.sync1 = 1) as sync1_op_modes
+from device_drive_modes m
+where mode = 'CSV' and kind = 'CiA 402' and verdict in ('yes', 'likely') and variant = 1 and hidden = 0
+  and device_id in (select device_id from device_facts where supports_sync1 = 1)
+order by {_ORDER}, axis
+""",
+    },
+    "csp_drives_with_fsoe": {
+        "title": "Drives with CSP and FSoE",
+        "description": (
+            "Verdict yes or likely for CSP, and high or medium evidence of FSoE. This is not a safety statement: ask "
+            "the vendor for the certificate."
+        ),
+        "params": [],
+        "sql": f"""\
+select m.device_id, {_IDENTITY},
+  axis, verdict, evidence, fsoe, fsoe_evidence
+from device_drive_modes m join device_facts f on f.device_id = m.device_id
+where mode = 'CSP' and kind = 'CiA 402' and verdict in ('yes', 'likely') and variant = 1 and hidden = 0
+  and fsoe is not null
+order by {_ORDER}, axis
+""",
+    },
+    "drive_modes_of_each_vendor": {
+        "title": "Mode matrix by vendor",
+        "description": "Number of visible drives of each vendor that run a mode, by verdict yes or likely.",
+        "params": [],
+        "sql": """\
+select * from drive_modes_by_vendor order by drives desc, vendor
+""",
+    },
+    "devices_of_the_same_layout": {
+        "title": "Same process-image layout",
+        "description": (
+            "vendor, product, revision: a device, as 0x044c2c52, #x044c2c52 or 72100946. Other devices whose default "
+            "process image has the same layout. That is no promise that one replaces the other: revisions can be "
+            "power ratings."
+        ),
+        "params": ["vendor", "product", "revision"],
+        "sql": """\
+select other_device_id as device_id, other_type as device_type, other_vendor_id_hex as vendor_id_hex,
+  other_product_code_hex as product_code_hex, other_revision_no_hex as revision_no_hex, same_pdo_set,
+  output_bytes, input_bytes
+from same_process_image_layout
+where vendor_id = parse_hex(:vendor) and product_code = parse_hex(:product)
+  and (:revision = '' or revision_no = parse_hex(:revision))
+order by vendor_id_hex, product_code_hex, revision_no_hex
+""",
+    },
     "devices_by_mailbox_protocol": {
         "title": "Devices by mailbox protocol",
         "description": "protocol: coe, eoe, foe, soe, aoe or voe (empty = foe); as declared by the Mailbox element.",
@@ -112,19 +186,20 @@ order by d.vendor_id, d.product_code, d.revision_no, m.module_ident, pdo
         "title": "Revisions of a product",
         "description": (
             "vendor: vendor id (empty = any); product: product code; both as 0x044c2c52, #x044c2c52 or 72100946. "
-            "superseded_by names the revisions whose HideType hides this one."
+            "superseded_by names the revisions whose HideType hides this one; layout_changed compares the default "
+            "process image with that of the revision before."
         ),
         "params": ["vendor", "product"],
         "sql": f"""\
 select device_id, {_IDENTITY},
-  variant, rx_pdos, tx_pdos, dc_modes, slots, sources,
+  revision_text, hidden, layout_changed, output_bytes, input_bytes,
   (select group_concat(distinct hex0x(newer.revision_no, 8))
     from hidden_revisions h join devices newer on newer.id = h.device_id
     where newer.vendor_id = d.vendor_id and ifnull(h.product_code, newer.product_code) = d.product_code
       and h.revision_no = d.revision_no) as superseded_by
-from device_overview d
+from device_revisions d
 where (:vendor = '' or vendor_id = parse_hex(:vendor)) and product_code = parse_hex(:product)
-order by {_ORDER}, variant
+order by {_ORDER}
 """,
     },
     "conflicting_descriptions_of_an_identity": {

@@ -33,9 +33,9 @@ DATABASE_HTML = """\
 <code>devices</code> and of the views named device_… finds words, inner parts of words (1100 in EL1100) and identities
 in any notation (0x044c2c52, 0x44c2c52, #x044c2c52, 72100946).</p>
 <p>Every canned query about devices returns <code>device_id</code>, the key of <code>devices</code> and of all views
-named device_…; the query about ingest returns <code>source_id</code>, the key of <code>sources</code>. Columns named
-…_hex hold the number as text for filters; in SQL, parse_hex('0x60FF') reads a number and hex0x(24831, 4) writes
-one.</p>
+named device_…; the query about ingest returns <code>source_id</code>, the key of <code>sources</code>, the one about
+vendors <code>vendor_id</code>. Columns named …_hex hold the number as text for filters; in SQL, parse_hex('0x60FF')
+reads a number and hex0x(24831, 4) writes one.</p>
 """
 
 LICENSE = "the descriptions belong to the vendors of the devices"
@@ -59,11 +59,14 @@ TABLE_OPTIONS: dict[str, dict[str, Any]] = {
     },
     "type_sets": {"hidden": True},
     "type_set_data_types": {"hidden": True},
+    "device_facts": {"facets": ["dc_needed", "supports_sync0", "supports_sync1", "fsoe"]},
     "dictionary_objects": {"hidden": True},
+    "drive_modes": {"facets": ["mode", "verdict", "kind"]},
     "findings": {"facets": ["rule", "severity"]},
     "groups": {"label_column": "type"},
     "images": {"size": 20},
     "initcmds": {"facets": ["protocol"]},
+    "mode_evidence": {"facets": ["mode", "rank", "polarity"]},
     "mailboxes": {"facets": ["coe", "eoe", "foe", "soe", "aoe", "voe"]},
     "modules": {"label_column": "type", "facets": ["vendor_id"]},
     "object_entries": {"label_column": "name"},
@@ -85,14 +88,27 @@ TABLE_OPTIONS: dict[str, dict[str, Any]] = {
     "device_object_entries": SEARCH_DEVICES,
     "device_objects": SEARCH_DEVICES,
     "device_overview": {**SEARCH_DEVICES, "facets": [*IDENTITY_FACETS, "profile_no", "group_type"]},
+    "device_capabilities": {**SEARCH_DEVICES, "facets": [*IDENTITY_FACETS, "supports_sync0", "supports_sync1", "fsoe"]},
+    "device_drive_modes": {**SEARCH_DEVICES, "facets": [*IDENTITY_FACETS, "mode", "verdict"]},
+    "device_mode_evidence": {**SEARCH_DEVICES, "facets": ["mode", "rank", "polarity", "conflict"]},
     "device_pdo_entries": SEARCH_DEVICES,
+    "device_revisions": {**SEARCH_DEVICES, "facets": [*IDENTITY_FACETS, "layout_changed"]},
+    "drive_modes_by_vendor": {"sort_desc": "drives"},
+    "same_process_image_layout": SEARCH_DEVICES,
     "ingest_problems": {"facets": ["status", "rule", "severity"]},
 }
 """What Datasette should know about a table or view beyond its comments."""
 
 VIEW_TABLES = {
     "conflicting_descriptions": ("devices",),
+    "device_capabilities": ("device_facts",),
+    "device_mode_evidence": ("mode_evidence",),
     "device_overview": ("devices", "mailboxes", "profiles", "dc_modes"),
+    "device_pdo_entries": ("pdo_entries", "pdos", "object_entries"),
+    "device_revisions": ("device_facts",),
+    "drive_modes_by_vendor": ("devices",),
+    "module_pdo_entries": ("pdo_entries", "pdos", "object_entries"),
+    "same_process_image_layout": ("device_facts",),
     "ingest_problems": ("sources", "findings"),
 }
 """Tables whose comments explain the columns of a view that is not named after its table."""
@@ -101,24 +117,51 @@ RELATED_TABLES = ("pdos", "devices", "modules", "objects", "vendors")
 
 VIEW_COLUMNS = {
     "bit_offset_in_pdo": "Bits of the PDO's entries before this one",
+    "assigned_by_default": "1 = the PDO is in the default process image",
+    "csp": "Devices with CSP",
+    "csv": "Devices with CSV",
+    "cst": "Devices with CST",
+    "cstca": "Devices with CSTCA",
     "dc_modes": "Number of OpModes",
     "device_id": "Key in devices",
+    "drives": "Devices with any finding about a drive mode",
     "first_source": "First document that carries it",
+    "hm": "Devices with HM",
+    "image_byte_bit": "Place in the default process image of the SyncManager: byte.bit",
+    "ip": "Devices with IP",
     "is_default": "1 = the device's default OpMode",
+    "layout_changed": "1 = another default process image than the next lower revision (of the same type if any) has",
+    "maximum": "Maximum that the object dictionary gives",
+    "minimum": "Minimum that the object dictionary gives",
     "module_id": "Key in modules",
     "modules": "Number of modules that its slots can reach",
+    "object_entry_name": "Name of the mapped subindex in the object dictionary",
+    "object_name": "Name of the mapped object in the object dictionary",
     "object_position": "Position of the object in its dictionary, from 0",
+    "other_device_id": "Key of the other device in devices",
+    "other_product_code": "Product code of the other device",
+    "other_revision_no": "Revision of the other device",
+    "other_vendor_id": "Vendor id of the other device",
+    "other_type": "Type of the other device",
     "pdo_position": "Position of the PDO, from 0",
     "position": "Position in document order, from 0",
+    "pp": "Devices with PP",
+    "previous_id": "Key in devices of the revision that it is compared with",
     "profile": "Position of the profile whose dictionary holds the object, from 0",
+    "pv": "Devices with PV",
+    "revision_text": "Revision in the vendor's own style, where one is known (Beckhoff: -0016)",
     "rx_pdos": "Number of its own RxPdo",
+    "same_pdo_set": "1 = all PDOs have the same layout, assigned or not",
+    "signed": "1 = two's complement, 0 = unsigned, NULL = no integer",
     "slots": "Number of Slot elements",
     "source_id": "Key in sources",
     "sources": "Number of documents that carry it",
     "sync0": "1 = AssignActivate generates SYNC0",
     "sync1": "1 = AssignActivate generates SYNC1",
+    "tq": "Devices with TQ",
     "tx_pdos": "Number of its own TxPdo",
     "vendor": "Vendor's name",
+    "vl": "Devices with VL",
 }
 """Columns that only views have, and those that a view uses for something of its own."""
 

@@ -3,14 +3,14 @@
 >>> catalog = Catalog.open("catalog.db", create=True)
 >>> report = catalog.ingest(["vendor-files"])
 >>> answer = catalog.identify(0x1097, 0x2406, 0x8F)
->>> drives = catalog.devices(sync="sync1", profile_no=402)
+>>> drives = catalog.devices(modes=["CSV"], sync="sync1")
 """
 
 import contextlib
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, Self
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from esicatalog.identity import Identity, parse_identity
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from esicatalog.catalog.check import CheckResult
     from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification
-    from esicatalog.catalog.search import Mapped
+    from esicatalog.catalog.siblings import Revision
     from esicatalog.esi.records.device import Device
     from esicatalog.esi.records.module import Module
     from esicatalog.ingest.report import IngestReport
@@ -29,12 +29,16 @@ if TYPE_CHECKING:
 
 
 class DeviceDescription(NamedTuple):
-    """A device as the catalog holds it: identity, documents, records of the device and of its modules."""
+    """A device as the catalog holds it: identity, documents, records of the device and of its modules, neighbours."""
 
     found: "FoundDevice"
     sources: "tuple[DeviceSource, ...]"
     device: "Device"
     modules: "tuple[Module, ...]"
+    revisions: "tuple[Revision, ...]"
+    """All revisions of the product, this one included."""
+    same_layout: "tuple[FoundDevice, ...]"
+    """Other devices whose default process image has the same layout."""
 
 
 class Catalog:
@@ -111,47 +115,18 @@ class Catalog:
         with self._connection() as connection:
             return identify(connection, vendor_id, product_code, revision_no)
 
-    def devices(
-        self,
-        *,
-        vendor_id: int | None = None,
-        vendor: str | None = None,
-        product_code: int | None = None,
-        text: str | None = None,
-        profile_no: int | None = None,
-        sync: str | None = None,
-        protocol: str | None = None,
-        complete_access: bool = False,
-        maps: "Sequence[Mapped]" = (),
-        not_maps: "Sequence[Mapped]" = (),
-        bits: int | None = None,
-        objects: "Sequence[Mapped]" = (),
-        all_variants: bool = False,
-        limit: int | None = None,
-    ) -> "list[FoundDevice]":
+    def devices(self, **filters: Any) -> "list[FoundDevice]":
         """Devices that fulfil all conditions, each with its evidence.
 
-        ``maps``, ``not_maps`` and ``objects`` take (index, subindex or None); see
-        :class:`~esicatalog.catalog.search.DeviceFilter`. Raises :class:`~esicatalog.errors.InputError`.
+        ``filters`` are the fields of :class:`~esicatalog.catalog.device_filter.DeviceFilter`, for example
+        ``modes=["CSV"], sync="sync1"`` or ``maps=[(0x60FF, None)], bits=32``. Raises
+        :class:`~esicatalog.errors.InputError`, and :class:`~esicatalog.errors.NotFound` for an unknown ``like``.
         """
-        from esicatalog.catalog.search import DeviceFilter, find_devices
+        from esicatalog.catalog.device_filter import DeviceFilter
+        from esicatalog.catalog.search import find_devices
 
-        wanted = DeviceFilter(
-            vendor_id=vendor_id,
-            vendor=vendor,
-            product_code=product_code,
-            text=text,
-            profile_no=profile_no,
-            sync=sync,
-            protocol=protocol,
-            complete_access=complete_access,
-            maps=tuple(maps),
-            not_maps=tuple(not_maps),
-            bits=bits,
-            objects=tuple(objects),
-            all_variants=all_variants,
-            limit=limit,
-        )
+        given: dict[str, Any] = {name: tuple(v) if isinstance(v, list) else v for name, v in filters.items()}
+        wanted = DeviceFilter(**given)
         with self._connection() as connection:
             return find_devices(connection, wanted)
 
@@ -162,13 +137,21 @@ class Catalog:
         """
         from esicatalog.catalog.identify import device_sources_of, find_device
         from esicatalog.catalog.reader import RecordReader
+        from esicatalog.catalog.siblings import revisions_of, same_layout
 
         wanted = parse_identity(identity) if isinstance(identity, str) else identity
         with self._connection() as connection:
             number, found = find_device(connection, wanted)
             reader = RecordReader(connection)
             sources = device_sources_of(connection, number)
-            return DeviceDescription(found, sources, reader.device(number), tuple(reader.modules_of(number)))
+            return DeviceDescription(
+                found,
+                sources,
+                reader.device(number),
+                tuple(reader.modules_of(number)),
+                revisions_of(connection, found.vendor_id, found.product_code),
+                same_layout(connection, number),
+            )
 
     def check(self) -> "CheckResult":
         """Verify the database, its references and the stored content hash."""

@@ -9,6 +9,7 @@ UINT32_MAX = 0xFFFF_FFFF
 _MOST_DIGITS = 20
 _SHOWN = 60
 
+_BOUNDS = re.compile(r"(<=|>=|=)?\s*(-?)(.+)", re.DOTALL)
 _NUMBER = re.compile(r"(?:0x|#x)([0-9a-f]+)|([0-9]+)", re.IGNORECASE)
 
 
@@ -24,6 +25,13 @@ class Identity(NamedTuple):
         revision = f":0x{self.revision_no:08x}" if self.revision_no is not None else ""
         variant = f"@{self.variant}" if self.variant is not None else ""
         return f"0x{self.vendor_id:08x}:0x{self.product_code:08x}{revision}{variant}"
+
+
+class Bounds(NamedTuple):
+    """Smallest and largest number that counts, None = open."""
+
+    least: int | None
+    most: int | None
 
 
 def parse_number(text: str, what: str = "number", limit: int = UINT32_MAX) -> int:
@@ -65,3 +73,17 @@ def parse_plugged(text: str) -> tuple[int, int]:
     if not equals:
         raise InputError(f"module {text!r} is not SLOT=IDENT, e.g. 0=0x119800")
     return parse_number(slot, "slot", 0xFFFF), parse_number(ident, "module ident")
+
+
+def parse_bounds(text: str) -> Bounds:
+    """An amount written ``<=8``, ``>=8`` or ``8``, in any notation, also negative. Raises :class:`InputError`."""
+    match = _BOUNDS.fullmatch(text.strip())
+    if match is None:
+        raise InputError("an amount is empty; write <=8, >=8 or 8")
+    value = parse_number(match[3], "amount") * (-1 if match[2] else 1)
+    return Bounds(None if match[1] == "<=" else value, None if match[1] == ">=" else value)
+
+
+def parse_modes(text: str) -> tuple[str, ...]:
+    """Drive modes written ``CSV`` or ``CSV,CSP``, in any case."""
+    return tuple(dict.fromkeys(part.strip().upper() for part in text.split(",")))

@@ -112,14 +112,15 @@ def test_the_shape_of_devices(data_db):
 
 
 def test_devices_as_csv(data_db):
-    lines = run("devices", "--format", "csv", db=data_db).stdout.splitlines()
+    lines = run("devices", "--format", "csv", "--include-hidden", db=data_db).stdout.splitlines()
     assert len(lines) == 7
     assert "0x00001097,0x00002406,0x0000008f,1," in lines[4]
 
 
 def test_mappings_on_the_command_line(data_db):
     words = ("--maps", "0x6000:1", "--maps", "0x6010:1", "--bits", "1", "--format", "json")
-    assert len(json.loads(run("devices", *words, db=data_db).stdout)) == 2
+    assert len(json.loads(run("devices", *words, db=data_db).stdout)) == 1
+    assert len(json.loads(run("devices", *words, "--include-hidden", db=data_db).stdout)) == 2
     assert json.loads(run("devices", *words, "--not-maps", "0x7000:1", db=data_db).stdout) == []
 
 

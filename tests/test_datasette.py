@@ -27,13 +27,21 @@ METADATA = parse_metadata(resource("datasette-metadata.yml").read_text(encoding=
 TABLES = [*metadata.tables, *(view.name for view in views("sqlite")), FULL_TEXT, "alembic_version"]
 
 # Parameters of every canned query, and the device types (or documents) that it must answer with.
-QUERY_EXAMPLES: dict[str, tuple[dict[str, str], set[str]]] = {
+QUERY_EXAMPLES: dict[str, tuple[dict[str, str], set[Any]]] = {
     "find_a_device": ({"text": "D808"}, {"ECX-D808"}),
     "devices_by_drive_profile": (
         {"profile": "402"},
         {"L6N", "ECX-A202", "EYOU_ServoModule_V143", "RT118X-SERVO-MOTOR"},
     ),
     "devices_with_dc_sync1": ({"vendor": ""}, {"ECX-D808"}),
+    "drives_with_a_mode": ({"mode": "csv", "strict": "1"}, {"L6N", "ECX-A202", "EYOU_ServoModule_V143"}),
+    "csv_drives_with_sync1": ({}, set()),
+    "csp_drives_with_fsoe": ({}, set()),
+    "drive_modes_of_each_vendor": ({}, {0xE5C, 0x1097, 0x4321, 0xE00004D8}),
+    "devices_of_the_same_layout": (
+        {"vendor": "0xE5C", "product": "0x0d080808", "revision": "0x00110000"},
+        {"ECX-D808"},
+    ),
     "devices_by_mailbox_protocol": ({"protocol": "FoE"}, {"ECX-A202"}),
     "who_maps_an_object": ({"index": "0x60FF", "subindex": "0"}, {"L6N", "ECX-A202", "EYOU_ServoModule_V143"}),
     "revisions_of_a_product": ({"vendor": "0xE5C", "product": "#x0d080808"}, {"ECX-D808"}),
@@ -83,8 +91,8 @@ async def test_every_canned_query_answers(browser, query):
     page = await browser.get(f"/catalog/{query}", params=parameters)
     assert page.status_code == 200, page.text
     found = await rows(browser, f"/catalog/{query}.json", **parameters)
-    assert {row.get("device_type", row.get("document")) for row in found} == expected
-    assert all(row.get("device_id", row.get("source_id")) for row in found)
+    assert {row.get("device_type", row.get("document", row.get("vendor_id"))) for row in found} == expected
+    assert all(row.get("device_id", row.get("source_id", row.get("vendor_id"))) for row in found)
 
 
 @pytest.mark.parametrize("query", QUERY_EXAMPLES)
@@ -254,7 +262,7 @@ def test_serve_refuses_what_is_no_catalog(tmp_path):
 @pytest.mark.parametrize("text", ["EK1100", "EL1100", "1100", "0x044c2c52", "72100946", "drive 2"])
 async def test_corpus_search_agrees_with_the_command(corpus_db, text):
     with Catalog.open(corpus_db) as catalog:
-        expected = {device.type for device in catalog.devices(text=text, all_variants=True)}
+        expected = {device.type for device in catalog.devices(text=text, all_variants=True, include_hidden=True)}
     assert await searched_all(await started(corpus_db), text) == expected
     if text in ("EK1100", "0x044c2c52"):
         assert "EK1100" in expected

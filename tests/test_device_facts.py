@@ -3,13 +3,13 @@
 import pytest
 from snippets import device, dictionary, esi, only_device, pdo
 
-from esicatalog.model.device_facts import device_facts
+from esicatalog.model.derivation import derive
 
 OUTPUTS = "<Sm>Outputs</Sm>"
 
 
 def facts(content: str):
-    return device_facts(only_device(esi(device(content))))
+    return derive(only_device(esi(device(content)))).facts
 
 
 def op_modes(*words: str) -> str:

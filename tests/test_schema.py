@@ -24,6 +24,23 @@ def migrated(path: Path) -> sa.Engine:
     return database.open_catalog(path, create=True)
 
 
+def described(path: Path) -> dict[str, object]:
+    """Tables as SQLite reports them: columns, references, indexes, STRICT."""
+    found: dict[str, object] = {}
+    for (name,) in rows(path, "SELECT name FROM sqlite_master WHERE type = 'table' AND sql NOT LIKE '%VIRTUAL%'"):
+        if not name.startswith((FULL_TEXT, "alembic", "sqlite_")):
+            indexes = rows(path, f"PRAGMA index_list({name})")
+            found[name] = (
+                sorted(row[1:] for row in rows(path, f"PRAGMA table_info({name})")),
+                sorted(row[2:] for row in rows(path, f"PRAGMA foreign_key_list({name})")),
+                sorted(
+                    (row[2], tuple(part[2] for part in rows(path, f"PRAGMA index_info({row[1]})"))) for row in indexes
+                ),
+                one(path, "SELECT strict FROM pragma_table_list WHERE name = ?", name),
+            )
+    return found
+
+
 @pytest.mark.parametrize("table", schema.metadata.sorted_tables, ids=str)
 def test_every_table_and_column_has_a_comment(table):
     assert table.comment
@@ -54,23 +71,10 @@ def test_migrations_lead_to_the_metadata(tmp_path):
 
 
 def test_migrations_make_the_same_tables_as_create_all(tmp_path):
-    """Columns, types, keys and STRICT, as SQLite reports them."""
+    """Columns, types, keys and STRICT, as SQLite reports them; a column that came later stands last."""
     migrated(tmp_path / "migrated.db")
     created = sa.create_engine(f"sqlite:///{tmp_path / 'created.db'}")
     schema.metadata.create_all(created)
-
-    def described(path: Path) -> dict[str, object]:
-        found: dict[str, object] = {}
-        for (name,) in rows(path, "SELECT name FROM sqlite_master WHERE type = 'table' AND sql NOT LIKE '%VIRTUAL%'"):
-            if not name.startswith((FULL_TEXT, "alembic", "sqlite_")):
-                indexes = rows(path, f"PRAGMA index_list({name})")
-                found[name] = (
-                    rows(path, f"PRAGMA table_info({name})"),
-                    sorted(row[2:] for row in rows(path, f"PRAGMA foreign_key_list({name})")),
-                    sorted((row[2], tuple(rows(path, f"PRAGMA index_info({row[1]})"))) for row in indexes),
-                    one(path, "SELECT strict FROM pragma_table_list WHERE name = ?", name),
-                )
-        return found
 
     assert described(tmp_path / "migrated.db") == described(tmp_path / "created.db")
 

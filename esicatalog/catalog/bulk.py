@@ -5,6 +5,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from esicatalog.catalog.derived import DerivedRows
 from esicatalog.catalog.schema import metadata
 
 _CHUNK_ROWS = 10_000
@@ -37,6 +38,12 @@ class RowBuffer:
         first = self.take_ids(table, len(rows))
         self._rows.setdefault(table, []).extend([(number, *owner, *row) for number, row in enumerate(rows, first)])
         return first
+
+    def add_derived(self, device_id: int, rows: DerivedRows) -> None:
+        """Queue what a device implies."""
+        self.add("device_facts", [(device_id, *rows.facts)])
+        self.add("drive_modes", [(device_id, *row) for row in rows.drive_modes])
+        self.add("mode_evidence", [(device_id, *row) for row in rows.mode_evidence])
 
     def flush_if_full(self) -> None:
         """Write the queued rows when there are many: memory stays bounded whatever a document holds."""

@@ -9,10 +9,11 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema, views
 from esicatalog.catalog.full_text import index_devices
+from esicatalog.catalog.rederive import derive_again
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 
-SCHEMA_VERSION = "0001"
+SCHEMA_VERSION = "0002"
 """Revision of the newest migration."""
 
 DEFAULT_CATALOG = "catalog.db"
@@ -155,8 +156,11 @@ def upgrade(engine: sa.Engine) -> None:
         if connection.dialect.name == "sqlite":
             # Python's sqlite3 begins no transaction for CREATE: a killed upgrade would leave half a catalog
             connection.exec_driver_sql("BEGIN IMMEDIATE")
+        is_new = schema_version(connection) is None
         views.drop_views(connection)
         config.attributes["connection"] = connection
         command.upgrade(config, "head")
+        if not is_new:
+            derive_again(connection)
         views.create_views(connection)
         index_devices(connection, connection.execute(sa.select(schema.devices.c.id)).scalars().all())

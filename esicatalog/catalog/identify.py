@@ -6,20 +6,21 @@ from typing import Any
 import sqlalchemy as sa
 
 from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
-from esicatalog.catalog.schema import device_sources, devices, hidden_revisions, source_vendors, sources, vendors
+from esicatalog.catalog.schema import device_sources, devices, source_vendors, sources, vendors
 from esicatalog.errors import NotFound
 from esicatalog.identity import Identity
 
 _NEAREST = 10
 """How many other candidates an answer names."""
 
-_SUMMARY = (
+SUMMARY = (
     sa.select(
         devices.c.id,
         devices.c.vendor_id,
         devices.c.product_code,
         devices.c.revision_no,
         devices.c.variant,
+        devices.c.hidden,
         vendors.c.name.label("vendor"),
         devices.c.type,
         devices.c.name,
@@ -27,6 +28,7 @@ _SUMMARY = (
     .outerjoin(vendors, vendors.c.vendor_id == devices.c.vendor_id)
     .order_by(devices.c.vendor_id, devices.c.product_code, devices.c.revision_no, devices.c.variant)
 )
+"""Descriptions as lists show them; :func:`summary` makes values of its rows."""
 
 
 def summary(row: Any, evidence: Iterable[str] = ()) -> FoundDevice:
@@ -42,7 +44,7 @@ def identify(connection: sa.Connection, vendor_id: int, product_code: int, revis
     Where the revision or product is not in the catalog no device is named, only what comes near.
     """
     rows = connection.execute(
-        _SUMMARY.where(devices.c.vendor_id == vendor_id, devices.c.product_code == product_code)
+        SUMMARY.where(devices.c.vendor_id == vendor_id, devices.c.product_code == product_code)
     ).all()
     revisions = sorted({row.revision_no for row in rows if row.revision_no is not None})
     if revision_no in revisions:
@@ -87,7 +89,7 @@ def _unknown_product(
         reason = f"vendor {hex32(vendor_id)} is not in the catalog"
         return Identification(vendor_id, product_code, revision_no, "none", reason, None, (), ())
     near = connection.execute(
-        _SUMMARY.where(devices.c.vendor_id == vendor_id, devices.c.variant == 1, devices.c.product_code.is_not(None))
+        SUMMARY.where(devices.c.vendor_id == vendor_id, devices.c.variant == 1, devices.c.product_code.is_not(None))
         .order_by(None)
         .order_by(sa.func.abs(devices.c.product_code - product_code), devices.c.product_code, devices.c.revision_no)
         .limit(_NEAREST)
@@ -124,30 +126,21 @@ def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, Fou
     condition = [devices.c.vendor_id == identity.vendor_id, devices.c.product_code == identity.product_code]
     if identity.revision_no is not None:
         condition.append(devices.c.revision_no == identity.revision_no)
-    rows = connection.execute(_SUMMARY.where(*condition)).all()
+    rows = connection.execute(SUMMARY.where(*condition)).all()
     if not rows:
         raise NotFound(f"{identity} is not in the catalog; see: esicatalog identify {identity_words(identity)}")
     wanted = identity.variant or 1
-    chosen = identity.revision_no if identity.revision_no is not None else _latest(connection, identity, rows)
+    chosen = identity.revision_no if identity.revision_no is not None else _latest(rows)
     for row in rows:
         if row.revision_no == chosen and row.variant == wanted:
             return row.id, summary(row)
     raise NotFound(f"{identity} has no variant {wanted}")
 
 
-def _latest(connection: sa.Connection, identity: Identity, rows: Sequence[Any]) -> int | None:
-    """The highest revision that no other entry of the vendor hides (HideType); the highest when all are hidden."""
-    hiding, hidden = devices.alias(), hidden_revisions.c
-    product = sa.func.coalesce(hidden.product_code, hiding.c.product_code)
-    named = sa.select(hidden.revision_no).join(hiding, hiding.c.id == hidden.device_id)
-    named = named.where(
-        hiding.c.vendor_id == identity.vendor_id,
-        product == identity.product_code,
-        sa.or_(hiding.c.product_code != product, hiding.c.revision_no != hidden.revision_no),
-    )
-    gone = set(connection.execute(named).scalars())
-    revisions: list[int | None] = [row.revision_no for row in rows]
-    return next((revision for revision in reversed(revisions) if revision not in gone), revisions[-1])
+def _latest(rows: Sequence[Any]) -> int | None:
+    """The highest revision that no other description of the vendor hides; the highest when all are hidden."""
+    revisions: list[int | None] = [row.revision_no for row in rows if not row.hidden] or [rows[-1].revision_no]
+    return revisions[-1]
 
 
 def identity_words(identity: Identity) -> str:

@@ -25,7 +25,10 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.records.profile import ChannelInfo, Profile
 from esicatalog.esi.records.slots import Slot, SlotModuleClass, SlotModuleIdent
+from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.drive_evidence import ModeEvidence
+from esicatalog.model.drive_modes import DriveModeVerdict
 from esicatalog.model.pdo_facts import entry_facts, pdo_facts
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import sync_signals
@@ -138,6 +141,9 @@ TABLE_RECORDS: dict[str, type[Record]] = {
     "diag_messages": DiagMessage,
     "devices": Device,
     "modules": Module,
+    "drive_modes": DriveModeVerdict,
+    "mode_evidence": ModeEvidence,
+    "device_facts": DeviceFacts,
     "groups": Group,
     "source_vendors": Vendor,
 }
@@ -246,7 +252,7 @@ def _documented(record_type: type[Record]) -> list[Field]:
             continue
         declared, *extras = get_args(hint)
         doc = next(extra.doc for extra in extras if isinstance(extra, Doc))
-        item = get_args(declared)[0] if get_args(declared) else declared
+        item = next(part for part in (*get_args(declared), declared) if part is not type(None))
         found.append(Field(name, msgspec.structs.replace(_PLAIN, doc=doc), False, item))
     return found
 

@@ -4,14 +4,14 @@ Rows are lists of column values in the order of the table's codec. A row of a ch
 its parent row within the same description. Nothing in here knows a database.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import msgspec
 
+from esicatalog.catalog.derived import DerivedRows, PdoPlaces, Row, add_places, derived_rows, pdo_places, positioned
 from esicatalog.catalog.digests import Digests
 from esicatalog.catalog.mapping import CHILDREN, codec, extension_rows, image_key, to_json
-from esicatalog.esi.binding import Record
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.reader import ReadDocument
 from esicatalog.esi.records.common import Name
@@ -21,11 +21,10 @@ from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Ob
 from esicatalog.esi.records.document import EsiInfo, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
+from esicatalog.model.derivation import derive
 from esicatalog.model.dictionary import ObjectEntry, resolve_object
 from esicatalog.model.slots import reachable_modules
 from esicatalog.model.sync import default_op_mode
-
-Row = tuple[Any, ...]
 
 
 class TypeRows(msgspec.Struct):
@@ -95,8 +94,9 @@ class ModuleRows(OwnerRows):
 class DeviceRows(OwnerRows):
     """A device description; its ``element_count`` includes the reachable modules."""
 
-    modules: list[bytes] = []
-    default_op_mode: int | None = None
+    modules: list[bytes]
+    default_op_mode: int | None
+    derived: DerivedRows
 
 
 class Placement(msgspec.Struct):
@@ -185,8 +185,8 @@ class RowMaker:
             line = document.module_lines[section][position]
             self._out.modules.append(Placement(section, position, line, keys[id(module)]))
         for position, device in enumerate(info.devices):
-            reachable = [keys[id(m)] for m in reachable_modules(device, (*info.modules, *referenced))]
-            key = self._device(device, vendor_id, reachable)
+            reachable = reachable_modules(device, (*info.modules, *referenced))
+            key = self._device(device, vendor_id, reachable, [keys[id(module)] for module in reachable])
             line = document.device_lines[section][position]
             self._out.devices.append(Placement(section, position, line, key, device.group_type))
 
@@ -196,28 +196,34 @@ class RowMaker:
         self._sent.add(key)
         return True
 
-    def _device(self, device: Device, vendor_id: int | None, modules: list[bytes]) -> bytes:
-        key = self._digests.device(device, vendor_id, modules)
+    def _device(self, device: Device, vendor_id: int | None, modules: list[Module], module_keys: list[bytes]) -> bytes:
+        key = self._digests.device(device, vendor_id, module_keys)
         if self._new(key):
-            rows = DeviceRows(**self._owner(device, key, vendor_id), modules=modules)
-            rows.element_count += sum(self._module_counts[module] for module in modules)
-            rows.default_op_mode = default_op_mode(device.op_modes)
+            derived = derive(device, modules)
+            rows = DeviceRows(
+                **self._owner(device, key, vendor_id, pdo_places(derived.images)),
+                modules=module_keys,
+                default_op_mode=default_op_mode(device.op_modes),
+                derived=derived_rows(derived),
+            )
+            rows.element_count += sum(self._module_counts[module] for module in module_keys)
             self._out.new_devices.append(rows)
         return key
 
     def _module(self, module: Module, vendor_id: int | None) -> bytes:
         key = self._digests.module(module, vendor_id)
         if self._new(key):
-            rows = ModuleRows(**self._owner(module, key, vendor_id))
+            rows = ModuleRows(**self._owner(module, key, vendor_id, {}))
             self._module_counts[key] = rows.element_count
             self._out.new_modules.append(rows)
         return key
 
-    def _owner(self, owner: Device | Module, key: bytes, vendor_id: int | None) -> dict[str, Any]:
+    def _owner(self, owner: Device | Module, key: bytes, vendor_id: int | None, places: PdoPlaces) -> dict[str, Any]:
         tables: dict[str, list[Row]] = {}
         extensions: list[tuple[str, int, str, str]] = []
         images: list[tuple[str, bytes | None, str | None]] = []
         _collect(owner, "", 0, tables, extensions, images)
+        add_places(tables, places)
         dictionaries = [profile.dictionary for profile in owner.profiles]
         entries = sum(len(pdo.entries) for pdo in (*owner.rx_pdos, *owner.tx_pdos))
         objects = sum(len(dictionary.objects) for dictionary in dictionaries if dictionary is not None)
@@ -243,7 +249,7 @@ class RowMaker:
     def _diagnostics(self, diagnostics: Diagnostics) -> bytes:
         key = self._digests.diagnostics(diagnostics)
         if self._new(key):
-            messages = _positioned(DiagMessage, diagnostics.diag_messages)
+            messages = positioned(DiagMessage, diagnostics.diag_messages)
             row = codec(Diagnostics).encode(diagnostics)
             self._out.new_diagnostics.append(DiagnosticsRows(key, row, messages))
         return key
@@ -272,22 +278,16 @@ class RowMaker:
     def _data_type(self, data_type: DataType) -> bytes:
         key = self._digests.data_type(data_type)
         if self._new(key):
-            sub_items = _positioned(SubItem, data_type.sub_items)
-            enum_values = _positioned(EnumInfo, data_type.enum_infos)
+            sub_items = positioned(SubItem, data_type.sub_items)
+            enum_values = positioned(EnumInfo, data_type.enum_infos)
             self._out.new_types.append(TypeRows(key, codec(DataType).encode(data_type), sub_items, enum_values))
         return key
 
 
 def _object_rows(declared: Object, types: Mapping[str, DataType], key: bytes) -> ObjectRows:
     resolved = resolve_object(declared, types)
-    entries = _positioned(ObjectEntry, resolved.entries)
+    entries = positioned(ObjectEntry, resolved.entries)
     return ObjectRows(key, codec(Object).encode(declared), resolved.object_code, entries)
-
-
-def _positioned(record_type: type[Record], records: Iterable[Record]) -> list[Row]:
-    """Rows of a list of records, each behind its position."""
-    encode = codec(record_type).encode
-    return [(position, *encode(record)) for position, record in enumerate(records)]
 
 
 def _collect(

@@ -61,7 +61,7 @@ def _table(name: str, comment: str, *items: Any, **options: Any) -> sa.Table:
     return sa.Table(name, metadata, *items, comment=comment, sqlite_strict=True, **options)
 
 
-def _owned(name: str, comment: str, *extra: sa.Column[Any]) -> sa.Table:
+def _owned(name: str, comment: str, *extra: sa.Column[Any], derived: tuple[sa.Column[Any], ...] = ()) -> sa.Table:
     """A table whose rows belong to exactly one device or module."""
     return _table(
         name,
@@ -72,11 +72,12 @@ def _owned(name: str, comment: str, *extra: sa.Column[Any]) -> sa.Table:
         _integer("position", "Position in document order, from 0", nullable=False),
         *extra,
         *_recorded(name),
+        *derived,
         sa.CheckConstraint("(device_id IS NULL) <> (module_id IS NULL)", name="one_owner"),
     )
 
 
-def _part(name: str, parent: str, comment: str, *extra: sa.Column[Any]) -> sa.Table:
+def _part(name: str, parent: str, comment: str, *derived: sa.Column[Any]) -> sa.Table:
     """A table whose rows belong to a row of another table."""
     return _table(
         name,
@@ -84,8 +85,8 @@ def _part(name: str, parent: str, comment: str, *extra: sa.Column[Any]) -> sa.Ta
         _key(),
         _reference(f"{parent}.id", "Row it belongs to", name=parent_column(parent), nullable=False, index=True),
         _integer("position", "Position in document order, from 0", nullable=False),
-        *extra,
         *_recorded(name),
+        *derived,
     )
 
 
@@ -202,6 +203,12 @@ devices = _table(
     *_recorded("devices"),
     _integer("default_op_mode", "Position of the default OpMode: the first that newer tools do not ignore"),
     _integer("element_count", "Objects plus PDO entries, reachable modules included", nullable=False),
+    _boolean(
+        "hidden",
+        "1 when another description of the vendor supersedes it (HideType)",
+        nullable=False,
+        server_default="0",
+    ),
     _boolean("recovered", "1 when every document that carries it needed recovery", nullable=False),
     _integer("file_version", "Highest FileVersion of the documents that carry it"),
     _text("group_type", "Group that the description names in its first document"),
@@ -279,8 +286,14 @@ pdos = _owned(
     "pdos",
     "PDOs of devices and modules.",
     _text("direction", "RxPdo (master to slave), TxPdo (slave to master) or SafetyParaMapping", nullable=False),
+    derived=(_integer("image_sm", "SyncManager of the PDO in the device's default process image; NULL = not in it"),),
 )
-pdo_entries = _part("pdo_entries", "pdos", "Entries of PDOs, padding included, OSFac not expanded.")
+pdo_entries = _part(
+    "pdo_entries",
+    "pdos",
+    "Entries of PDOs, padding included, OSFac not expanded.",
+    _integer("image_bit_offset", "Bits before it in its SyncManager's default process image; NULL = not in it"),
+)
 sa.Index("ix_pdo_entries_mapped", pdo_entries.c.entry_index, pdo_entries.c.subindex)
 pdo_exclusions = _part("pdo_exclusions", "pdos", "PDOs that may not be assigned together, as declared (one-sided).")
 mailboxes = _owned("mailboxes", "Mailbox protocols and their options, one row a device or module.")
@@ -294,6 +307,31 @@ slots = _owned("slots", "Slot elements; with max_instances above 1 one stands fo
 slot_modules = _part("slot_modules", "slots", "Modules that fit a slot, by ModuleIdent.")
 slot_module_classes = _part("slot_module_classes", "slots", "Modules that fit a slot, by ModuleClass.")
 eeproms = _owned("eeproms", "Eeprom elements: size, ConfigData, bootstrap mailbox, further categories.")
+
+device_facts = _table(
+    "device_facts",
+    "What devices imply and no single element says: sizes, SYNC support, cycle, layout, safety evidence.",
+    _reference("devices.id", "Device description", primary_key=True, autoincrement=False),
+    *_recorded("device_facts"),
+    sa.Index("ix_device_facts_image_signature", "image_signature"),
+)
+drive_modes = _table(
+    "drive_modes",
+    "Which drive modes a device can run, as far as its description tells: verdict and recipe per axis and mode.",
+    _reference("devices.id", "Device description", primary_key=True),
+    _integer("position", "Order: by axis and mode, from 0", primary_key=True),
+    *_recorded("drive_modes"),
+    sa.Index("ix_drive_modes_mode_verdict", "mode", "verdict"),
+    sqlite_with_rowid=False,
+)
+mode_evidence = _table(
+    "mode_evidence",
+    "Every single finding about a drive mode, for and against; docs/drive-modes.md explains the ranks.",
+    _reference("devices.id", "Device description", primary_key=True),
+    _integer("position", "Order of finding, from 0", primary_key=True),
+    *_recorded("mode_evidence"),
+    sqlite_with_rowid=False,
+)
 
 dictionaries = _table(
     "dictionaries",

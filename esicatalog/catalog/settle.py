@@ -39,6 +39,7 @@ def settle(connection: sa.Connection, affected: Affected) -> None:
         _settle_vendors(connection, affected.vendors)
     if affected.devices or affected.identities:
         _settle_devices(connection, affected)
+    settle_hidden(connection, affected.vendors | {identity[0] for identity in affected.identities})
 
 
 def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> None:
@@ -154,6 +155,34 @@ def _number_variants(connection: sa.Connection, identities: Iterable[tuple[Any, 
     update = sa.update(devices).where(devices.c.id == sa.bindparam("number")).values(variant=sa.bindparam("to"))
     connection.execute(update, [{"number": number, "to": -number} for number, _ in changes])
     connection.execute(update, [{"number": number, "to": variant} for number, variant in changes])
+
+
+def settle_hidden(connection: sa.Connection, vendor_ids: Iterable[int | None]) -> None:
+    """Mark the revisions that some other description of the same vendor supersedes (HideType).
+
+    A HideType without ProductCode means its own product; one without RevisionNo names nothing.
+    """
+    hiding, columns, named = devices.alias(), devices.c, schema.hidden_revisions.c
+    superseded = (
+        sa.select(columns.id)
+        .select_from(schema.hidden_revisions)
+        .join(hiding, hiding.c.id == named.device_id)
+        .join(
+            devices,
+            (columns.vendor_id == hiding.c.vendor_id)
+            & (columns.product_code == sa.func.coalesce(named.product_code, hiding.c.product_code))
+            & (columns.revision_no == named.revision_no),
+        )
+        .where((columns.product_code != hiding.c.product_code) | (columns.revision_no != hiding.c.revision_no))
+    )
+    update = sa.update(devices).where(columns.id == sa.bindparam("number")).values(hidden=sa.bindparam("is_hidden"))
+    for part in chunks(sorted(vendor_id for vendor_id in vendor_ids if vendor_id is not None)):
+        wanted = set(connection.execute(superseded.where(hiding.c.vendor_id.in_(part))).scalars())
+        marked = sa.select(columns.id).where(columns.vendor_id.in_(part), columns.hidden == sa.true())
+        stored = set(connection.execute(marked).scalars())
+        if wanted != stored:
+            changes = [{"number": number, "is_hidden": number in wanted} for number in sorted(wanted ^ stored)]
+            connection.execute(update, changes)
 
 
 def collect_garbage(connection: sa.Connection, affected: Affected) -> bool:

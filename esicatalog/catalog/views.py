@@ -8,6 +8,9 @@ from typing import NamedTuple
 import sqlalchemy as sa
 
 from esicatalog.catalog.schema import metadata
+from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.model.cia402 import CIA402, DRIVE_MODES
+from esicatalog.model.revisions import BECKHOFF
 
 FULL_TEXT = "device_search"
 FULL_TEXT_DOC = (
@@ -40,9 +43,37 @@ def _device_identity(dialect: str) -> str:
         "d.id AS device_id, d.vendor_id, d.product_code, d.revision_no, d.variant, "
         f"{hex_text('d.vendor_id', 8, dialect)} AS vendor_id_hex, "
         f"{hex_text('d.product_code', 8, dialect)} AS product_code_hex, "
-        f"{hex_text('d.revision_no', 8, dialect)} AS revision_no_hex, "
-        "v.name AS vendor, d.type AS device_type, d.name AS device_name"
+        f"{hex_text('d.revision_no', 8, dialect)} AS revision_no_hex, {_revision_text(dialect)} AS revision_text, "
+        "d.hidden, v.name AS vendor, d.type AS device_type, d.name AS device_name"
     )
+
+
+def _revision_text(dialect: str) -> str:
+    """SQL for :func:`esicatalog.model.revisions.revision_text`."""
+    variant, revision = "(d.revision_no & 65535)", "(d.revision_no >> 16)"
+    return (
+        f"CASE WHEN d.vendor_id = {BECKHOFF} AND d.revision_no IS NOT NULL THEN "
+        f"CASE WHEN {variant} <> 0 THEN {_dashed(variant, dialect)} ELSE '' END || {_dashed(revision, dialect)} END"
+    )
+
+
+def _dashed(expression: str, dialect: str) -> str:
+    if dialect == "postgresql":
+        return f"'-' || lpad({expression}::text, greatest(4, length({expression}::text)), '0')"
+    return f"printf('-%04d', {expression})"
+
+
+def _byte_bit(bits: str) -> str:
+    return f"({bits} / 8) || '.' || ({bits} % 8)"
+
+
+def _signed(data_type: str) -> str:
+    """SQL for the signedness of a base type: 1, 0, or NULL where the question makes no sense."""
+    cases = {
+        value: ", ".join(f"'{base.name}'" for base in BASE_TYPES.values() if base.kind == kind)
+        for kind, value in (("int", 1), ("uint", 0))
+    }
+    return "CASE " + " ".join(f"WHEN {data_type} IN ({names}) THEN {value}" for value, names in cases.items()) + " END"
 
 
 def _module_identity(dialect: str) -> str:
@@ -60,7 +91,13 @@ _MODULES = "FROM modules m LEFT JOIN vendors v ON v.vendor_id = m.vendor_id"
 
 def views(dialect: str) -> list[View]:
     """All views in SQL of the dialect (``sqlite`` or ``postgresql``)."""
-    return [_overview(dialect), *_owner_views("device", dialect), *_owner_views("module", dialect), *_problems(dialect)]
+    return [
+        _overview(dialect),
+        *_owner_views("device", dialect),
+        *_owner_views("module", dialect),
+        *_capabilities(dialect),
+        *_problems(dialect),
+    ]
 
 
 def _owner_views(kind: str, dialect: str) -> list[View]:
@@ -86,17 +123,7 @@ def _owner_views(kind: str, dialect: str) -> list[View]:
             "JOIN dictionary_objects l ON l.dictionary_id = p.dictionary_id JOIN objects o ON o.id = l.object_id "
             "JOIN object_entries e ON e.object_id = o.id",
         ),
-        View(
-            f"{kind}_pdo_entries",
-            f"One row per Entry element of a {kind}'s own PDOs, padding included, OSFac not expanded.",
-            f"SELECT {identity}, p.direction, p.pdo_index, {hex_text('p.pdo_index', 4, dialect)} AS pdo_index_hex, "
-            "p.name AS pdo_name, p.sm, "
-            f"{hex_text('e.entry_index', 4, dialect)} AS entry_index_hex, {_columns('pdo_entries', 'e', 'pdo_id')}, "
-            "(SELECT coalesce(sum(b.bit_length), 0) FROM pdo_entries b "
-            "WHERE b.pdo_id = e.pdo_id AND b.position < e.position) AS bit_offset_in_pdo, "
-            f"p.id AS pdo_id, p.position AS pdo_position, e.position {source} "
-            f"JOIN pdos p ON p.{kind}_id = {alias}.id JOIN pdo_entries e ON e.pdo_id = p.id",
-        ),
+        _pdo_entries_view(kind, identity, source, dialect),
         View(
             f"{kind}_initcmds",
             f"One row per InitCmd element of a {kind}, all mailbox protocols; several transitions stay one row.",
@@ -117,6 +144,111 @@ def _owner_views(kind: str, dialect: str) -> list[View]:
             )
         )
     return found
+
+
+def _pdo_entries_view(kind: str, identity: str, source: str, dialect: str) -> View:
+    """Entries with their place and with what the object dictionary says about the object that they map."""
+    alias = kind[0]
+    place = (
+        f"p.image_sm, CASE WHEN p.image_sm IS NOT NULL THEN 1 ELSE 0 END AS assigned_by_default, "
+        f"e.image_bit_offset, {_byte_bit('e.image_bit_offset')} AS image_byte_bit, "
+        if kind == "device"
+        else ""
+    )
+
+    def described(expression: str) -> str:
+        # a subquery a column: counting and grouping then costs nothing for columns that nobody reads
+        return (
+            f"(SELECT {expression} FROM profiles q JOIN dictionary_objects l ON l.dictionary_id = q.dictionary_id "
+            "JOIN objects o ON o.id = l.object_id JOIN object_entries z ON z.object_id = o.id "
+            f"WHERE q.{kind}_id = {alias}.id AND e.entry_index <> 0 AND o.object_index = e.entry_index "
+            "AND z.subindex = coalesce(e.subindex, 0) ORDER BY q.position, l.position LIMIT 1)"
+        )
+
+    return View(
+        f"{kind}_pdo_entries",
+        f"One row per Entry element of a {kind}'s own PDOs, padding included, OSFac not expanded.",
+        f"SELECT {identity}, p.direction, p.pdo_index, {hex_text('p.pdo_index', 4, dialect)} AS pdo_index_hex, "
+        f"p.name AS pdo_name, p.sm, {place}"
+        f"{hex_text('e.entry_index', 4, dialect)} AS entry_index_hex, "
+        f"{_columns('pdo_entries', 'e', 'pdo_id', 'image_bit_offset')}, "
+        f"coalesce({described(_signed('z.base_type'))}, {_signed('e.data_type')}) AS signed, "
+        f"{described('o.name')} AS object_name, {described('z.name')} AS object_entry_name, "
+        f"{described(hex_text('z.unit', 8, dialect))} AS unit_hex, "
+        f"{described('coalesce(z.min_int, z.min_real)')} AS minimum, "
+        f"{described('coalesce(z.max_int, z.max_real)')} AS maximum, "
+        "(SELECT coalesce(sum(b.bit_length), 0) FROM pdo_entries b "
+        "WHERE b.pdo_id = e.pdo_id AND b.position < e.position) AS bit_offset_in_pdo, "
+        f"p.id AS pdo_id, p.position AS pdo_position, e.position {source} "
+        f"JOIN pdos p ON p.{kind}_id = {alias}.id JOIN pdo_entries e ON e.pdo_id = p.id",
+    )
+
+
+def _capabilities(dialect: str) -> list[View]:
+    identity = _device_identity(dialect)
+    module = f"{hex_text('m.module_ident', 8, dialect)} AS module_ident_hex"
+    return [
+        View(
+            "device_drive_modes",
+            "One row per drive mode and axis of a device: verdict, best evidence, recipe. What the file says, not "
+            "what the drive does.",
+            f"SELECT {identity}, {module}, {hex_text('m.rx_pdo_index', 4, dialect)} AS rx_pdo_index_hex, "
+            f"{_columns('drive_modes', 'm')}, m.position {_DEVICES} JOIN drive_modes m ON m.device_id = d.id",
+        ),
+        View(
+            "device_mode_evidence",
+            "One row per finding about a drive mode, for and against.",
+            f"SELECT {identity}, {module}, {hex_text('m.object_index', 4, dialect)} AS object_index_hex, "
+            f"{hex_text('m.pdo_index', 4, dialect)} AS pdo_index_hex, "
+            f"{_columns('mode_evidence', 'm')}, m.position {_DEVICES} JOIN mode_evidence m ON m.device_id = d.id",
+        ),
+        View(
+            "device_capabilities",
+            "One row per device description with what no single element says: sizes, SYNC support, cycle, FSoE.",
+            f"SELECT {identity}, {_columns('device_facts', 'f')} {_DEVICES} JOIN device_facts f ON f.device_id = d.id",
+        ),
+        View(
+            "device_revisions",
+            "Preferred descriptions of each product by revision; layout_changed compares the default process image "
+            "with the next lower revision, of the same type where there is one.",
+            f"SELECT {identity}, r.previous_id, CASE WHEN r.previous_id IS NOT NULL "
+            "AND coalesce(f.image_signature, '') <> coalesce(b.image_signature, '') THEN 1 ELSE 0 END "
+            "AS layout_changed, "
+            "f.output_bytes, f.input_bytes, f.image_signature "
+            "FROM (SELECT id, vendor_id, product_code, coalesce("
+            "lag(id) OVER (PARTITION BY vendor_id, product_code, type ORDER BY revision_no), "
+            "lag(id) OVER (PARTITION BY vendor_id, product_code ORDER BY revision_no)) AS previous_id "
+            "FROM devices WHERE variant = 1 AND vendor_id IS NOT NULL AND product_code IS NOT NULL) r "
+            "JOIN devices d ON d.id = r.id LEFT JOIN vendors v ON v.vendor_id = d.vendor_id "
+            "JOIN device_facts f ON f.device_id = d.id LEFT JOIN device_facts b ON b.device_id = r.previous_id",
+        ),
+        View(
+            "same_process_image_layout",
+            "Pairs of devices whose default process images have the same layout. Similar is not the same: never take "
+            "one for the other by this alone, revisions can be power ratings.",
+            f"SELECT {identity}, o.id AS other_device_id, "
+            f"{hex_text('o.vendor_id', 8, dialect)} AS other_vendor_id_hex, "
+            f"{hex_text('o.product_code', 8, dialect)} AS other_product_code_hex, "
+            f"{hex_text('o.revision_no', 8, dialect)} AS other_revision_no_hex, o.type AS other_type, "
+            "CASE WHEN f.pdo_signature = g.pdo_signature THEN 1 ELSE 0 END AS same_pdo_set, f.output_bytes, "
+            f"f.input_bytes {_DEVICES} JOIN device_facts f ON f.device_id = d.id "
+            "JOIN device_facts g ON g.image_signature = f.image_signature JOIN devices o ON o.id = g.device_id "
+            "WHERE o.id <> d.id AND o.variant = 1 AND d.variant = 1",
+        ),
+        View(
+            "drive_modes_by_vendor",
+            "Mode matrix: how many visible devices of a vendor run each CiA 402 mode by verdict yes or likely.",
+            "SELECT d.vendor_id, v.name AS vendor, count(DISTINCT d.id) AS drives, "
+            + ", ".join(
+                f"count(DISTINCT CASE WHEN m.mode = '{mode}' AND m.verdict IN ('yes', 'likely') THEN d.id END) "
+                f"AS {mode.lower()}"
+                for mode in DRIVE_MODES
+            )
+            + f" {_DEVICES} JOIN drive_modes m ON m.device_id = d.id AND m.kind = '{CIA402}' "
+            f"WHERE d.variant = 1 AND d.hidden = {'false' if dialect == 'postgresql' else '0'} "
+            "GROUP BY d.vendor_id, v.name",
+        ),
+    ]
 
 
 def _overview(dialect: str) -> View:

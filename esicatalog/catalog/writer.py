@@ -315,10 +315,11 @@ class Writer:
         keys.put(rows.key.hex(), number)
         self._keys["modules"].load([module.hex() for module in rows.modules])
         modules = [self._keys["modules"].require(module.hex()) for module in rows.modules]
-        not_settled = (False, None, None)
+        not_settled = (False, False, None, None)
         row = (number, rows.vendor_id, -number, rows.key.hex(), *rows.row, rows.default_op_mode, rows.element_count)
         self._buffer.add("devices", [(*row, *not_settled)])
         self._add_owned(rows, number, None)
+        self._buffer.add_derived(number, rows.derived)
         self._buffer.add("device_modules", [(number, at, module) for at, module in enumerate(modules)])
 
     def _add_owned(self, rows: OwnerRows, device_id: int | None, module_id: int | None) -> None:

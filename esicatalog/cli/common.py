@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 import click
 
 from esicatalog.errors import EsiCatalogError, NotFound
-from esicatalog.identity import parse_identity, parse_mapped, parse_number, parse_plugged
+from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_modes, parse_number, parse_plugged
 
 EXIT_NO = 1
 """The answer is "no": not found, failed documents, problems."""
@@ -81,6 +81,8 @@ class _Parsed(click.ParamType[Any]):
 NUMBER = _Parsed("number", parse_number)
 IDENTITY = _Parsed("identity", parse_identity)
 MAPPED = _Parsed("index[:subindex]", parse_mapped)
+BOUNDS = _Parsed("amount", parse_bounds)
+MODES = _Parsed("modes", parse_modes)
 PLUGGED = _Parsed("slot=ident", parse_plugged)
 
 

@@ -1,73 +1,72 @@
 """esicatalog devices"""
 
+from typing import Any
+
 import click
 
-from esicatalog.cli.common import MAPPED, NUMBER, db_option, format_option, print_rows, print_table, reporting_errors
+from esicatalog.catalog.device_filter import IDENTIFICATIONS, PROTOCOLS, SYNC_SIGNALS
+from esicatalog.cli.common import (
+    BOUNDS,
+    IDENTITY,
+    MAPPED,
+    MODES,
+    NUMBER,
+    db_option,
+    format_option,
+    print_rows,
+    print_table,
+    reporting_errors,
+)
 from esicatalog.errors import EsiCatalogError
 from esicatalog.identity import parse_number
 
-PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
 _CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant", "vendor", "type", "name", "evidence")
 
 
 @click.command("devices")
 @db_option
 @click.option("--vendor", metavar="V", help="Vendor id, or a part of the vendor's name.")
-@click.option("--product", metavar="P", type=NUMBER, help="Product code.")
+@click.option("--product", "product_code", metavar="P", type=NUMBER, help="Product code.")
 @click.option("--text", metavar="T", help="Words in vendor, type, name or identity.")
-@click.option("--profile", metavar="N", type=NUMBER, help="Profile number, e.g. 402.")
-@click.option("--sync", type=click.Choice(["sync0", "sync1"]), help="Has an OpMode that generates this signal.")
+@click.option("--profile", "profile_no", metavar="N", type=NUMBER, help="Profile number, e.g. 402.")
+@click.option("--mode", "modes", metavar="CSV[,CSP]", type=MODES, default=(), help="Runs all these CiA 402 modes.")
+@click.option("--strict", is_flag=True, help="With --mode: only the verdict yes, not likely.")
+@click.option("--sync", type=click.Choice(SYNC_SIGNALS), help="Has an OpMode that generates this signal.")
+@click.option("--needs-dc", is_flag=True, help="Runs with distributed clocks only.")
 @click.option("--protocol", type=click.Choice(PROTOCOLS), help="Supports this mailbox protocol.")
+@click.option("--complete-access", is_flag=True, help="Declares SDO complete access.")
+@click.option("--pdo-assign", is_flag=True, help="Declares that PDOs can be assigned (0x1C12, 0x1C13).")
+@click.option("--pdo-config", is_flag=True, help="Declares that PDO mappings can be changed.")
+@click.option("--bootstrap", is_flag=True, help="Has a bootstrap mailbox.")
+@click.option("--no-lrw", is_flag=True, help="Cannot handle LRW frames.")
+@click.option("--identification", type=click.Choice(IDENTIFICATIONS), help="Returns an explicit identification so.")
+@click.option("--physics", metavar="YY", help="Ports A to D: Y MII, K E-bus, H fast hot connect, blank unused.")
+@click.option("--bytes-in", metavar="[<=|>=]N", type=BOUNDS, help="Input bytes of the default process image.")
+@click.option("--bytes-out", metavar="[<=|>=]N", type=BOUNDS, help="Output bytes of the default process image.")
+@click.option("--min-cycle-ns", metavar="[<=|>=]N", type=BOUNDS, help="Smallest cycle time.")
+@click.option("--e-bus-ma", metavar="[<=|>=]N", type=BOUNDS, help="E-bus current; negative = supplies.")
+@click.option("--axes", metavar="[<=|>=]N", type=BOUNDS, help="Number of CiA 402 axes.")
 @click.option("--maps", metavar="IDX[:SUB]", multiple=True, type=MAPPED, help="A PDO maps this; may be repeated.")
 @click.option("--not-maps", metavar="IDX[:SUB]", multiple=True, type=MAPPED, help="No PDO maps this.")
 @click.option("--bits", metavar="N", type=NUMBER, help="Length of the entries named by --maps.")
 @click.option("--object", "objects", metavar="IDX[:SUB]", multiple=True, type=MAPPED, help="The dictionary has this.")
-@click.option("--complete-access", is_flag=True, help="Declares SDO complete access.")
+@click.option("--like", metavar="IDENTITY", type=IDENTITY, help="Same process-image layout as this device.")
 @click.option("--all-variants", is_flag=True, help="Also the descriptions that are not preferred.")
+@click.option("--include-hidden", is_flag=True, help="Also revisions that their vendor hides (HideType).")
 @click.option("--limit", metavar="N", type=click.IntRange(0), help="At most so many.")
 @format_option("table", "json", "csv")
 @reporting_errors
-def command(
-    db: str,
-    vendor: str | None,
-    product: int | None,
-    text: str | None,
-    profile: int | None,
-    sync: str | None,
-    protocol: str | None,
-    maps: tuple[tuple[int, int | None], ...],
-    not_maps: tuple[tuple[int, int | None], ...],
-    bits: int | None,
-    objects: tuple[tuple[int, int | None], ...],
-    complete_access: bool,
-    all_variants: bool,
-    limit: int | None,
-    output_format: str,
-) -> None:
+def command(db: str, vendor: str | None, output_format: str, **filters: Any) -> None:
     """List the devices that fulfil all conditions, each with its evidence.
 
-    Numbers are written 0x1097, #x1097 or 4247. An empty list is an answer too: exit code 0.
+    Numbers are written 0x1097, #x1097 or 4247. An empty list is an answer too: exit code 0. What is listed is what
+    the files declare or imply; read 0x6502 on the drive before it moves.
     """
     from esicatalog.api import Catalog
 
     vendor_id, vendor_name = _vendor(vendor)
     with Catalog.open(db) as catalog:
-        found = catalog.devices(
-            vendor_id=vendor_id,
-            vendor=vendor_name,
-            product_code=product,
-            text=text,
-            profile_no=profile,
-            sync=sync,
-            protocol=protocol,
-            maps=maps,
-            not_maps=not_maps,
-            bits=bits,
-            objects=objects,
-            complete_access=complete_access,
-            all_variants=all_variants,
-            limit=limit,
-        )
+        found = catalog.devices(vendor_id=vendor_id, vendor=vendor_name, **filters)
     if output_format == "table":
         print_table(
             [(d.identity_text, d.type or "", d.name or "", "; ".join(d.evidence)) for d in found],

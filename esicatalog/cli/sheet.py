@@ -12,14 +12,19 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
-from esicatalog.model.device_facts import DeviceFacts, device_facts
-from esicatalog.model.drive_modes import drive_modes
+from esicatalog.model.cia402 import CIA402
+from esicatalog.model.derivation import derive
+from esicatalog.model.device_facts import DeviceFacts
+from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.process_image import SmImage, alternative_assignments, byte_bit, process_image
+from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import chosen_modules
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import default_op_mode, sync_signals
 
 _PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
+_MOST_ALIKE = 10
+"""Devices of the same layout that a sheet names."""
 _COE_DETAILS = {
     "coe_sdo_info": "SdoInfo",
     "coe_pdo_assign": "PdoAssign",
@@ -34,7 +39,8 @@ _COE_DETAILS = {
 def sheet_lines(description: DeviceDescription, choice: Mapping[int, int]) -> Iterator[str]:
     """The sheet as lines of text; ``choice`` is ModuleIdent by slot. Raises :class:`InputError` for a bad choice."""
     images = _images(description, choice)
-    yield from _identity(description)
+    derived = derive(description.device, description.modules)
+    yield from _identity(description, derived.facts)
     yield from _sync_managers(description)
     yield from _process_image(images, "Process image" if choice else "Default process image")
     yield from _assignments(description)
@@ -43,7 +49,8 @@ def sheet_lines(description: DeviceDescription, choice: Mapping[int, int]) -> It
         yield from _module(module)
     yield from _mailbox(description.device.mailbox)
     yield from _dc_modes(description.device.op_modes)
-    yield from _drive_modes(description)
+    yield from _drive_modes(derived.modes)
+    yield from _neighbours(description)
 
 
 def _images(description: DeviceDescription, choice: Mapping[int, int]) -> list[SmImage]:
@@ -65,11 +72,10 @@ def _assignments(description: DeviceDescription) -> Iterator[str]:
     yield from _section("Predefined PDO assignments (* = default)", ("", "name", "PDOs"), rows)
 
 
-def _drive_modes(description: DeviceDescription) -> Iterator[str]:
-    found = drive_modes(description.device, description.modules)
+def _drive_modes(found: DriveModes) -> Iterator[str]:
     rows = [
         [
-            f"axis {item.axis}" if item.kind == "CiA 402" else item.kind,
+            f"axis {item.axis}" if item.kind == CIA402 else item.kind,
             item.mode,
             item.verdict + (" (conflict)" if item.conflict else ""),
             item.evidence,
@@ -84,6 +90,28 @@ def _drive_modes(description: DeviceDescription) -> Iterator[str]:
             yield f"  conflict: {item.evidence}"
 
 
+def _neighbours(description: DeviceDescription) -> Iterator[str]:
+    """Other revisions, and devices with the same layout."""
+    rows = [
+        [
+            "*" if item.device.revision_no == description.found.revision_no else "",
+            _hex(item.device.revision_no, 8),
+            revision_text(item.device.vendor_id, item.device.revision_no) or "",
+            "hidden" if item.hidden else "",
+            "layout changed" if item.layout_changed else "",
+            item.device.type or "",
+        ]
+        for item in description.revisions
+    ]
+    if len(rows) > 1:
+        head = ("", "revision", "", "", "process image", "type")
+        yield from _section("Revisions of this product (* = this one)", head, rows)
+    alike = description.same_layout
+    rows = [[item.identity_text, item.type or "", item.name or ""] for item in alike[:_MOST_ALIKE]]
+    more = f"; {len(alike) - _MOST_ALIKE} more: devices --like" if len(alike) > _MOST_ALIKE else ""
+    yield from _section(f"Same process-image layout ({len(alike)}{more})", ("identity", "type", "name"), rows)
+
+
 def _section(title: str, head: tuple[str, ...], rows: list[list[str]]) -> Iterator[str]:
     if rows:
         yield ""
@@ -92,22 +120,23 @@ def _section(title: str, head: tuple[str, ...], rows: list[list[str]]) -> Iterat
             yield f"  {line}"
 
 
-def _identity(description: DeviceDescription) -> Iterator[str]:
+def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[str]:
     found, device = description.found, description.device
     yield f"{found.type}  {found.name or ''}".rstrip()
     yield f"  vendor    {_hex(found.vendor_id, 8)}  {found.vendor or ''}".rstrip()
     yield f"  product   {_hex(found.product_code, 8)}  ({_text(found.product_code)})"
-    yield f"  revision  {_hex(found.revision_no, 8)}  ({_text(found.revision_no)})"
+    style = revision_text(found.vendor_id, found.revision_no)
+    yield f"  revision  {_hex(found.revision_no, 8)}  ({_text(found.revision_no)}{f', {style}' if style else ''})"
     if found.variant != 1:
         yield f"  variant   {found.variant}: not the preferred description of this identity"
-    facts = [
+    shown = [
         ("group", device.group_type),
         ("physics", device.physics),
         ("E-bus", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
         ("profiles", ", ".join(_profile_numbers(description)) or None),
-        *_derived(device_facts(device, description.modules)),
+        *_derived(facts),
     ]
-    for name, value in facts:
+    for name, value in shown:
         if value:
             yield f"  {name:9} {value}"
     for source in description.sources:
@@ -284,7 +313,7 @@ def _cycle(nanoseconds: int | None, factor: int | None) -> str:
 def sheet_json(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
     """The sheet as JSON: identity, sources, process image, drive modes, and the records of device and modules."""
     images = _images(description, choice)
-    modes = drive_modes(description.device, description.modules)
+    derived = derive(description.device, description.modules)
     return {
         "identity": description.found.as_json(),
         "sources": [{"member": s.member, "line": s.line, "group_type": s.group_type} for s in description.sources],
@@ -314,9 +343,14 @@ def sheet_json(description: DeviceDescription, choice: Mapping[int, int]) -> dic
             }
             for image in images
         ],
-        "facts": msgspec.to_builtins(device_facts(description.device, description.modules)),
-        "drive_modes": msgspec.to_builtins(modes.verdicts),
-        "mode_evidence": msgspec.to_builtins(modes.evidence),
+        "facts": msgspec.to_builtins(derived.facts),
+        "drive_modes": msgspec.to_builtins(derived.modes.verdicts),
+        "mode_evidence": msgspec.to_builtins(derived.modes.evidence),
+        "revisions": [
+            {**item.device.as_json(), "hidden": item.hidden, "layout_changed": item.layout_changed}
+            for item in description.revisions
+        ],
+        "same_process_image_layout": [item.as_json() for item in description.same_layout],
         "device": msgspec.to_builtins(description.device),
         "modules": [msgspec.to_builtins(module) for module in description.modules],
     }

@@ -12,6 +12,8 @@ CONTROLWORD, STATUSWORD = 0x6040, 0x6041
 MODES_OF_OPERATION, MODES_DISPLAY = 0x6060, 0x6061
 SUPPORTED_DRIVE_MODES = 0x6502
 PROFILE_CIA402 = 402
+CIA402 = "CiA 402"
+"""The drive system in words, apart from others that have modes of their own."""
 PROFILE_MODULAR = 5001
 
 

@@ -13,7 +13,8 @@ from esicatalog.esi.records.dictionary import Dictionary
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.model.dictionary import resolve_object, type_table
-from esicatalog.model.process_image import SmImage, default_process_image
+from esicatalog.model.drive_modes import DriveModes
+from esicatalog.model.process_image import SmImage
 from esicatalog.model.safety import fsoe_evidence
 from esicatalog.model.sync import is_superseded, sync_signals
 
@@ -46,6 +47,7 @@ class DeviceFacts(Record):
     min_cycle_ns: Annotated[
         int | None, Doc("Smallest cycle: default of 0x1C32:05 or 0x1C33:05, or TwinCAT MinCycleTime")
     ] = None
+    axis_count: Annotated[int, Doc("Axes with CiA 402 evidence, those of modules for further slots included")] = 0
     has_bootstrap: Annotated[bool, Doc("The EEPROM description has a bootstrap mailbox")] = False
     image_signature: Annotated[str | None, Doc("Digest of the default process image: equal = same layout")] = None
     pdo_signature: Annotated[str | None, Doc("Digest of all PDOs with their entries: equal = same PDO set")] = None
@@ -53,9 +55,10 @@ class DeviceFacts(Record):
     fsoe_evidence: Annotated[str | None, Doc("That evidence in words")] = None
 
 
-def device_facts(device: Device, modules: Sequence[Module] = ()) -> DeviceFacts:
-    """Derive the facts of a device with the modules its slots can reach."""
-    images = default_process_image(device, modules)
+def device_facts(
+    device: Device, modules: Sequence[Module], images: Sequence[SmImage], modes: DriveModes
+) -> DeviceFacts:
+    """Facts of a device with the modules its slots can reach, its default process image and its drive modes."""
     signals = [sync_signals(mode.assign_activate) for mode in device.op_modes]
     valid = [
         signal for mode, signal in zip(device.op_modes, signals, strict=True) if not is_superseded(mode)
@@ -74,6 +77,7 @@ def device_facts(device: Device, modules: Sequence[Module] = ()) -> DeviceFacts:
         output_sync_types=sync[0x1C32].get(_SYNC_TYPES),
         input_sync_types=sync[0x1C33].get(_SYNC_TYPES),
         min_cycle_ns=_min_cycle_ns(device, sync.values()),
+        axis_count=len({item.axis for item in modes.evidence}),
         has_bootstrap=device.eeprom is not None and bool((device.eeprom.boot_strap or "").strip("0")),
         image_signature=_image_signature(images),
         pdo_signature=_pdo_signature(device),
@@ -82,7 +86,7 @@ def device_facts(device: Device, modules: Sequence[Module] = ()) -> DeviceFacts:
     )
 
 
-def _bytes(device: Device, images: list[SmImage], usage: str) -> int | None:
+def _bytes(device: Device, images: Sequence[SmImage], usage: str) -> int | None:
     sizes = [image.byte_size for image in images if image.usage == usage]
     return sum(sizes) if sizes else (0 if device.sync_managers else None)
 
@@ -109,7 +113,7 @@ def _layout(entry: Entry) -> tuple[int | None, int, int | None]:
     return (entry.entry_index, entry.subindex or 0 if entry.entry_index else 0, entry.bit_length)
 
 
-def _image_signature(images: list[SmImage]) -> str | None:
+def _image_signature(images: Sequence[SmImage]) -> str | None:
     layout = [
         (
             image.sm,

@@ -84,6 +84,8 @@ class Part(NamedTuple):
     """Whether an OpMode that it can run in generates SYNC0."""
     axis_shift: int
     """Distance of the axis's objects in this part: 0 in modules, whose objects move with the slot."""
+    dc_op_mode_name: str | None = None
+    """OpMode that a module asks for."""
 
     def at(self, index: int) -> int:
         """Where an object of the first axis lies in this part."""
@@ -118,6 +120,20 @@ def has_cia402(part: Part) -> bool:
         declared.object_index == control and declared.bit_size == 16
         for dictionary in part.dictionaries
         for declared in dictionary.objects
+    )
+
+
+def may_be_drive(profiles: Sequence[Profile], rx_pdos: Sequence[Pdo]) -> bool:
+    """Whether a module can be a CiA 402 axis in some slot: a cheap look before it is expanded for every slot."""
+    return (
+        any(map(_is_cia402, profiles))
+        or any(
+            declared.object_index == CONTROLWORD
+            for profile in profiles
+            if profile.dictionary is not None
+            for declared in profile.dictionary.objects
+        )
+        or any(entry.entry_index == CONTROLWORD for pdo in rx_pdos for entry in pdo.entries)
     )
 
 

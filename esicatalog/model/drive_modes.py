@@ -16,7 +16,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Dictionary
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.cia402 import AXIS_STEP, DRIVE_MODES, MODES_OF_OPERATION, DriveMode, named_modes
+from esicatalog.model.cia402 import AXIS_STEP, CIA402, DRIVE_MODES, MODES_OF_OPERATION, DriveMode, named_modes
 from esicatalog.model.dictionary import type_table
 from esicatalog.model.drive_evidence import (
     MAX_AXES,
@@ -30,6 +30,7 @@ from esicatalog.model.drive_evidence import (
     has_cia402,
     mapping_pdo,
     maps_mode_of_operation,
+    may_be_drive,
     pdo_words,
     written_mode,
 )
@@ -47,7 +48,7 @@ class DriveModeVerdict(Record):
 
     axis: Annotated[int, Doc("Axis, from 0")] = 0
     mode: Annotated[str, Doc("PP VL PV TQ HM IP CSP CSV CST CSTCA, or another drive system's name for it")] = ""
-    kind: Annotated[str, Doc("CiA 402; MDP 742 (motion terminals with modes of their own); SoE")] = "CiA 402"
+    kind: Annotated[str, Doc("CiA 402; MDP 742 (motion terminals with modes of their own); SoE")] = CIA402
     verdict: Annotated[str, Doc("yes, likely, possible, no or unknown")] = "unknown"
     score: Annotated[float, Doc("Weight of the best evidence, 0 to 1")] = 0.0
     conflict: Annotated[bool, Doc("The description contradicts itself about this mode")] = False
@@ -70,7 +71,9 @@ class DriveModes(Record):
 def drive_modes(device: Device, modules: Sequence[Module] = ()) -> DriveModes:
     """Findings and verdicts for a device with the modules its slots can reach."""
     own = _device_parts(device)
-    plugged = _module_parts(device, modules)
+    is_own_drive = any(map(has_cia402, own))
+    plugged = _module_parts(device, [m for m in modules if is_own_drive or may_be_drive(m.profiles, m.rx_pdos)])
+    default_idents = {item.module.module_ident for item in default_modules(device, modules)} if plugged else set()
     groups = _configurations(own, plugged)
     evidence: list[ModeEvidence] = []
     verdicts: list[DriveModeVerdict] = []
@@ -82,12 +85,12 @@ def drive_modes(device: Device, modules: Sequence[Module] = ()) -> DriveModes:
         evidence.extend(by_part[id(part)])
     for axis, configurations in sorted(groups.items()):
         for mode in DRIVE_MODES.values():
-            verdict = _best(device, axis, mode, configurations, by_part, modules)
+            verdict = _best(device, axis, mode, configurations, by_part, default_idents)
             if verdict is not None:
                 verdicts.append(verdict)
     if not verdicts:
         verdicts = _other_systems(device)
-    if not verdicts and any(map(has_cia402, own)):
+    if not verdicts and is_own_drive:
         wording, score = RANKS["F"]
         text = "profile number 402, but nothing says which modes"
         evidence.append(ModeEvidence(rank="F", wording=wording, score=score, evidence=text))
@@ -149,6 +152,7 @@ def _module_part(device: Device, plugged: PluggedModule) -> Part:
         module.profiles,
         any(sync_signals(mode.assign_activate).sync0 for mode in modes),
         plugged.slot_number * increment if moves else 0,
+        module.dc_op_mode_name,
     )
 
 
@@ -168,24 +172,23 @@ def _best(
     mode: DriveMode,
     configurations: list[list[Part]],
     by_part: dict[int, list[ModeEvidence]],
-    modules: Sequence[Module],
+    default_idents: set[int | None],
 ) -> DriveModeVerdict | None:
-    default_idents = {plugged.module.module_ident for plugged in default_modules(device, modules)}
-    best: DriveModeVerdict | None = None
-    best_key: tuple[float, bool] = (-1.0, False)
+    judged: list[tuple[DriveModeVerdict, list[Part], Part | None, bool]] = []
     for parts in configurations:
         findings = [item for part in parts for item in by_part[id(part)] if item.mode == mode.name]
-        if not findings:
-            continue
-        verdict = _verdict(axis, mode, findings)
-        if verdict is None:
-            continue
-        module = next((part for part in reversed(parts) if part.module_ident is not None), None)
-        is_default = module is None or module.module_ident in default_idents
-        key = (verdict.score if verdict.verdict != NO else 0.0, is_default)
-        if key > best_key:
-            best, best_key = _with_recipe(device, verdict, mode, parts, module, is_default), key
-    return best
+        verdict = _verdict(axis, mode, findings) if findings else None
+        if verdict is not None:
+            module = next((part for part in reversed(parts) if part.module_ident is not None), None)
+            judged.append((verdict, parts, module, module is None or module.module_ident in default_idents))
+    if not judged:
+        return None
+    best, parts, module, is_default = max(judged, key=lambda j: (j[0].score if j[0].verdict != NO else 0.0, j[3]))
+    others = [item.module_ident for verdict, _, item, _ in judged if item is not None and verdict.score == best.score]
+    alternatives = [
+        f"0x{ident:X}" for ident in others if module is not None and ident not in (None, module.module_ident)
+    ]
+    return _with_recipe(device, best, mode, parts, module, is_default, alternatives)
 
 
 def _verdict(axis: int, mode: DriveMode, findings: list[ModeEvidence]) -> DriveModeVerdict | None:
@@ -227,13 +230,20 @@ def _verdict(axis: int, mode: DriveMode, findings: list[ModeEvidence]) -> DriveM
 
 
 def _with_recipe(
-    device: Device, verdict: DriveModeVerdict, mode: DriveMode, parts: list[Part], module: Part | None, is_default: bool
+    device: Device,
+    verdict: DriveModeVerdict,
+    mode: DriveMode,
+    parts: list[Part],
+    module: Part | None,
+    is_default: bool,
+    alternatives: list[str],
 ) -> DriveModeVerdict:
     if verdict.verdict == "no":
         return verdict
     steps: list[str] = []
     if module is not None:
-        steps.append(f"plug module 0x{module.module_ident:X} ({'default' if is_default else 'not the default'})")
+        which = ["default" if is_default else "not the default", *(f"or {ident}" for ident in alternatives)]
+        steps.append(f"plug module 0x{module.module_ident:X} into slot {module.axis} ({', '.join(which)})")
     mapped = next(((part, pdo) for part in reversed(parts) if (pdo := mapping_pdo(part, mode)) is not None), None)
     pdo = mapped[1] if mapped is not None else None
     pdo_is_default = None
@@ -244,7 +254,7 @@ def _with_recipe(
         )
     elif mode.setpoint is not None:
         steps.append(f"map the setpoint 0x{parts[-1].at(mode.setpoint):04X} into an RxPDO")
-    op_mode = _op_mode(device, mode)
+    op_mode = (module.dc_op_mode_name if module is not None else None) or _op_mode(device, mode)
     if op_mode is not None:
         steps.append(f"OpMode {op_mode!r}")
     steps.append(_mode_of_operation_step(mode, parts, [pdo] if pdo is not None else []))

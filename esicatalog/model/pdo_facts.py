@@ -1,5 +1,6 @@
 """Small facts about PDOs and their entries that every reader of the catalog needs."""
 
+from collections.abc import Iterable, Mapping
 from typing import Annotated
 
 from esicatalog.esi.binding import Doc, Record
@@ -27,3 +28,18 @@ def pdo_facts(pdo: Pdo) -> PdoFacts:
 def entry_facts(entry: Entry) -> EntryFacts:
     """Index 0 is padding whatever else the entry carries (ESI-FACTS section 9)."""
     return EntryFacts(is_padding=entry.entry_index == 0)
+
+
+def symmetric_exclusions(pdos: Iterable[Pdo]) -> Mapping[int | None, tuple[int, ...]]:
+    """Which PDO indices may not be assigned beside a PDO, by its index.
+
+    Exclude is meant for both sides, and 210 real ones are written on one side only (ESI-FACTS section 9): what either
+    PDO names counts for both. A PDO that excludes itself excludes nothing.
+    """
+    found: dict[int | None, dict[int, None]] = {}
+    for pdo in pdos:
+        for item in pdo.excludes:
+            if item.pdo_index is not None and pdo.pdo_index is not None and item.pdo_index != pdo.pdo_index:
+                found.setdefault(pdo.pdo_index, {})[item.pdo_index] = None
+                found.setdefault(item.pdo_index, {})[pdo.pdo_index] = None
+    return {index: tuple(rivals) for index, rivals in found.items()}

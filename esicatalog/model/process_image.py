@@ -4,7 +4,7 @@ A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the Sync
 PDOs follow each other bit by bit in document order; a SyncManager is as long as all its bits, rounded up once.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from lxml import etree
@@ -14,6 +14,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.model.pdo_facts import symmetric_exclusions
 from esicatalog.model.slots import PluggedModule, default_modules, expand_module
 from esicatalog.model.sync import default_op_mode
 
@@ -31,9 +32,13 @@ class PlacedEntry(NamedTuple):
 
 
 class PlacedPdo(NamedTuple):
-    """An assigned PDO; ``repeat`` is the oversampling factor, ``slot_number`` None for a PDO of the device itself."""
+    """An assigned PDO; ``repeat`` is the oversampling factor, ``slot_number`` None for a PDO of the device itself.
+
+    ``position`` is the PDO's among those of its direction in the device or module, None for a filler between groups.
+    """
 
     direction: str
+    position: int | None
     pdo: Pdo
     repeat: int
     slot_number: int | None
@@ -66,6 +71,7 @@ class NamedAssignment(NamedTuple):
 
 class _Candidate(NamedTuple):
     direction: str
+    position: int
     pdo: Pdo
     slot_number: int | None
     module: Module | None
@@ -87,14 +93,32 @@ def process_image(
 ) -> list[SmImage]:
     """The process image for chosen modules, OpMode and PDO assignment; SyncManagers in ascending order.
 
-    ``assignment`` (PDO index to oversampling factor, by SyncManager) wins over the OpMode's list, that over Pdo@Sm.
+    ``assignment`` (PDO index to oversampling factor, by SyncManager) wins over the OpMode's list, that over Pdo@Sm;
+    mandatory PDOs that it leaves out are added.
     """
     problems, candidates = _candidates(device, plugged)
     listed = dict(_listed(op_mode)) if op_mode is not None else {}
-    listed.update({number: dict(pdos) for number, pdos in (assignment or {}).items()})
+    remarks: dict[int, list[str]] = {}
+    for number, wanted in (assignment or {}).items():
+        listed[number], remarks[number] = _with_mandatory(number, wanted, candidates)
     numbers = {c.pdo.sm for c in candidates if c.pdo.sm is not None} | listed.keys()
     numbers |= {n for n, sm in enumerate(device.sync_managers) if sm.usage in _DIRECTION_OF_USAGE}
-    return [_image(device, number, candidates, listed.get(number), problems) for number in sorted(numbers)]
+    return [
+        _image(device, number, candidates, listed.get(number), [*problems, *remarks.get(number, ())])
+        for number in sorted(numbers)
+    ]
+
+
+def _with_mandatory(
+    number: int, wanted: Mapping[int, int], candidates: list[_Candidate]
+) -> tuple[dict[int, int], list[str]]:
+    missing = {
+        candidate.pdo.pdo_index: candidate.pdo.os_fac or 1
+        for candidate in candidates
+        if candidate.pdo.sm == number and candidate.pdo.mandatory and candidate.pdo.pdo_index is not None
+    }
+    missing = {index: factor for index, factor in missing.items() if index not in wanted}
+    return {**missing, **wanted}, [f"PDO {_hex(index)} is mandatory: assigned too" for index in missing]
 
 
 def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> tuple[list[str], list[_Candidate]]:
@@ -106,13 +130,14 @@ def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> tuple[list[
         problems.extend(expanded.problems)
         for direction, pdos in (("RxPdo", expanded.module.rx_pdos), ("TxPdo", expanded.module.tx_pdos)):
             of_modules += [
-                _Candidate(direction, pdo, item.slot_number, item.module, item.module.module_pdo_group) for pdo in pdos
+                _Candidate(direction, position, pdo, item.slot_number, item.module, item.module.module_pdo_group)
+                for position, pdo in enumerate(pdos)
             ]
     overwritten = {candidate.pdo.pdo_index for candidate in of_modules}
     own = [
-        _Candidate(direction, pdo, None, None, device.module_pdo_group)
+        _Candidate(direction, position, pdo, None, None, device.module_pdo_group)
         for direction, pdos in (("RxPdo", device.rx_pdos), ("TxPdo", device.tx_pdos))
-        for pdo in pdos
+        for position, pdo in enumerate(pdos)
         if not (pdo.overwritten_by_module and pdo.pdo_index in overwritten)
     ]
     candidates = own + of_modules
@@ -130,17 +155,16 @@ def _listed(op_mode: OpMode) -> dict[int, dict[int, int]]:
 
 
 def _image(
-    device: Device, number: int, candidates: list[_Candidate], listed: Mapping[int, int] | None, problems: list[str]
+    device: Device, number: int, candidates: list[_Candidate], listed: Mapping[int, int] | None, remarks: list[str]
 ) -> SmImage:
     usage = device.sync_managers[number].usage if 0 <= number < len(device.sync_managers) else None
-    remarks = list(problems)
     if listed is not None:
         by_index = {c.pdo.pdo_index: c for c in reversed(candidates)}
         remarks += [f"PDO 0x{index:04X} is listed but not described" for index in listed if index not in by_index]
         chosen = [(by_index[index], factor) for index, factor in listed.items() if index in by_index]
     else:
         chosen = [(c, c.pdo.os_fac or 1) for c in candidates if c.pdo.sm == number]
-    builder = _ImageBuilder(device, remarks)
+    builder = _ImageBuilder(device, chosen, remarks)
     for candidate, factor in chosen:
         builder.place(candidate, factor)
     builder.align(None)
@@ -150,27 +174,28 @@ def _image(
 class _ImageBuilder:
     """Puts PDOs one behind the other, bit by bit; groups of module PDOs end on their alignment."""
 
-    def __init__(self, device: Device, remarks: list[str]) -> None:
+    def __init__(self, device: Device, chosen: Iterable[tuple[_Candidate, int]], remarks: list[str]) -> None:
+        pdos = [candidate.pdo for candidate, _ in chosen]
         self._groups = device.module_pdo_groups
         self._remarks = remarks
-        self._excluded: dict[int, set[int]] = {}
+        self._exclusions = symmetric_exclusions(pdos)
+        self._mandatory = {pdo.pdo_index for pdo in pdos if pdo.mandatory and not pdo.virtual}
+        self._taken: set[int | None] = set()
         self._group: _Candidate | None = None
         self._group_start = 0
         self.placed: list[PlacedPdo] = []
         self.bit_size = 0
 
     def place(self, candidate: _Candidate, factor: int) -> None:
-        """Add a PDO unless it is virtual or excluded by one that came before."""
+        """Add a PDO unless it is virtual or excluded by one that came before or, itself not so, is mandatory."""
         pdo = candidate.pdo
         if pdo.virtual:
             self._remarks.append(f"PDO {_hex(pdo.pdo_index)} is virtual: described, not transported")
             return
-        excluded = {item.pdo_index for item in pdo.excludes if item.pdo_index is not None} - {pdo.pdo_index}
-        rival = next(
-            (index for index, barred in self._excluded.items() if index in excluded or pdo.pdo_index in barred), None
-        )
+        stronger = self._taken if pdo.mandatory else self._taken | self._mandatory
+        rival = next((index for index in self._exclusions.get(pdo.pdo_index, ()) if index in stronger), None)
         if rival is not None:
-            self._remarks.append(f"PDO {_hex(pdo.pdo_index)} and {_hex(rival)} exclude each other; the first is kept")
+            self._remarks.append(f"PDO {_hex(pdo.pdo_index)} is left out: {_hex(rival)} excludes it")
             return
         self.align(candidate)
         entries = []
@@ -179,9 +204,17 @@ class _ImageBuilder:
                 entries.append(PlacedEntry(self.bit_size, entry))
                 self.bit_size += max(entry.bit_length or 0, 0)
         self.placed.append(
-            PlacedPdo(candidate.direction, pdo, factor, candidate.slot_number, candidate.module, tuple(entries))
+            PlacedPdo(
+                candidate.direction,
+                candidate.position,
+                pdo,
+                factor,
+                candidate.slot_number,
+                candidate.module,
+                tuple(entries),
+            )
         )
-        self._excluded[pdo.pdo_index or 0] = excluded
+        self._taken.add(pdo.pdo_index)
 
     def align(self, following: _Candidate | None) -> None:
         """At the end of a module PDO group, fill up to its alignment with the group's own PDO."""
@@ -196,7 +229,7 @@ class _ImageBuilder:
                 gap = Entry(entry_index=0, bit_length=missing)
                 filler = Pdo(pdo_index=index, entries=(gap,))
                 entries = (PlacedEntry(self.bit_size, gap),)
-                self.placed.append(PlacedPdo(ended.direction, filler, 1, None, None, entries))
+                self.placed.append(PlacedPdo(ended.direction, None, filler, 1, None, None, entries))
                 self.bit_size += missing
         self._group, self._group_start = following, self.bit_size
 

@@ -1,0 +1,141 @@
+"""Conditions on what devices can do: drive modes, SYNC signals, protocols, sizes, layout."""
+
+from typing import Any
+
+import sqlalchemy as sa
+
+from esicatalog.catalog.conditions import Condition, by_row, stated
+from esicatalog.catalog.schema import dc_modes, device_facts, devices, drive_modes, mailboxes
+from esicatalog.identity import Bounds
+from esicatalog.model.cia402 import CIA402
+
+_FSOE = "fsoe"
+
+_FLAGS: dict[str, tuple[sa.Column[Any], str]] = {
+    "complete_access": (mailboxes.c.coe_complete_access, "CoE CompleteAccess declared"),
+    "pdo_assign": (mailboxes.c.coe_pdo_assign, "CoE PdoAssign declared"),
+    "pdo_config": (mailboxes.c.coe_pdo_config, "CoE PdoConfig declared"),
+    "bootstrap": (device_facts.c.has_bootstrap, "Eeprom/BootStrap declared"),
+    "needs_dc": (device_facts.c.dc_needed, "every valid OpMode activates distributed clocks"),
+    "no_lrw": (devices.c.use_lrd_lwr, "UseLrdLwr declared: no LRW frames"),
+    "identification_reg134": (devices.c.identification_reg134, "IdentificationReg134 declared"),
+}
+"""Truth values: column and evidence."""
+
+_AMOUNTS: dict[str, tuple[sa.Column[Any], str]] = {
+    "bytes_in": (device_facts.c.input_bytes, "{} byte(s) of input in the default process image"),
+    "bytes_out": (device_facts.c.output_bytes, "{} byte(s) of output in the default process image"),
+    "min_cycle_ns": (device_facts.c.min_cycle_ns, "smallest cycle {} ns (0x1C32:05, 0x1C33:05 or MinCycleTime)"),
+    "e_bus_ma": (devices.c.e_bus_current_ma, "E-bus current {} mA"),
+    "axes": (device_facts.c.axis_count, "{} axis(es) with CiA 402 evidence"),
+}
+"""Numbers: column and evidence."""
+
+_PORTS = {"Y": "MII", "K": "E-bus", "H": "MII fast hot connect", " ": "unused"}
+
+
+def flag(name: str) -> Condition:
+    """Devices with a property that is there or not."""
+    column, words = _FLAGS[name]
+    return Condition(_of_device(column, column == sa.true()), stated(words))
+
+
+def amount(name: str, bounds: Bounds) -> Condition:
+    """Devices with a number within bounds; unknown is not within."""
+    column, words = _AMOUNTS[name]
+    limits: list[Any] = [column.is_not(None)]
+    if bounds.least is not None:
+        limits.append(column >= bounds.least)
+    if bounds.most is not None:
+        limits.append(column <= bounds.most)
+    owner = _owner(column)
+    return Condition(_of_device(column, *limits), by_row(sa.select(owner, column), owner, words.format))
+
+
+def _owner(column: sa.Column[Any]) -> sa.Column[Any]:
+    table = column.table
+    return table.c.id if table is devices else table.c.device_id
+
+
+def _of_device(column: sa.Column[Any], *conditions: Any) -> Any:
+    """A condition on ``devices`` from conditions on a table that has one row a device."""
+    if column.table is devices:
+        return sa.and_(*conditions)
+    return devices.c.id.in_(sa.select(_owner(column)).where(*conditions))
+
+
+def drive_mode(mode: str, strict: bool) -> Condition:
+    """Devices that can run a CiA 402 mode on some axis: verdict yes, or likely unless strict."""
+    columns = drive_modes.c
+    verdicts = ("yes",) if strict else ("yes", "likely")
+    fits = (columns.mode == mode, columns.verdict.in_(verdicts), columns.kind == CIA402)
+    query = sa.select(columns.device_id, columns.axis, columns.verdict, columns.evidence, columns.recipe)
+    query = query.where(*fits).order_by(columns.device_id, columns.position)
+
+    def words(axis: int, verdict: str, evidence: str, recipe: str | None) -> str:
+        return f"{mode} {verdict}, axis {axis}: {evidence}" + (f" -> {recipe}" if recipe else "")
+
+    found = sa.select(columns.device_id).where(*fits)
+    return Condition(devices.c.id.in_(found), by_row(query, columns.device_id, words))
+
+
+def sync(signal: str) -> Condition:
+    """Devices with an OpMode that generates SYNC0 or SYNC1."""
+    column = dc_modes.c[signal]
+    query = sa.select(dc_modes.c.device_id, dc_modes.c.name, dc_modes.c.assign_activate).where(column == sa.true())
+
+    def words(name: str | None, assign_activate: int) -> str:
+        return f"{signal.upper()} in OpMode {name!r}: AssignActivate 0x{assign_activate:04X}"
+
+    ordered = query.order_by(dc_modes.c.device_id, dc_modes.c.position)
+    return Condition(
+        devices.c.id.in_(sa.select(dc_modes.c.device_id).where(column == sa.true())),
+        by_row(ordered, dc_modes.c.device_id, words),
+    )
+
+
+def protocol(name: str) -> Condition:
+    """Devices that declare a mailbox protocol; FSoE by its evidence, which is no statement about safety."""
+    if name == _FSOE:
+        facts = device_facts.c
+        query = sa.select(facts.device_id, facts.fsoe, facts.fsoe_evidence)
+        return Condition(
+            _of_device(facts.fsoe, facts.fsoe.is_not(None)),
+            by_row(query, facts.device_id, "FSoE, {} evidence: {}".format),
+        )
+    column = mailboxes.c[name]
+    words = f"Mailbox/{name[0].upper()}o{name[2].upper()} declared"
+    return Condition(_of_device(column, column == sa.true()), stated(words))
+
+
+def identification(method: str) -> Condition:
+    """Devices that return an explicit identification by this method."""
+    if method == "reg134":
+        return flag("identification_reg134")
+    column = devices.c.identification_ado
+    evidence = by_row(sa.select(devices.c.id, column), devices.c.id, "IdentificationAdo 0x{:04X}".format)
+    return Condition(column.is_not(None), evidence)
+
+
+def physics(text: str) -> Condition:
+    """Devices with these ports; trailing blanks do not count."""
+    wanted = text.rstrip(" ")
+    ports = ", ".join(f"port {'ABCD'[at]} {_PORTS.get(letter, letter)}" for at, letter in enumerate(wanted[:4]))
+    return Condition(sa.func.rtrim(devices.c.physics) == wanted, stated(f"Physics {wanted!r}: {ports}"))
+
+
+def like(number: int, words: str, facts: Any) -> Condition:
+    """Devices with the layout of another one: ``facts`` is its row of device_facts, ``number`` its own number."""
+    columns = device_facts.c
+
+    def compared(pdo_signature: str | None) -> str:
+        rest = "all its PDOs too" if pdo_signature == facts.pdo_signature else "other PDOs differ"
+        return f"same process-image layout as {words}, {rest}"
+
+    return Condition(
+        sa.and_(
+            _of_device(columns.image_signature, columns.image_signature == facts.image_signature),
+            devices.c.id != number,
+        ),
+        by_row(sa.select(columns.device_id, columns.pdo_signature), columns.device_id, compared),
+    )

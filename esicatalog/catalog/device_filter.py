@@ -1,0 +1,88 @@
+"""What can be asked of devices: one field a filter. No SQLAlchemy in here."""
+
+import msgspec
+
+from esicatalog.errors import InputError
+from esicatalog.identity import Bounds, Identity
+from esicatalog.model.cia402 import DRIVE_MODES
+
+MAILBOX_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
+PROTOCOLS = (*MAILBOX_PROTOCOLS, "fsoe")
+SYNC_SIGNALS = ("sync0", "sync1")
+MODES = tuple(DRIVE_MODES)
+IDENTIFICATIONS = ("reg134", "ado")
+
+Mapped = tuple[int, int | None]
+"""An object: index and subindex, None for every subindex."""
+
+
+class DeviceFilter(msgspec.Struct, frozen=True, kw_only=True):
+    """What devices have to fulfil; all given conditions together. Raises :class:`InputError` for unknown words.
+
+    Sizes, layout and drive modes are those of the default process image and of whatever module can be plugged; an
+    answer says on what it rests.
+    """
+
+    vendor_id: int | None = None
+    vendor: str | None = None
+    """Part of the vendor's name."""
+    product_code: int | None = None
+    text: str | None = None
+    """Words in vendor, type, name or identity."""
+    profile_no: int | None = None
+    modes: tuple[str, ...] = ()
+    """CiA 402 modes, all of them: verdict yes or likely on some axis, with some module."""
+    strict: bool = False
+    """Only the verdict yes counts."""
+    sync: str | None = None
+    """sync0 or sync1: an OpMode generates it."""
+    needs_dc: bool = False
+    """Every valid OpMode uses distributed clocks."""
+    protocol: str | None = None
+    complete_access: bool = False
+    pdo_assign: bool = False
+    pdo_config: bool = False
+    bootstrap: bool = False
+    """The EEPROM description has a bootstrap mailbox."""
+    no_lrw: bool = False
+    """Type/@UseLrdLwr: cannot handle LRW frames."""
+    identification: str | None = None
+    """reg134 or ado: how the device returns its explicit identification."""
+    physics: str | None = None
+    """Device/@Physics, e.g. YY or KK; trailing blanks do not count."""
+    bytes_in: Bounds | None = None
+    bytes_out: Bounds | None = None
+    min_cycle_ns: Bounds | None = None
+    e_bus_ma: Bounds | None = None
+    """E-bus current consumed in mA; negative = supplied."""
+    axes: Bounds | None = None
+    maps: tuple[Mapped, ...] = ()
+    """Some PDO of the device, or of a module that its slots can reach, maps each of these."""
+    not_maps: tuple[Mapped, ...] = ()
+    bits: int | None = None
+    """BitLen of the entries that ``maps`` names."""
+    objects: tuple[Mapped, ...] = ()
+    like: Identity | None = None
+    """Same layout of the default process image as this device."""
+    all_variants: bool = False
+    """Also the descriptions that are not preferred."""
+    include_hidden: bool = False
+    """Also the revisions that another description of the vendor supersedes (HideType)."""
+    limit: int | None = None
+
+    def __post_init__(self) -> None:
+        for mode in self.modes:
+            _one_of("mode", mode, MODES)
+        for name, allowed in (("sync", SYNC_SIGNALS), ("protocol", PROTOCOLS), ("identification", IDENTIFICATIONS)):
+            word = getattr(self, name)
+            if word is not None:
+                _one_of(name, word, allowed)
+        if self.bits is not None and not self.maps:
+            raise InputError("bits is the length of the entries named by maps; give maps INDEX[:SUBINDEX] too")
+        if self.strict and not self.modes:
+            raise InputError("strict is about drive modes; give mode too, e.g. CSV")
+
+
+def _one_of(name: str, word: str, allowed: tuple[str, ...]) -> None:
+    if word not in allowed:
+        raise InputError(f"{name} {word[:40]!r}: say one of {', '.join(allowed)}")

@@ -1,0 +1,47 @@
+"""Deriving anew what descriptions imply, for catalogs that an older version made."""
+
+import sqlalchemy as sa
+
+from esicatalog.catalog import schema
+from esicatalog.catalog.bulk import RowBuffer, chunks
+from esicatalog.catalog.derived import PdoPlaces, derived_rows, pdo_places
+from esicatalog.catalog.reader import RecordReader
+from esicatalog.catalog.settle import settle_hidden
+from esicatalog.model.derivation import derive
+
+_BATCH = 200
+
+
+def derive_again(connection: sa.Connection) -> None:
+    """Replace all derived rows by what this version derives from the stored descriptions."""
+    for table in (schema.device_facts, schema.drive_modes, schema.mode_evidence):
+        connection.execute(sa.delete(table))
+    connection.execute(sa.update(schema.pdo_entries).values(image_bit_offset=None))
+    connection.execute(sa.update(schema.pdos).values(image_sm=None))
+    buffer = RowBuffer(connection)
+    for part in chunks(connection.execute(sa.select(schema.devices.c.id)).scalars(), _BATCH):
+        reader = RecordReader(connection)
+        for number, device in zip(part, reader.devices(part), strict=True):
+            derived = derive(device, reader.modules_of(number))
+            buffer.add_derived(number, derived_rows(derived))
+            _write_places(connection, number, pdo_places(derived.images))
+        buffer.flush()
+    settle_hidden(connection, connection.execute(sa.select(schema.vendors.c.vendor_id)).scalars())
+
+
+def _write_places(connection: sa.Connection, device_id: int, places: PdoPlaces) -> None:
+    pdos, entries = schema.pdos.c, schema.pdo_entries.c
+    query = sa.select(pdos.id, pdos.direction, pdos.position).where(pdos.device_id == device_id)
+    for number, direction, position in connection.execute(query).all():
+        place = places.get((direction, position))
+        if place is None:
+            continue
+        sm, offsets = place
+        connection.execute(sa.update(schema.pdos).where(pdos.id == number).values(image_sm=sm))
+        if offsets:
+            connection.execute(
+                sa.update(schema.pdo_entries)
+                .where(entries.pdo_id == number, entries.position == sa.bindparam("at"))
+                .values(image_bit_offset=sa.bindparam("offset")),
+                [{"at": at, "offset": offset} for at, offset in enumerate(offsets)],
+            )

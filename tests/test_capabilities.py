@@ -1,0 +1,281 @@
+"""What devices can do, asked as filters and in SQL: every answer with its evidence, nothing hidden by accident."""
+
+import json
+
+import pytest
+from snippets import device, dictionary, esi, one, pdo, rows
+from test_cli import run
+from test_search import catalog_of, types
+
+from esicatalog import Catalog, InputError, NotFound
+from esicatalog.catalog.device_filter import DeviceFilter
+from esicatalog.catalog.search import conditions, device_query
+from esicatalog.identity import Bounds, Identity, parse_bounds, parse_modes
+
+MODULAR, EYOU, L6N, RT118X = "ECX-A202", "EYOU_ServoModule_V143", "L6N", "RT118X-SERVO-MOTOR"
+
+
+@pytest.mark.parametrize(
+    ("wanted", "found"),
+    [
+        ({"modes": ["CSV"]}, [MODULAR, EYOU, L6N]),
+        ({"modes": ["PP", "TQ"]}, [EYOU]),
+        ({"modes": ["CSTCA"], "strict": True}, [MODULAR]),
+        ({"pdo_assign": True}, [MODULAR, EYOU, L6N]),
+        ({"pdo_config": True}, [L6N]),
+        ({"bootstrap": True}, [MODULAR, EYOU, L6N]),
+        ({"no_lrw": True}, []),
+        ({"physics": "KK"}, ["ECX-D808"]),
+        ({"physics": "YY  "}, [MODULAR, EYOU, L6N, RT118X]),
+        ({"bytes_in": Bounds(None, 1)}, ["ECX-D808"]),
+        ({"bytes_in": Bounds(24, 25)}, [L6N, RT118X]),
+        ({"e_bus_ma": Bounds(100, 100)}, ["ECX-D808"]),
+        ({"axes": Bounds(4, None)}, [RT118X]),
+        ({"min_cycle_ns": Bounds(None, 250_000)}, [MODULAR, L6N]),
+        ({"protocol": "fsoe"}, []),
+        ({"modes": ["CSV"], "sync": "sync1"}, []),
+    ],
+)
+def test_filters_on_our_examples(data_db, wanted, found):
+    assert types(data_db, **wanted) == found
+
+
+def test_a_mode_answer_is_a_recipe_with_its_evidence(data_db):
+    with Catalog.open(data_db) as catalog:
+        (eyou,) = catalog.devices(modes=["CSV"], vendor_id=0x1097)
+    (text,) = eyou.evidence
+    assert text.startswith("CSV yes, axis 0: module name 'Axis (csv,csp,cst)")
+    for part in (
+        "plug module 0x119800 into slot 0 (default)",
+        "RxPDO 0x1600",
+        "0x6060 is mapped in RxPDO 0x1600: set it to 9",
+    ):
+        assert part in text
+
+
+def test_likely_counts_unless_strict(tmp_path):
+    """An InitCmd without a mapped setpoint (rank C2) is likely, not yes."""
+    mailbox = (
+        "<Mailbox><CoE><InitCmd><Transition>PS</Transition><Index>#x6060</Index><SubIndex>0</SubIndex>"
+        "<Data>09</Data></InitCmd></CoE></Mailbox>"
+    )
+    db = catalog_of(tmp_path, esi(device(f"<Profile><ProfileNo>402</ProfileNo></Profile>{mailbox}")))
+    assert types(db, modes=["CSV"]) == ["T1"]
+    assert types(db, modes=["CSV"], strict=True) == []
+    assert types(db, modes=["CSP"]) == []
+
+
+def test_what_the_declaration_denies_is_no(tmp_path):
+    objects = (
+        "<Object><Index>#x6502</Index><Name>Supported</Name><Type>UDINT</Type><BitSize>32</BitSize>"
+        "<Info><DefaultData>80000000</DefaultData></Info></Object>"
+    )
+    types_text = "<DataType><Name>UDINT</Name><BitSize>32</BitSize></DataType>"
+    db = catalog_of(tmp_path, esi(device(dictionary(types_text, objects))))
+    assert types(db, modes=["CSP"], strict=True) == ["T1"]
+    assert types(db, modes=["CSV"]) == []
+    assert rows(db, "SELECT mode, verdict FROM device_drive_modes WHERE mode IN ('CSP', 'CSV') ORDER BY mode") == [
+        ("CSP", "yes"),
+        ("CSV", "no"),
+    ]
+
+
+HIDING = esi(
+    device("<HideType RevisionNo='#x1'/>", revision="#x2", type_text="new")
+    + device("", revision="#x1", type_text="old")
+    + device("<HideType RevisionNo='#x9'/>", revision="#x3", type_text="B")
+    + device("", revision="#x9", type_text="newer but hidden")
+)
+
+
+def test_hidden_revisions_are_left_out(tmp_path):
+    db = catalog_of(tmp_path, HIDING)
+    assert types(db) == ["new", "B"]
+    assert types(db, include_hidden=True) == ["old", "new", "B", "newer but hidden"]
+    with Catalog.open(db) as catalog:
+        assert catalog.device("0xE5C:1").device.type == "B"
+
+
+def test_hiding_reaches_across_documents_of_a_vendor_only(tmp_path):
+    other = "<Id>7</Id><Name>Other</Name>"
+    db = catalog_of(
+        tmp_path,
+        esi(device("<HideType RevisionNo='1'/><HideType ProductCode='5' RevisionNo='5'/>", revision="2")),
+        esi(device(revision="1", type_text="same vendor") + device(product="5", revision="5", type_text="by product")),
+        esi(device(revision="1", type_text="other vendor"), vendor=other),
+    )
+    assert types(db) == ["other vendor", "T1"]
+
+
+def test_hiding_ends_with_the_description_that_hides(tmp_path):
+    folder = tmp_path / "in"
+    db = catalog_of(tmp_path, esi(device("<HideType RevisionNo='1'/>", revision="2")), esi(device(revision="1")))
+    assert one(db, "SELECT sum(hidden) FROM devices") == 1
+    (folder / "0.xml").unlink()
+    with Catalog.open(db) as catalog:
+        catalog.ingest([folder], jobs=1, prune=True)
+    assert rows(db, "SELECT revision_no, hidden FROM devices") == [(1, 0)]
+
+
+def test_a_revision_cannot_hide_itself(tmp_path):
+    db = catalog_of(tmp_path, esi(device("<HideType RevisionNo='1'/>", revision="1")))
+    assert types(db) == ["T1"]
+
+
+SM = "<Sm>Outputs</Sm>"
+
+
+def layouts() -> str:
+    wide, narrow = pdo("RxPdo", "#x1600", 8, 8, attributes='Sm="0"'), pdo("RxPdo", "#x1600", 16, attributes='Sm="0"')
+    optional = pdo("RxPdo", "#x1601", 8)
+    return esi(
+        device(SM + wide, revision="1", type_text="A")
+        + device(SM + wide, revision="2", type_text="A")
+        + device(SM + narrow, revision="3", type_text="A")
+        + device(SM + wide + optional, product="7", type_text="more")
+        + device("", product="8", type_text="without process data")
+    )
+
+
+def test_same_layout_is_found_and_never_called_a_replacement(tmp_path):
+    db = catalog_of(tmp_path, layouts())
+    with Catalog.open(db) as catalog:
+        found = catalog.devices(like=Identity(0xE5C, 1, 1))
+        assert [(item.product_code, item.revision_no) for item in found] == [(1, 2), (7, 1)]
+        assert [item.evidence[0].rpartition(", ")[2] for item in found] == [
+            "all its PDOs too",
+            "other PDOs differ",
+        ]
+        assert all("same process-image layout as" in item.evidence[0] for item in found)
+        with pytest.raises(InputError, match="no process data"):
+            catalog.devices(like=Identity(0xE5C, 8, 1))
+        with pytest.raises(NotFound):
+            catalog.devices(like=Identity(0xE5C, 9, 1))
+    text = run("show", "0xe5c:1:1", db=db).stdout
+    assert "Same process-image layout (2)" in text
+    assert "replacement" not in text
+
+
+def test_revisions_with_another_layout_are_marked(tmp_path):
+    db = catalog_of(tmp_path, layouts())
+    marked = rows(db, "SELECT revision_no, layout_changed FROM device_revisions WHERE product_code = 1 ORDER BY 1")
+    assert marked == [(1, 0), (2, 0), (3, 1)]
+    with Catalog.open(db) as catalog:
+        assert [r.layout_changed for r in catalog.device("0xE5C:1:1").revisions] == [False, False, True]
+
+
+def test_revisions_are_compared_within_their_type(tmp_path):
+    """Beckhoff interleaves the variants of a terminal: -0010-0016 follows -0016, not its own predecessor."""
+    wide, narrow = pdo("RxPdo", "#x1600", 8, 8, attributes='Sm="0"'), pdo("RxPdo", "#x1600", 16, attributes='Sm="0"')
+    vendor = "<Id>2</Id><Name>Beckhoff</Name>"
+    content = "".join(
+        device(SM + entries, revision=revision, type_text=name)
+        for revision, name, entries in (
+            ("#x00100000", "EL1", wide),
+            ("#x00100014", "EL1-0020", narrow),
+            ("#x00110000", "EL1", wide),
+            ("#x00110014", "EL1-0020", wide),
+        )
+    )
+    db = catalog_of(tmp_path, esi(content, vendor=vendor))
+    query = "SELECT revision_text, layout_changed FROM device_revisions ORDER BY revision_no"
+    assert rows(db, query) == [("-0016", 0), ("-0020-0016", 1), ("-0017", 0), ("-0020-0017", 1)]
+
+
+def test_places_in_the_default_image(tmp_path):
+    """Two assigned PDOs of 3 and 13 bits follow each other; the one that is not assigned has no place."""
+    objects = (
+        "<Object><Index>#x7000</Index><Name>Setpoints</Name><Type>DT7000</Type><BitSize>19</BitSize>"
+        "<Info><SubItem><Name>SubIndex 000</Name></SubItem>"
+        "<SubItem><Name>Speed</Name><Info><MinValue>-5</MinValue><MaxValue>5</MaxValue><Unit>#x00010000</Unit></Info>"
+        "</SubItem></Info></Object>"
+    )
+    data_types = (
+        "<DataType><Name>USINT</Name><BitSize>8</BitSize></DataType><DataType><Name>SINT</Name><BitSize>8</BitSize>"
+        "</DataType><DataType><Name>DT7000</Name><BitSize>24</BitSize>"
+        "<SubItem><SubIdx>0</SubIdx><Name>SubIndex 000</Name><Type>USINT</Type><BitSize>8</BitSize><BitOffs>0</BitOffs>"
+        "</SubItem><SubItem><SubIdx>1</SubIdx><Name>Speed</Name><Type>SINT</Type><BitSize>8</BitSize>"
+        "<BitOffs>16</BitOffs></SubItem></DataType>"
+    )
+    content = (
+        dictionary(data_types, objects)
+        + SM
+        + pdo("RxPdo", "#x1600", 3, attributes='Sm="0"')
+        + pdo("RxPdo", "#x1601", 8)
+        + pdo("RxPdo", "#x1602", 8, 5, attributes='Sm="0"')
+    )
+    db = catalog_of(tmp_path, esi(device(content)))
+    query = (
+        "SELECT pdo_index_hex, image_sm, assigned_by_default, image_byte_bit, object_name, object_entry_name, signed, "
+        "unit_hex, minimum, maximum FROM device_pdo_entries ORDER BY pdo_position, position"
+    )
+    speed = ("Setpoints", "Speed", 1, "0x00010000", -5, 5)
+    nothing = (None, None, None, None, None, None)
+    assert rows(db, query) == [
+        ("0x1600", 0, 1, "0.0", *speed),
+        ("0x1601", None, 0, None, *speed),
+        ("0x1602", 0, 1, "0.3", *speed),
+        ("0x1602", 0, 1, "1.3", *nothing),
+    ]
+
+
+def test_mode_matrix_counts_visible_drives(data_db):
+    counted = dict(rows(data_db, "SELECT vendor_id, csv FROM drive_modes_by_vendor WHERE csv > 0"))
+    assert counted == {0xE5C: 1, 0x1097: 1, 0x4321: 1}
+
+
+@pytest.mark.parametrize(
+    ("text", "bounds"),
+    [
+        ("<=8", (None, 8)),
+        (">= 0x10", (16, None)),
+        ("8", (8, 8)),
+        ("=8", (8, 8)),
+        ("<=-100", (None, -100)),
+    ],
+)
+def test_amounts_as_people_write_them(text, bounds):
+    assert parse_bounds(text) == bounds
+
+
+@pytest.mark.parametrize("text", ["", "<=", "<8", "eight", ">=8 bytes"])
+def test_amounts_that_are_none(text):
+    with pytest.raises(InputError):
+        parse_bounds(text)
+
+
+def test_mode_queries_use_an_index(data_db):
+    """No table of modes, entries or objects is read from end to end."""
+    with Catalog.open(data_db) as catalog, catalog._connection() as connection:
+        wanted = DeviceFilter(modes=("CSV",), sync="sync1")
+        query = device_query(list(conditions(connection, wanted)), wanted)
+        text = str(query.compile(connection, compile_kwargs={"literal_binds": True}))
+        plan = [row[3] for row in connection.exec_driver_sql(f"EXPLAIN QUERY PLAN {text}")]
+    assert any("ix_drive_modes_mode_verdict" in line for line in plan)
+    assert not [line for line in plan if line.startswith("SCAN") and "devices" not in line and "dc_modes" not in line]
+
+
+def test_modes_in_any_case():
+    assert parse_modes("csv, CSP,csv") == ("CSV", "CSP")
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("--mode", "XYZ"), "mode 'XYZ': say one of PP,"),
+        (("--strict",), "strict is about drive modes"),
+        (("--bytes-in", "<8"), "amount '<8' is not a number"),
+        (("--like", "0xe5c:0x99"), "is not in the catalog"),
+    ],
+)
+def test_wrong_usage_is_one_line(data_db, words, message):
+    done = run("devices", *words, db=data_db)
+    assert done.exit_code != 0
+    assert message in done.stderr
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_json_of_a_mode_query(data_db):
+    found = json.loads(run("devices", "--mode", "CSV", "--format", "json", db=data_db).stdout)
+    assert [item["type"] for item in found] == [MODULAR, EYOU, L6N]
+    assert all(item["evidence"] for item in found)
