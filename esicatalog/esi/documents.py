@@ -28,7 +28,7 @@ class ParsedDocument(NamedTuple):
     error_line: int
 
 
-def _parser(recover: bool = False, encoding: str | None = None) -> etree.XMLParser:
+def make_parser(recover: bool = False, encoding: str | None = None) -> etree.XMLParser:
     return etree.XMLParser(
         resolve_entities=False,
         no_network=True,
@@ -55,7 +55,7 @@ def parse_document(content: bytes) -> ParsedDocument:
     if not _looks_like_xml(content):
         raise NotAnEsiDocument("no XML document")
     try:
-        return _known(etree.fromstring(content, _parser()), None, 0)
+        return _known(etree.fromstring(content, make_parser()), None, 0)
     except etree.XMLSyntaxError as error:
         return _recover(content, error)
 
@@ -73,12 +73,12 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
         raise NotAnEsiDocument(f"XML without an EtherCAT root, and not well-formed: {reason}", line)
     if "encoding" in reason.lower() or "utf-8" in reason.lower():
         try:
-            root = etree.fromstring(content, _parser(encoding="windows-1252"))
+            root = etree.fromstring(content, make_parser(encoding="windows-1252"))
         except etree.XMLSyntaxError:
             pass
         else:
             return _known(root, f"{reason}; read as windows-1252", line)
-    root = etree.fromstring(content, _parser(recover=True))
+    root = etree.fromstring(content, make_parser(recover=True))
     if root is None:
         raise BrokenDocument(f"not well-formed and nothing could be recovered: {reason}", line)
     try:

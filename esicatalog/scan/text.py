@@ -1,0 +1,91 @@
+"""Text of terminals and logs, freed of what is not the master's: colours, line ends, time stamps, quoting marks."""
+
+import re
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from esicatalog.scan.records import ScanError, ScanFinding
+
+_SHOWN = 60
+_ANSI = re.compile(r"\x1b\[[0-?]{0,32}[ -/]{0,8}[@-~]")
+_LINE_END = re.compile(r"\r\n?")
+_TIME = r"[0-9]{2}:[0-9]{2}:[0-9]{2}(?:[.,][0-9]{1,9})?"
+_LOG_PREFIX = re.compile(
+    rf"""^(?:
+        (?:>|//|\#-?(?=[ \t]))[ \t]?                                   # quoted in a mail, commented in a script
+        | \[[^\]\n]{{1,40}}\]:?[ \t]                                   # [  12.345678], [INFO]
+        | (?:[0-9]{{4}}-[0-9]{{2}}-[0-9]{{2}}[ T])?{_TIME}(?:Z|[+-][0-9]{{2}}:?[0-9]{{2}})?:?[ \t]
+        | [A-Z][a-z]{{2}}[ ]{{1,2}}[0-9]{{1,2}}[ ]{_TIME}[ ]           # syslog
+        | [^\s:\[]{{1,64}}[ ][^\s:\[]{{1,64}}\[[0-9]{{1,10}}\]:[ ]     # host and process after such a time
+    ){{1,4}}""",
+    re.MULTILINE | re.VERBOSE,
+)
+_HEADING = re.compile(r"\s*===\s*(?:Master\s+([0-9]{1,5}),\s*)?Slave\s+([0-9]{1,5})\s*===\s*")
+
+
+class Heading(NamedTuple):
+    """``=== Master 0, Slave 3 ===``; releases before 1.5 print no master."""
+
+    master: int | None
+    position: int
+
+
+def clean(text: str) -> str:
+    """The text with plain line ends and without colours and log prefixes. Raises :class:`ScanError` when empty."""
+    cleaned = _LINE_END.sub("\n", _ANSI.sub("", text.removeprefix("\ufeff")))
+    if not cleaned.strip():
+        raise ScanError("the text is empty; expected what a master printed about its slaves")
+    return _LOG_PREFIX.sub("", cleaned)
+
+
+def numbered_lines(text: str) -> Iterator[tuple[int, str]]:
+    """The lines of a cleaned text that are not blank, numbered from 1."""
+    return ((number, line) for number, line in enumerate(text.split("\n"), 1) if line and not line.isspace())
+
+
+def quoted(text: str) -> str:
+    """A part of the text for a message: one line, bounded, printable."""
+    stripped = text.strip()
+    return ascii(stripped if len(stripped) <= _SHOWN else stripped[:_SHOWN] + "...")
+
+
+def in_order(findings: list[ScanFinding]) -> tuple[ScanFinding, ...]:
+    """The findings by line."""
+    return tuple(sorted(findings, key=lambda finding: finding.line))
+
+
+def heading_of(line: str) -> Heading | None:
+    """The slave that a heading of the ``ethercat`` tool names, or None for other lines."""
+    match = _HEADING.fullmatch(line)
+    return Heading(None if match[1] is None else int(match[1]), int(match[2])) if match else None
+
+
+def name_at_end(line: int, rest: str, findings: list[ScanFinding]) -> str | None:
+    """The name of which ``rest`` is the text behind the opening quote; None for an empty one."""
+    name = rest.rstrip()
+    if not name.endswith('"'):
+        findings.append(ScanFinding(line=line, message=f"the name is cut off: {quoted(name)}"))
+    return name.removesuffix('"') or None
+
+
+class Skipped:
+    """Counts lines that are not read, so that a long log gives one finding."""
+
+    def __init__(self) -> None:
+        self._count = 0
+        self._line = 0
+        self._text = ""
+
+    def add(self, line: int, text: str) -> None:
+        """Count a line."""
+        if not self._count:
+            self._line, self._text = line, text
+        self._count += 1
+
+    def findings(self, what: str) -> list[ScanFinding]:
+        """No finding, or one that names the first line; ``what`` is the format that was read."""
+        if not self._count:
+            return []
+        lines = "1 line is" if self._count == 1 else f"{self._count} lines are"
+        message = f"{lines} not read as {what}; the first: {quoted(self._text)}"
+        return [ScanFinding(line=self._line, message=message)]

@@ -1,0 +1,79 @@
+"""Files that hold an SII image: raw, or Intel HEX whatever the file is called."""
+
+import re
+
+from esicatalog.sii.errors import SiiImageError
+from esicatalog.sii.image import MAX_IMAGE_BYTES
+
+FILLER = 0xFF
+"""What an erased EEPROM reads, for addresses that an Intel HEX file leaves out."""
+
+# A raw image starts with the PDI control word, and there is no PDI type 0x3A (":").
+_INTEL_HEX = re.compile(rb":|(?:\xef\xbb\xbf)?\s*:[0-9A-Fa-f]{8}")
+_RECORD = re.compile(r":((?:[0-9A-Fa-f]{2}){5,})")
+_DATA, _END, _SEGMENT, _START_SEGMENT, _LINEAR, _START_LINEAR = range(6)
+_PAYLOAD_BYTES = {_END: 0, _SEGMENT: 2, _START_SEGMENT: 4, _LINEAR: 2, _START_LINEAR: 4}
+_BASE_SHIFT = {_SEGMENT: 4, _LINEAR: 16}
+"""By how many bits the payload of an address record is shifted to give the base of the following data."""
+
+
+def image_bytes(data: bytes) -> bytes:
+    """The image in the bytes of a file, raw or Intel HEX by content.
+
+    Raises :class:`SiiImageError` for a broken Intel HEX file, with its line.
+    """
+    return _intel_hex(data) if _INTEL_HEX.match(data) else data
+
+
+def _intel_hex(data: bytes) -> bytes:
+    image = bytearray()
+    given = bytearray()
+    base = 0
+    ended = False
+    for number, line in enumerate(data.decode("utf-8-sig", "replace").splitlines(), start=1):
+        if not line.strip():
+            continue
+        if ended:
+            raise _broken(number, "data after the end record")
+        kind, address, payload = _record(line.strip(), number)
+        if kind == _DATA:
+            _place(image, given, base + address, payload, number)
+        elif kind in _BASE_SHIFT:
+            base = int.from_bytes(payload, "big") << _BASE_SHIFT[kind]
+        ended = kind == _END
+    if not ended:
+        raise SiiImageError("Intel HEX: no end record; the file is cut")
+    return bytes(image)
+
+
+def _record(line: str, number: int) -> tuple[int, int, bytes]:
+    """Type, 16 bit address and payload of a line."""
+    match = _RECORD.fullmatch(line)
+    if match is None:
+        raise _broken(number, "not a record of the form :LLAAAATT…CC in pairs of hex digits")
+    count, high, low, kind, *payload, _ = record = bytes.fromhex(match[1])
+    if len(payload) != count:
+        raise _broken(number, f"{len(payload)} data bytes where {count} are announced")
+    if sum(record) & 0xFF:
+        raise _broken(number, f"check sum is 0x{record[-1]:02X}, not 0x{-sum(record[:-1]) & 0xFF:02X}")
+    if kind != _DATA and count != _PAYLOAD_BYTES.get(kind):
+        raise _broken(number, f"no record type {kind:02X} with {count} data bytes")
+    return kind, high << 8 | low, bytes(payload)
+
+
+def _place(image: bytearray, given: bytearray, address: int, payload: bytes, number: int) -> None:
+    end = address + len(payload)
+    if end > MAX_IMAGE_BYTES:
+        raise _broken(number, f"address 0x{address:X} is beyond {MAX_IMAGE_BYTES} bytes, the largest EEPROM")
+    missing = end - len(image)
+    if missing > 0:
+        image.extend(bytes([FILLER]) * missing)
+        given.extend(bytes(missing))
+    if any(given[address:end]):
+        raise _broken(number, f"data at address 0x{address:X} are given twice")
+    image[address:end] = payload
+    given[address:end] = b"\1" * len(payload)
+
+
+def _broken(number: int, what: str) -> SiiImageError:
+    return SiiImageError(f"Intel HEX line {number}: {what}", number)

@@ -1,0 +1,255 @@
+"""``ethercat pdos`` and ``ethercat sdos``: layouts, headings, cut output, round trips."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from esicatalog.scan.front import read_pdos, read_sdos
+from esicatalog.scan.records import (
+    ScanError,
+    ScannedDictionary,
+    ScannedObject,
+    ScannedObjectEntry,
+    ScannedPdo,
+    ScannedPdoEntry,
+    ScannedPdos,
+    ScannedSyncManager,
+)
+
+PDOS = """\
+SM0: PhysAddr 0x1000, DefaultSize  128, ControlRegister 0x26, Enable 1
+SM2: PhysAddr 0x1100, DefaultSize    2, ControlRegister 0x64, Enable 9
+  RxPDO 0x1600 "Outputs of "A""
+    PDO entry 0x7000:01,  1 bit, "Enable"
+    PDO entry 0x0000:00, 15 bit, ""
+  RxPDO 0x16ff ""
+SM3: PhysAddr 0x1180, DefaultSize    0, ControlRegister 0x20, Enable 1
+  TxPDO 0x1a00 "Inputs"
+    PDO entry 0x6000:1a, 255 bit, "Raw"
+"""
+SDOS = """\
+SDO 0x1000, "Device type"
+  0x1000:00, r-r-r-, uint32, 32 bit, "Device type"
+SDO 0x1600, "1. RxPDO, first"
+  0x1600:00, rwr-r-, uint8, 8 bit, "SubIndex 000"
+  0x1600:0a, rwrwrw, type 0030, 4 bit, ""
+"""
+
+
+def messages(scan) -> list[tuple[int, str]]:
+    return [(finding.line, finding.message) for finding in scan.findings]
+
+
+def test_pdos_of_one_slave():
+    scan = read_pdos(PDOS)
+    assert scan.findings == ()
+    assert scan.slaves == (
+        ScannedPdos(
+            line=1,
+            sync_managers=(
+                ScannedSyncManager(number=0, start_address=0x1000, size_bytes=128, control=0x26, enable=1, line=1),
+                ScannedSyncManager(
+                    number=2,
+                    start_address=0x1100,
+                    size_bytes=2,
+                    control=0x64,
+                    enable=9,
+                    line=2,
+                    pdos=(
+                        ScannedPdo(
+                            index=0x1600,
+                            is_rx=True,
+                            name='Outputs of "A"',
+                            line=3,
+                            entries=(
+                                ScannedPdoEntry(index=0x7000, subindex=1, bit_length=1, name="Enable", line=4),
+                                ScannedPdoEntry(index=0, subindex=0, bit_length=15, name=None, line=5),
+                            ),
+                        ),
+                        ScannedPdo(index=0x16FF, is_rx=True, name=None, line=6),
+                    ),
+                ),
+                ScannedSyncManager(
+                    number=3,
+                    start_address=0x1180,
+                    size_bytes=0,
+                    control=0x20,
+                    enable=1,
+                    line=7,
+                    pdos=(
+                        ScannedPdo(
+                            index=0x1A00,
+                            is_rx=False,
+                            name="Inputs",
+                            line=8,
+                            entries=(ScannedPdoEntry(index=0x6000, subindex=0x1A, bit_length=255, name="Raw", line=9),),
+                        ),
+                    ),
+                ),
+            ),
+        ),
+    )
+
+
+def test_headings_name_the_slaves():
+    text = f"=== Master 1, Slave 0 ===\n{PDOS}=== Slave 12 ===\n=== Slave 13 ===\n{PDOS}"
+    assert [(slave.master, slave.position) for slave in read_pdos(text).slaves] == [(1, 0), (None, 13)]
+    text = f"=== Master 1, Slave 0 ===\n{SDOS}=== Slave 12 ===\n=== Slave 13 ===\n{SDOS}"
+    assert [(slave.master, slave.position) for slave in read_sdos(text).slaves] == [(1, 0), (None, 13)]
+
+
+def test_a_heading_of_another_command_names_no_list():
+    text = f"=== Master 0, Slave 4 ===\nState: PREOP\n$ ethercat pdos -p 1\n{PDOS}"
+    assert [slave.position for slave in read_pdos(text).slaves] == [None]
+    text = f"=== Master 0, Slave 4 ===\nState: PREOP\n$ ethercat sdos -p 1\n{SDOS}"
+    assert [slave.position for slave in read_sdos(text).slaves] == [None]
+
+
+def test_pdo_layout_of_release_1_4():
+    old = PDOS.replace("xPDO", "xPdo").replace("PDO entry", "Pdo entry").replace(",  1 bit", ", 1 bit")
+    assert read_pdos(old) == read_pdos(PDOS)
+
+
+def test_lists_without_headings_are_separate_slaves():
+    scan = read_pdos(PDOS + PDOS)
+    assert [slave.line for slave in scan.slaves] == [1, 10]
+    assert messages(scan) == [(10, "SyncManagers are listed again without a heading; read as another slave")]
+    dictionaries = read_sdos(SDOS + SDOS)
+    assert [slave.line for slave in dictionaries.slaves] == [1, 6]
+    assert messages(dictionaries) == [(6, "object 0x1000 is listed again without a heading; read as another slave")]
+
+
+def test_cut_names_are_told():
+    scan = read_pdos(PDOS.removesuffix('w"\n'))
+    assert scan.slaves[0].sync_managers[-1].pdos[0].entries[0].name == "Ra"
+    assert messages(scan) == [(9, "the name is cut off: 'Ra'")]
+    assert messages(read_sdos('SDO 0x1000, "Device t')) == [(1, "the name is cut off: 'Device t'")]
+
+
+def test_foreign_lines_are_told_once():
+    scan = read_pdos(f'  RxPDO 0x1600 "before any SyncManager"\n$ ethercat pdos\n{PDOS}$ exit\n')
+    assert messages(scan) == [
+        (1, "3 lines are not read as `ethercat pdos`; the first: 'RxPDO 0x1600 \"before any SyncManager\"'")
+    ]
+    assert len(scan.slaves) == 1
+    dictionaries = read_sdos(SDOS + '  0x1a00:00, r-r-r-, uint8, 8 bit, "of another object"\n')
+    assert dictionaries.slaves == read_sdos(SDOS).slaves
+    assert messages(dictionaries)[0][0] == 6
+
+
+def test_objects_of_one_slave():
+    scan = read_sdos(SDOS.replace("\n", "\r\n"))
+    assert scan.findings == ()
+    assert scan.slaves == (
+        ScannedDictionary(
+            line=1,
+            objects=(
+                ScannedObject(
+                    index=0x1000,
+                    name="Device type",
+                    line=1,
+                    entries=(
+                        ScannedObjectEntry(
+                            subindex=0, access="r-r-r-", data_type="uint32", bit_length=32, name="Device type", line=2
+                        ),
+                    ),
+                ),
+                ScannedObject(
+                    index=0x1600,
+                    name="1. RxPDO, first",
+                    line=3,
+                    entries=(
+                        ScannedObjectEntry(
+                            subindex=0, access="rwr-r-", data_type="uint8", bit_length=8, name="SubIndex 000", line=4
+                        ),
+                        ScannedObjectEntry(
+                            subindex=10, access="rwrwrw", data_type="type 0030", bit_length=4, name=None, line=5
+                        ),
+                    ),
+                ),
+            ),
+        ),
+    )
+
+
+@pytest.mark.parametrize(
+    ("printed", "access", "bit_length"),
+    [
+        ("0x1018:01, r-r-r-, uint32, 32 bit, ", "r-r-r-", 32),
+        ("0x1018:01, uint32, 32 bit, ", None, 32),
+        ("0x1018:01, r-r-r-, uint32, ", "r-r-r-", None),
+        ("0x1018:01, ------, uint32, 32 bit, ", "------", 32),
+    ],
+)
+def test_sdo_layouts(printed, access, bit_length):
+    (slave,) = read_sdos(f'Sdo 0x1018, "Identity object"\n  {printed}"Vendor id"\n').slaves
+    (entry,) = slave.objects[0].entries
+    assert (entry.subindex, entry.access, entry.bit_length, entry.name) == (1, access, bit_length, "Vendor id")
+
+
+def test_objects_without_entries():
+    (slave,) = read_sdos('SDO 0x1000, "Device type"\nSDO 0x1018, ""\n').slaves
+    assert [(found.index, found.name, found.entries) for found in slave.objects] == [
+        (0x1000, "Device type", ()),
+        (0x1018, None, ()),
+    ]
+
+
+@pytest.mark.parametrize("text", ["", "\n \n", "\x1b[0m", "0x000003a5 933\n"])
+def test_what_is_neither(text):
+    with pytest.raises(ScanError):
+        read_pdos(text)
+    with pytest.raises(ScanError):
+        read_sdos(text)
+
+
+name = st.text(st.characters(exclude_categories=("Cc", "Cs")), max_size=8).map(lambda text: text or None)
+pdo_entry = st.tuples(st.integers(0, 0xFFFF), st.integers(0, 0xFF), st.integers(0, 0xFF), name)
+pdo = st.tuples(st.integers(0, 0xFFFF), name, st.lists(pdo_entry, max_size=3))
+object_entry = st.tuples(
+    st.sampled_from(["r-r-r-", "rwrwrw", "-w-w-w"]), st.sampled_from(["bool", "type 0fff"]), st.integers(0, 65535), name
+)
+
+
+@given(st.lists(st.tuples(st.booleans(), st.lists(pdo, max_size=3)), min_size=1, max_size=4))
+@settings(max_examples=50, deadline=None)
+def test_printed_pdos_are_read_back(managers):
+    lines = []
+    for number, (is_rx, pdos) in enumerate(managers):
+        control = 0x24 if is_rx else 0x20
+        lines.append(f"SM{number}: PhysAddr 0x1000, DefaultSize    0, ControlRegister 0x{control:02x}, Enable 1")
+        for index, title, entries in pdos:
+            lines.append(f'  {"R" if is_rx else "T"}xPDO 0x{index:04x} "{title or ""}"')
+            for entry in entries:
+                lines.append(f'    PDO entry 0x{entry[0]:04x}:{entry[1]:02x}, {entry[2]:2} bit, "{entry[3] or ""}"')
+    (slave,) = read_pdos("\n".join(lines)).slaves
+    found = [
+        [
+            (
+                pdo.index,
+                pdo.name,
+                [(entry.index, entry.subindex, entry.bit_length, entry.name) for entry in pdo.entries],
+            )
+            for pdo in manager.pdos
+        ]
+        for manager in slave.sync_managers
+    ]
+    assert found == [pdos for _, pdos in managers]
+
+
+@given(st.dictionaries(st.integers(0, 0xFFFF), st.tuples(name, st.lists(object_entry, max_size=3)), min_size=1))
+@settings(max_examples=50, deadline=None)
+def test_printed_objects_are_read_back(dictionary):
+    lines = []
+    for index, (title, entries) in dictionary.items():
+        lines.append(f'SDO 0x{index:04x}, "{title or ""}"')
+        for subindex, (access, data_type, bits, text) in enumerate(entries):
+            lines.append(f'  0x{index:04x}:{subindex:02x}, {access}, {data_type}, {bits} bit, "{text or ""}"')
+    (slave,) = read_sdos("\n".join(lines)).slaves
+    assert {
+        found.index: (
+            found.name,
+            [(entry.access, entry.data_type, entry.bit_length, entry.name) for entry in found.entries],
+        )
+        for found in slave.objects
+    } == dictionary

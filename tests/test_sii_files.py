@@ -1,0 +1,97 @@
+"""Files with SII images: raw or Intel HEX, by content."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from sii import by_hand
+
+from esicatalog.errors import EsiCatalogError
+from esicatalog.sii.errors import SiiImageError
+from esicatalog.sii.files import image_bytes
+
+END = ":00000001FF\n"
+
+
+def hex_line(kind: int, address: int, payload: bytes = b"") -> str:
+    record = bytes([len(payload), address >> 8, address & 0xFF, kind]) + payload
+    return f":{record.hex().upper()}{-sum(record) & 0xFF:02X}\n"
+
+
+def hex_file(data: bytes, step: int = 16) -> str:
+    return "".join(hex_line(0, at, data[at : at + step]) for at in range(0, len(data), step)) + END
+
+
+def test_raw_bytes_are_the_image():
+    assert image_bytes(by_hand.WHOLE) == by_hand.WHOLE
+    assert image_bytes(b"") == b""
+
+
+def test_a_line_written_by_hand():
+    assert image_bytes(b":0300300002337A1E\n:00000001FF\n")[0x30:] == b"\x02\x33\x7a"
+
+
+def test_intel_hex_is_recognised_by_its_content():
+    text = hex_file(by_hand.WHOLE)
+    for data in (text, text.replace("\n", "\r\n"), text.lower(), f"\n  {text}\n\n", "\ufeff" + text):
+        assert image_bytes(data.encode()) == by_hand.WHOLE
+
+
+def test_the_order_of_lines_does_not_matter_and_gaps_are_erased():
+    text = hex_line(0, 6, b"CD") + hex_line(0, 0, b"AB") + END
+    assert image_bytes(text.encode()) == b"AB\xff\xff\xff\xffCD"
+
+
+def test_start_addresses_say_nothing_about_the_image():
+    text = hex_line(3, 0, bytes(4)) + hex_line(5, 0, bytes(4)) + hex_line(0, 0, b"AB") + END
+    assert image_bytes(text.encode()) == b"AB"
+
+
+def test_segment_and_linear_addresses_move_the_data():
+    segment = hex_line(2, 0, b"\x00\x10") + hex_line(0, 1, b"A") + END
+    assert image_bytes(segment.encode()) == b"\xff" * 0x101 + b"A"
+    linear = hex_line(4, 0, b"\x00\x01") + hex_line(0, 2, b"A") + END
+    assert image_bytes(linear.encode()) == b"\xff" * 0x10002 + b"A"
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "words"),
+    [
+        (":0300300002337A1F\n" + END, 1, "check sum is 0x1F, not 0x1E"),
+        ("\n" + hex_line(0, 0, b"A") + ":02000000AA54\n" + END, 3, "1 data bytes where 2 are announced"),
+        (":00\n" + END, 1, "pairs of hex digits"),
+        (":0300300002337A1\n", 1, "pairs of hex digits"),
+        (":hello\n", 1, "pairs of hex digits"),
+        (hex_line(0, 0, b"A") + "B\n", 2, "pairs of hex digits"),
+        (hex_line(6, 0), 1, "no record type 06 with 0 data bytes"),
+        (hex_line(4, 0, b"\x01"), 1, "no record type 04 with 1 data bytes"),
+        (hex_line(1, 0, b"\x01"), 1, "no record type 01 with 1 data bytes"),
+        (END + hex_line(0, 0, b"A"), 2, "after the end record"),
+        (hex_line(0, 0, b"AB") + hex_line(0, 1, b"B") + END, 2, "0x1 are given twice"),
+        (hex_line(4, 0, b"\x08\x00") + hex_line(0, 0, b"A") + END, 2, "address 0x8000000 is beyond"),
+        (hex_line(4, 0, b"\xff\xff") + hex_line(0, 0xFFFF, b"A") + END, 2, "address 0xFFFFFFFF is beyond"),
+    ],
+)
+def test_a_broken_line_is_named(text, line, words):
+    with pytest.raises(SiiImageError, match=f"^Intel HEX line {line}: ") as caught:
+        image_bytes(text.encode())
+    assert caught.value.line == line
+    assert words in str(caught.value)
+
+
+def test_a_file_without_end_record_is_cut():
+    with pytest.raises(SiiImageError, match="no end record"):
+        image_bytes(hex_line(0, 0, b"A").encode())
+
+
+@given(st.binary(min_size=1, max_size=300), st.integers(1, 255))
+def test_intel_hex_gives_its_bytes_back(data, step):
+    assert image_bytes(hex_file(data, step).encode()) == data
+
+
+@given(st.binary(max_size=200) | st.text(":0123456789ABCDEF\n", max_size=200).map(str.encode))
+def test_anything_gives_bytes_or_one_line(data):
+    for start in (b"", b":", b":0300300002337A1E\n"):
+        try:
+            image_bytes(start + data)
+        except EsiCatalogError as error:
+            assert "\n" not in str(error)
