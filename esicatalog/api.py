@@ -8,7 +8,7 @@
 
 import contextlib
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
@@ -17,13 +17,16 @@ from esicatalog.identity import Identity, parse_identity
 if TYPE_CHECKING:
     import sqlalchemy as sa
 
+    from esicatalog.catalog.bus import BusReport
     from esicatalog.catalog.check import CheckResult
+    from esicatalog.catalog.identity import IdentityLookup
     from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification
     from esicatalog.catalog.siblings import Revision
     from esicatalog.esi.records.device import Device
     from esicatalog.esi.records.module import Module
     from esicatalog.ingest.report import IngestReport
     from esicatalog.ingest.run import Progress
+    from esicatalog.scan.records import Scan, ScannedDictionary, ScannedPdos
 
 # SQLAlchemy and the records are loaded by what needs them: an ingest sets its workers to work before.
 
@@ -44,19 +47,22 @@ class DeviceDescription(NamedTuple):
 class Catalog:
     """A catalog of EtherCAT devices in a database."""
 
-    def __init__(self, target: str | os.PathLike[str], create: bool) -> None:
+    def __init__(self, target: str | os.PathLike[str], create: bool, read_only: bool) -> None:
         self._target = target
+        self._read_only = read_only
         self._opened: sa.Engine | None = None
+        self._lookup: IdentityLookup | None = None
         if not (create and _is_missing_file(target)):
             self._open(create)
 
     @classmethod
-    def open(cls, target: str | os.PathLike[str], create: bool = False) -> Self:
+    def open(cls, target: str | os.PathLike[str], create: bool = False, read_only: bool = False) -> Self:
         """Open the catalog in a file or at a database URL; ``create`` makes a missing one on first use.
 
+        With ``read_only`` the database refuses every change, whatever asks for one (SQLite).
         Raises :class:`~esicatalog.errors.CatalogError` with what to do when that is not possible.
         """
-        return cls(target, create)
+        return cls(target, create, read_only)
 
     @staticmethod
     def migrate(target: str | os.PathLike[str]) -> tuple[str, str]:
@@ -67,6 +73,7 @@ class Catalog:
 
     def close(self) -> None:
         """Close all connections."""
+        self._lookup = None
         if self._opened is not None:
             self._opened.dispose()
 
@@ -74,7 +81,7 @@ class Catalog:
         from esicatalog.catalog.database import open_catalog
 
         if self._opened is None:
-            self._opened = open_catalog(self._target, create=create)
+            self._opened = open_catalog(self._target, create, self._read_only)
         return self._opened
 
     def __enter__(self) -> Self:
@@ -110,10 +117,26 @@ class Catalog:
 
     def identify(self, vendor_id: int, product_code: int, revision_no: int | None = None) -> "Identification":
         """What the catalog knows about an identity; see :class:`~esicatalog.catalog.results.Identification`."""
-        from esicatalog.catalog.identify import identify
+        return (self._lookup or self._identities()).identify(vendor_id, product_code, revision_no)
 
-        with self._connection() as connection:
-            return identify(connection, vendor_id, product_code, revision_no)
+    def identify_scan(
+        self, scan: "Scan", pdos: "Sequence[ScannedPdos]" = (), dictionaries: "Sequence[ScannedDictionary]" = ()
+    ) -> "list[BusReport]":
+        """Who the slaves of a scan or ENI file are, bus by bus, and what is to be known of each bus.
+
+        ``pdos`` and ``dictionaries``, as a master printed them, are compared with the descriptions. Raises
+        :class:`~esicatalog.errors.InputError` when they do not say to which slave they belong.
+        """
+        from esicatalog.catalog.bus import bus_reports
+
+        return bus_reports(self._identities(), scan, self._records, pdos, dictionaries)
+
+    def _records(self, found: "FoundDevice") -> "tuple[Device, tuple[Module, ...]]":
+        """Records of a described device that has vendor, product and revision."""
+        assert found.vendor_id is not None
+        assert found.product_code is not None
+        description = self.device(Identity(found.vendor_id, found.product_code, found.revision_no, found.variant))
+        return description.device, description.modules
 
     def devices(self, **filters: Any) -> "list[FoundDevice]":
         """Devices that fulfil all conditions, each with its evidence.
@@ -135,7 +158,7 @@ class Catalog:
 
         Raises :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
         """
-        from esicatalog.catalog.identify import device_sources_of, find_device
+        from esicatalog.catalog.devices import find_device
         from esicatalog.catalog.reader import RecordReader
         from esicatalog.catalog.siblings import revisions_of, same_layout
 
@@ -143,7 +166,7 @@ class Catalog:
         with self._connection() as connection:
             number, found = find_device(connection, wanted)
             reader = RecordReader(connection)
-            sources = device_sources_of(connection, number)
+            sources = self._identities().sources(number)
             return DeviceDescription(
                 found,
                 sources,
@@ -153,12 +176,24 @@ class Catalog:
                 same_layout(connection, number),
             )
 
+    def content_hash(self) -> str | None:
+        """SHA-256 of what the catalog holds, as the last ingest stored it; None while one is under way."""
+        return self._identities().content_hash()
+
     def check(self) -> "CheckResult":
         """Verify the database, its references and the stored content hash."""
         from esicatalog.catalog.check import check_catalog
 
         with self._connection() as connection:
             return check_catalog(connection)
+
+    def _identities(self) -> "IdentityLookup":
+        from esicatalog.catalog.database import driver_query
+        from esicatalog.catalog.identity import IdentityLookup
+
+        if self._lookup is None:
+            self._lookup = IdentityLookup(driver_query(self._open(create=True), str(self._target)))
+        return self._lookup
 
     @contextlib.contextmanager
     def _connection(self) -> "Iterator[sa.Connection]":

@@ -20,9 +20,9 @@ from esicatalog.cli.main import COMMANDS, cli
 EYOU = ("0x1097", "0x2406", "0x8f")
 
 
-def run(*words: object, db: Path | None = None):
+def run(*words: object, db: Path | None = None, stdin: str | None = None):
     arguments = [str(word) for word in words] + (["--db", str(db)] if db is not None else [])
-    return CliRunner().invoke(cli, arguments, catch_exceptions=False)
+    return CliRunner().invoke(cli, arguments, input=stdin, catch_exceptions=False)
 
 
 def one_line_error(result) -> str:
@@ -44,7 +44,7 @@ def test_identify_in_every_notation(data_db, vendor):
     assert answer["device"]["type"] == "EYOU_ServoModule_V143"
     assert [source["member"] for source in answer["device"]["sources"]] == ["eyou_servo_module.xml"]
     assert answer["variants"] == [answer["device"]]
-    assert {"query", "match", "reason", "device", "variants", "candidates"} == answer.keys()
+    assert {"query", "match", "reason", "device", "variants", "candidates", "warnings"} == answer.keys()
 
 
 def test_the_line_of_a_source_is_that_of_the_device_element(data, data_db):
@@ -58,7 +58,8 @@ def test_the_line_of_a_source_is_that_of_the_device_element(data, data_db):
     [
         (("0xE5C", "0x0D080808", "0x00110000"), "exact", 0),
         (("0xE5C", "0x0D080808"), "product", 0),
-        (("0xE5C", "0x0D080808", "0x00120000"), "product", 1),
+        (("0xE5C", "0x0D080808", "0x00120000"), "accepted", 0),
+        (("0xE5C", "0x0D080808", "0x000F0000"), "newer", 0),
         (("0xE5C", "1", "1"), "vendor", 1),
         (("0x999", "1", "1"), "none", 1),
     ],
@@ -68,7 +69,7 @@ def test_what_identify_answers(data_db, identity, match, code):
     answer = json.loads(result.stdout)
     assert (answer["match"], result.exit_code) == (match, code)
     assert (answer["device"] is None) == (code == 1)
-    assert bool(answer["candidates"]) == ((match != "none" and match != "exact") or identity[1] == "0x0D080808")
+    assert bool(answer["candidates"]) == (match == "vendor" or identity[1] == "0x0D080808")
     assert run("identify", *identity, db=data_db).exit_code == code
 
 

@@ -2,6 +2,7 @@
 
 import os
 import sqlite3
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema, views
 from esicatalog.catalog.full_text import index_devices
+from esicatalog.catalog.identity import Query
 from esicatalog.catalog.rederive import derive_again
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
@@ -37,8 +39,8 @@ def sqlite_path(url: sa.URL) -> Path | None:
     return Path(str(url.database))
 
 
-def make_engine(url: sa.URL) -> sa.Engine:
-    """An engine with foreign keys enforced and short waits for locks."""
+def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
+    """An engine with foreign keys enforced and short waits for locks; ``read_only`` refuses every write."""
     engine = sa.create_engine(url)
     if url.get_backend_name() == "sqlite":
 
@@ -46,11 +48,13 @@ def make_engine(url: sa.URL) -> sa.Engine:
         def _configure(connection: sqlite3.Connection, record: Any) -> None:
             connection.execute("PRAGMA foreign_keys = ON")
             connection.execute("PRAGMA busy_timeout = 5000")
+            if read_only:
+                connection.execute("PRAGMA query_only = ON")
 
     return engine
 
 
-def open_catalog(target: str | os.PathLike[str], create: bool = False) -> sa.Engine:
+def open_catalog(target: str | os.PathLike[str], create: bool = False, read_only: bool = False) -> sa.Engine:
     """Open a catalog of the current schema version, creating it through the migrations when asked.
 
     Raises :class:`CatalogError` with what to do when there is none, or when it is older, newer or no catalog.
@@ -58,7 +62,7 @@ def open_catalog(target: str | os.PathLike[str], create: bool = False) -> sa.Eng
     path = sqlite_path(catalog_url(target))
     if create and path is not None and not path.exists() and not path.parent.is_dir():
         raise CatalogError(f"{path.parent}: no such folder for the catalog")
-    engine, version = _connected(target, create)
+    engine, version = _connected(target, create, read_only)
     try:
         if version is None:
             upgrade(engine)
@@ -69,13 +73,13 @@ def open_catalog(target: str | os.PathLike[str], create: bool = False) -> sa.Eng
     return engine
 
 
-def _connected(target: str | os.PathLike[str], create: bool) -> tuple[sa.Engine, str | None]:
+def _connected(target: str | os.PathLike[str], create: bool, read_only: bool = False) -> tuple[sa.Engine, str | None]:
     """An engine and the schema version behind it; None, for an empty database, only with ``create``."""
     url = catalog_url(target)
     path = sqlite_path(url)
     if not create and path is not None and not path.exists():
         raise CatalogError(f"{path}: no such catalog; make one with: esicatalog ingest PATH --db {path}")
-    engine = make_engine(url)
+    engine = make_engine(url, read_only)
     try:
         with engine.connect() as connection:
             version = schema_version(connection)
@@ -116,8 +120,9 @@ def _version_message(target: str, version: str) -> str:
     )
 
 
-def _database_message(target: str, error: sa.exc.DBAPIError) -> str:
-    reason = " ".join(str(error.orig).split())
+def driver_message(target: str, error: BaseException | None) -> str:
+    """What went wrong in the database driver, with what to do."""
+    reason = " ".join(str(error).split())
     hints = {
         "locked": "another process is writing to it; wait for it or use another catalog",
         "not a database": "not an SQLite catalog; name another file",
@@ -132,7 +137,32 @@ def _database_message(target: str, error: sa.exc.DBAPIError) -> str:
 
 def database_error(target: str, error: sa.exc.DBAPIError) -> CatalogError:
     """A database error in words, with what to do."""
-    return CatalogError(_database_message(target, error))
+    return CatalogError(driver_message(target, error.orig))
+
+
+def driver_query(engine: sa.Engine, target: str) -> Query:
+    """Runs ``?`` statements on the driver itself, on a connection of its own, for one thread at a time.
+
+    The connection stays open until the engine is disposed of, and sees what others commit. The statements raise
+    :class:`CatalogError`.
+    """
+    connection = engine.connect().execution_options(isolation_level="AUTOCOMMIT")
+    driver: Any = connection.connection.driver_connection
+    dbapi: Any = engine.dialect.loaded_dbapi
+    driver_error: type[Exception] = dbapi.Error
+    mark = "?" if engine.dialect.paramstyle == "qmark" else "%s"
+    lock = threading.Lock()
+
+    def query(sql: str, values: tuple[Any, ...]) -> list[tuple[Any, ...]]:
+        statement = sql if mark == "?" else sql.replace("?", mark)
+        try:
+            with lock:
+                found: list[tuple[Any, ...]] = driver.execute(statement, values).fetchall()
+        except driver_error as error:
+            raise CatalogError(driver_message(target, error)) from error
+        return found
+
+    return query
 
 
 def schema_version(connection: sa.Connection) -> str | None:

@@ -1,5 +1,6 @@
 """What lookups return: plain values that the shell, Python and HTTP print alike."""
 
+import json
 from typing import Any
 
 import msgspec
@@ -15,6 +16,8 @@ class FoundDevice(msgspec.Struct, frozen=True):
     vendor: str | None
     type: str | None
     name: str | None
+    hidden: bool
+    """Another description of the vendor supersedes it."""
     evidence: tuple[str, ...] = ()
 
     @property
@@ -37,6 +40,7 @@ class FoundDevice(msgspec.Struct, frozen=True):
             "vendor": self.vendor,
             "type": self.type,
             "name": self.name,
+            "hidden": self.hidden,
             "evidence": list(self.evidence),
         }
 
@@ -65,17 +69,23 @@ class IdentifiedDevice(msgspec.Struct, frozen=True):
 
 
 class Identification(msgspec.Struct, frozen=True):
-    """The answer to "what is this device"; ``device`` is None when nothing fits."""
+    """The answer to "what is this device"; ``device`` is None when nothing of its product is known.
 
-    vendor_id: int
-    product_code: int
+    Anything but ``exact`` names the nearest description, and ``reason`` the rule by which it was chosen.
+    """
+
+    vendor_id: int | None
+    product_code: int | None
     revision_no: int | None
     match: str
-    """exact, product, vendor or none."""
+    """exact, accepted, older, newer, product, vendor or none."""
     reason: str
     device: IdentifiedDevice | None
     variants: tuple[IdentifiedDevice, ...]
+    """All descriptions of the chosen identity, the preferred one first."""
     candidates: tuple[FoundDevice, ...]
+    """The next best others."""
+    warnings: tuple[str, ...] = ()
 
     def as_json(self) -> dict[str, Any]:
         """The answer in the shape of ``esicatalog identify --format json``."""
@@ -87,9 +97,15 @@ class Identification(msgspec.Struct, frozen=True):
             "device": self.device.as_json() if self.device is not None else None,
             "variants": [variant.as_json() for variant in self.variants],
             "candidates": [candidate.as_json() for candidate in self.candidates],
+            "warnings": list(self.warnings),
         }
 
 
 def hex32(value: int | None) -> str | None:
     """``0x`` and eight digits."""
     return None if value is None else f"0x{value:08x}"
+
+
+def json_bytes(value: Any) -> bytes:
+    """JSON as every door gives it: UTF-8, indented, one line end behind it."""
+    return json.dumps(value, ensure_ascii=False, indent=2).encode("utf-8", "replace") + b"\n"

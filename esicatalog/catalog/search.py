@@ -11,8 +11,8 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.conditions import Condition
 from esicatalog.catalog.device_filter import DeviceFilter
+from esicatalog.catalog.devices import find_device, summary
 from esicatalog.catalog.full_text import search_expression
-from esicatalog.catalog.identify import find_device, summary
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import devices, vendors
 from esicatalog.catalog.views import FULL_TEXT
@@ -49,6 +49,7 @@ def device_query(found: Sequence[Condition], wanted: DeviceFilter) -> sa.Select[
             columns.product_code,
             columns.revision_no,
             columns.variant,
+            columns.hidden,
             vendors.c.name.label("vendor"),
             columns.type,
             columns.name,

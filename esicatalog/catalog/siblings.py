@@ -3,7 +3,7 @@
 import msgspec
 import sqlalchemy as sa
 
-from esicatalog.catalog.identify import SUMMARY, summary
+from esicatalog.catalog.devices import SUMMARY, summary
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import device_facts, devices
 

@@ -2,14 +2,15 @@
 
 import csv
 import functools
-import json
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import Any, TypeVar
 
 import click
 
-from esicatalog.errors import EsiCatalogError, NotFound
+from esicatalog.catalog.results import json_bytes
+from esicatalog.errors import EsiCatalogError, InputError, NotFound
 from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_modes, parse_number, parse_plugged
 
 EXIT_NO = 1
@@ -86,9 +87,22 @@ MODES = _Parsed("modes", parse_modes)
 PLUGGED = _Parsed("slot=ident", parse_plugged)
 
 
+def read_bytes(path: Path) -> bytes:
+    """The bytes of a file, of standard input for ``-``. Raises :class:`InputError`."""
+    try:
+        return sys.stdin.buffer.read() if str(path) == "-" else path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{path}: {error.strerror}") from error
+
+
+def read_text(path: Path) -> str:
+    """The text of a file; bytes that are no UTF-8 become replacement characters. Raises :class:`InputError`."""
+    return read_bytes(path).decode("utf-8", "replace")
+
+
 def print_json(value: Any) -> None:
     """JSON alone on stdout, UTF-8."""
-    sys.stdout.buffer.write(json.dumps(value, ensure_ascii=False, indent=2).encode("utf-8", "replace") + b"\n")
+    sys.stdout.buffer.write(json_bytes(value))
     sys.stdout.buffer.flush()
 
 

@@ -1,38 +1,153 @@
 """esicatalog identify"""
 
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
+import msgspec
 
-from esicatalog.cli.common import EXIT_NO, NUMBER, db_option, format_option, print_json, reporting_errors, table_lines
+from esicatalog.cli.common import (
+    EXIT_NO,
+    NUMBER,
+    db_option,
+    format_option,
+    print_json,
+    read_bytes,
+    read_text,
+    reporting_errors,
+    table_lines,
+)
+from esicatalog.errors import InputError
+from esicatalog.identity import parse_number
 
 if TYPE_CHECKING:
     from esicatalog.catalog.results import Identification
+    from esicatalog.scan.records import Scan, ScannedDictionary, ScannedPdos
+
+_FILE = click.Path(path_type=Path, allow_dash=True)
 
 
 @click.command("identify")
-@click.argument("vendor", type=NUMBER)
-@click.argument("product", type=NUMBER)
+@click.argument("vendor", type=NUMBER, required=False)
+@click.argument("product", type=NUMBER, required=False)
 @click.argument("revision", type=NUMBER, required=False)
+@click.option(
+    "--slaves", metavar="FILE", type=_FILE, help="A scan: ethercat slaves -v, SOEM slaveinfo, CSV; - = stdin."
+)
+@click.option("--eni", metavar="FILE", type=_FILE, help="The slaves of a master configuration (ENI).")
+@click.option("--sii", metavar="FILE", type=_FILE, help="The device of an EEPROM image, raw or Intel HEX.")
+@click.option(
+    "--pdos", metavar="[POS=]FILE", multiple=True, help="With --slaves: ethercat pdos, compared with the ESI."
+)
+@click.option(
+    "--sdos", metavar="[POS=]FILE", multiple=True, help="With --slaves: ethercat sdos, compared with the ESI."
+)
 @db_option
 @format_option("table", "json")
 @reporting_errors
-def command(vendor: int, product: int, revision: int | None, db: str, output_format: str) -> None:
-    """Say what a device with this identity is, and which documents describe it.
+def command(
+    vendor: int | None,
+    product: int | None,
+    revision: int | None,
+    slaves: Path | None,
+    eni: Path | None,
+    sii: Path | None,
+    pdos: tuple[str, ...],
+    sdos: tuple[str, ...],
+    db: str,
+    output_format: str,
+) -> None:
+    """Say what a device is, or every slave of a bus, and which documents describe it.
 
-    Numbers are written 0x1097, #x1097 or 4247. Exit code 1 when no device of the catalog fits.
+    Numbers are written 0x1097, #x1097 or 4247. Without exact description the nearest one is named with the reason.
+    Exit code 1 when nothing of the product is known (of a scan: of no slave).
     """
     from esicatalog.api import Catalog
 
+    _check_usage(vendor, product, slaves, eni, sii, bool(pdos or sdos))
+    scan = _scan(slaves, eni)
+    if scan is not None:
+        from esicatalog.cli.bus_sheet import bus_lines
+
+        seen_pdos, seen_objects = _seen_pdos(pdos), _seen_objects(sdos)
+        with Catalog.open(db) as catalog:
+            buses = catalog.identify_scan(scan, seen_pdos, seen_objects)
+        if output_format == "json":
+            print_json([slave.as_json() for bus in buses for slave in bus.slaves])
+        else:
+            for line in bus_lines(buses):
+                click.echo(line)
+        for finding in scan.findings:
+            click.echo(f"line {finding.line}: {finding.message}", err=True)
+        if not any(slave.identification.device for bus in buses for slave in bus.slaves):
+            sys.exit(EXIT_NO)
+        return
+    identity = _sii_identity(sii) if sii is not None else (vendor or 0, product or 0, revision)
     with Catalog.open(db) as catalog:
-        answer = catalog.identify(vendor, product, revision)
+        answer = catalog.identify(*identity)
     if output_format == "json":
         print_json(answer.as_json())
     else:
         _print_answer(answer)
     if answer.device is None:
         sys.exit(EXIT_NO)
+
+
+def _check_usage(
+    vendor: int | None, product: int | None, slaves: Path | None, eni: Path | None, sii: Path | None, beside: bool
+) -> None:
+    doors = [vendor is not None, slaves is not None, eni is not None, sii is not None]
+    if sum(doors) != 1 or (vendor is not None and product is None):
+        raise InputError("say who: VENDOR PRODUCT [REVISION], --slaves FILE, --eni FILE or --sii FILE")
+    if beside and slaves is None:
+        raise InputError("--pdos and --sdos are compared with the slaves of a scan; give --slaves FILE too")
+
+
+def _scan(slaves: Path | None, eni: Path | None) -> "Scan | None":
+    from esicatalog.scan.front import read_eni, read_scan
+
+    if slaves is not None:
+        return read_scan(read_text(slaves))
+    return read_eni(read_bytes(eni)) if eni is not None else None
+
+
+def _seen_pdos(texts: tuple[str, ...]) -> "list[ScannedPdos]":
+    from esicatalog.scan.front import read_pdos
+
+    found: list[ScannedPdos] = []
+    for text in texts:
+        position, path = _placed(text)
+        seen = read_pdos(read_text(path)).slaves
+        found += [msgspec.structs.replace(item, position=position) if position is not None else item for item in seen]
+    return found
+
+
+def _seen_objects(texts: tuple[str, ...]) -> "list[ScannedDictionary]":
+    from esicatalog.scan.front import read_sdos
+
+    found: list[ScannedDictionary] = []
+    for text in texts:
+        position, path = _placed(text)
+        seen = read_sdos(read_text(path)).slaves
+        found += [msgspec.structs.replace(item, position=position) if position is not None else item for item in seen]
+    return found
+
+
+def _placed(text: str) -> tuple[int | None, Path]:
+    """Ring position and file of ``[POSITION=]FILE``."""
+    position, equals, path = text.partition("=")
+    if equals and position.isdigit():
+        return parse_number(position, "position", 0xFFFF), Path(path)
+    return None, Path(text)
+
+
+def _sii_identity(path: Path) -> tuple[int, int, int]:
+    from esicatalog.sii.decode import decode_sii
+    from esicatalog.sii.files import image_bytes
+
+    header = decode_sii(image_bytes(read_bytes(path))).header
+    return header.vendor_id, header.product_code, header.revision_no
 
 
 def _print_answer(answer: "Identification") -> None:
@@ -44,8 +159,13 @@ def _print_answer(answer: "Identification") -> None:
         click.echo(f"  {device.vendor or 'vendor without name'}  {device.identity_text}")
         for source in variant.sources:
             click.echo(f"  described in {source.member}, line {source.line}")
+    for warning in answer.warnings:
+        click.echo(f"\nwarning: {warning}")
     if answer.candidates:
         click.echo("\nOthers in the catalog:" if answer.device else "\nNearest in the catalog:")
-        rows = [[device.identity_text, device.type or "", device.name or ""] for device in answer.candidates]
-        for line in table_lines(rows, ("identity", "type", "name")):
+        rows = [
+            [device.identity_text, device.type or "", device.name or "", "hidden" if device.hidden else ""]
+            for device in answer.candidates
+        ]
+        for line in table_lines(rows, ("identity", "type", "name", "")):
             click.echo(f"  {line}")

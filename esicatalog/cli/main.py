@@ -10,7 +10,8 @@ from esicatalog.version import __version__
 COMMANDS = {
     "ingest": "Read ESI files, folders and archives into the catalog.",
     "devices": "List the devices that fulfil conditions, with evidence.",
-    "identify": "Say what a device with this identity is.",
+    "identify": "Say what a device is, or every slave of a bus.",
+    "sii": "Read EEPROM (SII) images.",
     "show": "Print the sheet of one device.",
     "serve": "Browse the catalog in Datasette.",
     "check": "Verify the catalog and print its content hash.",

@@ -13,9 +13,7 @@ from esicatalog.api import Catalog
 from esicatalog.catalog.database import catalog_url, sqlite_path
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
-
-MOUNTED_AS = "catalog"
-"""Name of the database in Datasette, whatever the file is called; the metadata is written for it."""
+from esicatalog.web.state import MOUNTED_AS
 
 SETTINGS = {
     "sql_time_limit_ms": 3000,

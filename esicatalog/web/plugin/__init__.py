@@ -9,6 +9,7 @@ from datasette import hookimpl
 from esicatalog.catalog.full_text import search_expression
 from esicatalog.catalog.views import FULL_TEXT
 from esicatalog.web.functions import hex0x, parse_hex
+from esicatalog.web.routes import ROUTES
 
 
 @hookimpl(trylast=True)  # type: ignore[untyped-decorator]
@@ -32,3 +33,15 @@ def extra_css_urls(database: str | None, datasette: Any) -> Callable[[], Awaitab
         return [datasette.urls.static_plugins("esicatalog", "catalog.css")]
 
     return urls
+
+
+@hookimpl  # type: ignore[untyped-decorator]
+def register_routes() -> list[tuple[str, Any]]:
+    """The JSON routes below /-/esi/."""
+    return ROUTES
+
+
+@hookimpl  # type: ignore[untyped-decorator]
+def skip_csrf(scope: dict[str, Any]) -> bool:
+    """POST to the routes below /-/esi/ changes nothing and needs no token."""
+    return "/-/esi/" in str(scope.get("path", ""))

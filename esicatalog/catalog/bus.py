@@ -1,0 +1,122 @@
+"""Scans against the catalog: who the slaves are, and what is to be known of their bus."""
+
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+from esicatalog.catalog.identity import IdentityLookup
+from esicatalog.catalog.results import FoundDevice, Identification
+from esicatalog.errors import InputError
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.model.bus import BusSummary, SlaveReport, look_at_bus
+from esicatalog.model.revision_check import EXACT
+from esicatalog.model.scan_compare import compare_objects, compare_pdos
+from esicatalog.scan.records import Scan, ScannedDictionary, ScannedPdos, ScannedSlave
+
+_NO_IDENTITY = Identification(None, None, None, "none", "the scan gives no identity of this slave", None, (), ())
+
+
+class IdentifiedSlave(NamedTuple):
+    """A slave of a scan with the description that fits it."""
+
+    slave: ScannedSlave
+    identification: Identification
+    report: SlaveReport
+    differences: tuple[str, ...]
+    """What its PDOs and objects, as the master printed them, are otherwise than described."""
+
+    def as_json(self) -> dict[str, Any]:
+        """The answer of identify, and the slave beside it."""
+        slave = self.slave
+        place = {
+            "bus": slave.bus,
+            "master": slave.master,
+            "position": slave.position,
+            "alias": slave.alias,
+            "name": slave.name,
+            "serial_no": slave.serial_no,
+            "line": slave.line,
+        }
+        return {
+            **self.identification.as_json(),
+            "slave": {**place, **self.report._asdict(), "differences": list(self.differences)},
+        }
+
+
+class BusReport(NamedTuple):
+    """The slaves of one bus, in ring order."""
+
+    bus: int
+    slaves: tuple[IdentifiedSlave, ...]
+    summary: BusSummary
+
+    @property
+    def not_exact_at(self) -> tuple[int, ...]:
+        """Positions of the slaves without exact ESI."""
+        return tuple(item.slave.position for item in self.slaves if item.identification.match != EXACT)
+
+
+Records = Callable[[FoundDevice], tuple[Device, Sequence[Module]]]
+"""Gives the records of a described device and of its modules."""
+
+
+def bus_reports(
+    lookup: IdentityLookup,
+    scan: Scan,
+    records: Records,
+    pdos: Sequence[ScannedPdos] = (),
+    dictionaries: Sequence[ScannedDictionary] = (),
+) -> list[BusReport]:
+    """Identify all slaves of a scan; unknown ones stay in the list.
+
+    ``pdos`` and ``dictionaries`` of the same bus are compared with the descriptions. Raises :class:`InputError` when
+    one of them does not say to which of several slaves it belongs.
+    """
+    places = [item.position for item in pdos] + [item.position for item in dictionaries]
+    if len(scan.slaves) > 1 and None in places:
+        raise InputError("a list of PDOs or objects does not name its slave; write POSITION=FILE")
+    buses: dict[int, list[ScannedSlave]] = defaultdict(list)
+    for slave in scan.slaves:
+        buses[slave.bus].append(slave)
+    found = []
+    for number, slaves in sorted(buses.items()):
+        answers = [_identify(lookup, slave) for slave in slaves]
+        devices = [lookup.at_bus(answer.device.device) if answer.device is not None else None for answer in answers]
+        reports, summary = look_at_bus(list(zip(slaves, devices, strict=True)))
+        differences = [
+            tuple(_differences(slave, answer, records, pdos, dictionaries))
+            for slave, answer in zip(slaves, answers, strict=True)
+        ]
+        together = zip(slaves, answers, reports, differences, strict=True)
+        found.append(BusReport(number, tuple(IdentifiedSlave(*item) for item in together), summary))
+    return found
+
+
+def _identify(lookup: IdentityLookup, slave: ScannedSlave) -> Identification:
+    known = slave.identity
+    if known is None:
+        return _NO_IDENTITY
+    return lookup.identify(known.vendor_id, known.product_code, known.revision_no)
+
+
+def _differences(
+    slave: ScannedSlave,
+    answer: Identification,
+    records: Records,
+    pdos: Sequence[ScannedPdos],
+    dictionaries: Sequence[ScannedDictionary],
+) -> Iterator[str]:
+    own_pdos = [item for item in pdos if _belongs(item, slave)]
+    own_dictionaries = [item for item in dictionaries if _belongs(item, slave)]
+    if answer.device is None or not (own_pdos or own_dictionaries):
+        return
+    device, modules = records(answer.device.device)
+    for item in own_pdos:
+        yield from compare_pdos(device, modules, item)
+    for dictionary in own_dictionaries:
+        yield from compare_objects(device, modules, dictionary)
+
+
+def _belongs(item: ScannedPdos | ScannedDictionary, slave: ScannedSlave) -> bool:
+    return item.position in (None, slave.position) and item.master in (None, slave.master)

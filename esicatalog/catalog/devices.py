@@ -1,0 +1,71 @@
+"""Single descriptions: by their identity as people write it, and where they come from."""
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import sqlalchemy as sa
+
+from esicatalog.catalog.results import FoundDevice
+from esicatalog.catalog.schema import devices, vendors
+from esicatalog.errors import NotFound
+from esicatalog.identity import Identity
+
+SUMMARY = (
+    sa.select(
+        devices.c.id,
+        devices.c.vendor_id,
+        devices.c.product_code,
+        devices.c.revision_no,
+        devices.c.variant,
+        devices.c.hidden,
+        vendors.c.name.label("vendor"),
+        devices.c.type,
+        devices.c.name,
+    )
+    .outerjoin(vendors, vendors.c.vendor_id == devices.c.vendor_id)
+    .order_by(devices.c.vendor_id, devices.c.product_code, devices.c.revision_no, devices.c.variant)
+)
+"""Descriptions as lists show them; :func:`summary` makes values of its rows."""
+
+
+def summary(row: Any, evidence: Iterable[str] = ()) -> FoundDevice:
+    """A device in a list, from a row of the summary columns."""
+    return FoundDevice(
+        row.vendor_id,
+        row.product_code,
+        row.revision_no,
+        row.variant,
+        row.vendor,
+        row.type,
+        row.name,
+        bool(row.hidden),
+        tuple(evidence),
+    )
+
+
+def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, FoundDevice]:
+    """Row number and summary of a description. Raises :class:`NotFound` with what to do."""
+    condition = [devices.c.vendor_id == identity.vendor_id, devices.c.product_code == identity.product_code]
+    if identity.revision_no is not None:
+        condition.append(devices.c.revision_no == identity.revision_no)
+    rows = connection.execute(SUMMARY.where(*condition)).all()
+    if not rows:
+        raise NotFound(f"{identity} is not in the catalog; see: esicatalog identify {identity_words(identity)}")
+    wanted = identity.variant or 1
+    chosen = identity.revision_no if identity.revision_no is not None else _latest(rows)
+    for row in rows:
+        if row.revision_no == chosen and row.variant == wanted:
+            return row.id, summary(row)
+    raise NotFound(f"{identity} has no variant {wanted}")
+
+
+def _latest(rows: Sequence[Any]) -> int | None:
+    """The highest revision that no other description of the vendor hides; the highest when all are hidden."""
+    revisions: list[int | None] = [row.revision_no for row in rows if not row.hidden] or [rows[-1].revision_no]
+    return revisions[-1]
+
+
+def identity_words(identity: Identity) -> str:
+    """The identity as arguments of ``esicatalog identify``."""
+    numbers = (identity.vendor_id, identity.product_code, identity.revision_no)
+    return " ".join(f"0x{number:x}" for number in numbers if number is not None)

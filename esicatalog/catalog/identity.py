@@ -1,0 +1,164 @@
+"""Who is this device: the description of a vendor, product and revision, or the nearest one with the reason.
+
+The lookup speaks to the database driver directly: masters, test benches and web pages ask for identities by the
+thousand, and the statements below are all it takes.
+"""
+
+import functools
+from collections.abc import Callable, Iterable
+from typing import Any, NamedTuple
+
+from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
+from esicatalog.model.bus import DeviceAtBus
+from esicatalog.model.process_image import byte_bit
+from esicatalog.model.revision_check import EXACT, Described, rank
+
+NEAREST = 10
+"""How many other candidates an answer names."""
+
+_COLUMNS = "d.id, d.vendor_id, d.product_code, d.revision_no, d.variant, v.name, d.type, d.name, d.hidden"
+_OF_PRODUCT = (
+    f"SELECT {_COLUMNS}, d.check_revision_no, f.image_signature FROM devices d "
+    "LEFT JOIN vendors v ON v.vendor_id = d.vendor_id JOIN device_facts f ON f.device_id = d.id "
+    "WHERE d.vendor_id = ? AND d.product_code = ? ORDER BY d.revision_no, d.variant"
+)
+_SOURCES = (
+    "SELECT s.member, s.location, x.line, x.group_type, y.file_version, s.status FROM device_sources x "
+    "JOIN sources s ON s.id = x.source_id "
+    "LEFT JOIN source_vendors y ON y.source_id = x.source_id AND y.position = x.section "
+    "WHERE x.device_id = ? ORDER BY s.member, x.line"
+)
+_LAYOUT = (
+    "SELECT p.image_sm, e.image_bit_offset, e.entry_index, coalesce(e.subindex, 0), e.bit_length FROM pdos p "
+    "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND p.image_sm IS NOT NULL "
+    "ORDER BY p.image_sm, e.image_bit_offset"
+)
+_CONTENT_HASH = "SELECT value FROM catalog_state WHERE key = 'content_hash'"
+_VENDOR = "SELECT name FROM vendors WHERE vendor_id = ?"
+_NEAR_PRODUCTS = (
+    f"SELECT {_COLUMNS} FROM devices d LEFT JOIN vendors v ON v.vendor_id = d.vendor_id "
+    "WHERE d.vendor_id = ? AND d.variant = 1 AND d.product_code IS NOT NULL "
+    f"ORDER BY abs(d.product_code - ?), d.product_code, d.hidden, d.revision_no LIMIT {NEAREST}"
+)
+
+Query = Callable[[str, tuple[Any, ...]], Iterable[tuple[Any, ...]]]
+"""Runs a statement with ``?`` marks and gives its rows."""
+
+
+class _Row(NamedTuple):
+    id: int
+    device: FoundDevice
+    check_revision_no: str | None
+    image_signature: str | None
+
+
+_AT_BUS = (
+    "SELECT d.physics, d.e_bus_current_ma, d.use_lrd_lwr, f.output_bytes, f.input_bytes, f.dc_supported "
+    "FROM devices d JOIN device_facts f ON f.device_id = d.id "
+    "WHERE d.vendor_id = ? AND d.product_code = ? AND d.revision_no = ? AND d.variant = ?"
+)
+
+
+class IdentityLookup:
+    """Answers identities on one connection to the database."""
+
+    def __init__(self, query: Query) -> None:
+        self._query = query
+        # Signatures are digests of layouts: the words for a pair of them never change.
+        self._difference = functools.lru_cache(4096)(self._layout_difference)
+
+    def identify(self, vendor_id: int, product_code: int, revision_no: int | None) -> Identification:
+        """The descriptions of an identity, preferred first, or the nearest ones; see :func:`rank` for the order."""
+        rows = [
+            _Row(row[0], _device(row), row[9], row[10]) for row in self._query(_OF_PRODUCT, (vendor_id, product_code))
+        ]
+        query = (vendor_id, product_code, revision_no)
+        if not rows:
+            return self._unknown_product(query)
+        exact = [row for row in rows if row.device.revision_no == revision_no] if revision_no is not None else []
+        if exact:
+            match, reason, chosen = EXACT, "the catalog describes exactly this revision", exact
+            others = sorted(
+                (row for row in rows if row.device.revision_no != revision_no and row.device.variant == 1),
+                key=lambda row: (row.device.hidden, abs((row.device.revision_no or 0) - (revision_no or 0))),
+            )
+        else:
+            match, reason, chosen, others = _nearest(rows, revision_no)
+        variants = tuple(IdentifiedDevice(row.device, self.sources(row.id)) for row in chosen)
+        candidates = tuple(row.device for row in others[:NEAREST])
+        return Identification(
+            *query, match, reason, variants[0], variants, candidates, self._warnings(chosen[0], others)
+        )
+
+    def sources(self, device_id: int) -> tuple[DeviceSource, ...]:
+        """Documents and lines that carry a description."""
+        return tuple(DeviceSource(*row) for row in self._query(_SOURCES, (device_id,)))
+
+    def content_hash(self) -> str | None:
+        """The stored content hash; None while an ingest is under way."""
+        return next((str(row[0]) for row in self._query(_CONTENT_HASH, ())), None)
+
+    def at_bus(self, device: FoundDevice) -> DeviceAtBus | None:
+        """What a bus has to know of a described device."""
+        key = (device.vendor_id, device.product_code, device.revision_no, device.variant)
+        row = next(iter(self._query(_AT_BUS, key)), None)
+        if row is None:
+            return None
+        physics, current, no_lrw, output_bytes, input_bytes, dc_supported = row
+        return DeviceAtBus(physics, current, bool(no_lrw), output_bytes, input_bytes, bool(dc_supported))
+
+    def _unknown_product(self, query: tuple[int, int, int | None]) -> Identification:
+        vendor_id, product_code, _ = query
+        name = next(iter(self._query(_VENDOR, (vendor_id,))), None)
+        if name is None:
+            return Identification(*query, "none", f"vendor {hex32(vendor_id)} is not in the catalog", None, (), ())
+        near = self._query(_NEAR_PRODUCTS, (vendor_id, product_code))
+        candidates = tuple(map(_device, near))
+        reason = f"vendor {hex32(vendor_id)} ({name[0]}) is known, its product {hex32(product_code)} is not"
+        return Identification(*query, "vendor", reason, None, (), candidates)
+
+    def _warnings(self, chosen: _Row, others: list[_Row]) -> tuple[str, ...]:
+        """Other revisions with another default process image: code written for one reads wrong data on the other."""
+        differing = [row for row in others if row.image_signature != chosen.image_signature]
+        if not differing:
+            return ()
+        nearest = differing[0]
+        words = self._difference(chosen.image_signature, nearest.image_signature, chosen.id, nearest.id)
+        return (
+            f"default process image differs in {len(differing)} of {len(others)} other revisions; "
+            f"{hex32(nearest.device.revision_no)} for example: {words}",
+        )
+
+    def _layout_difference(self, _: str | None, __: str | None, here: int, there: int) -> str:
+        ours, theirs = self._layout(here), self._layout(there)
+        for place in sorted(ours.keys() | theirs.keys()):
+            if ours.get(place) != theirs.get(place):
+                sm, bit_offset = place
+                return (
+                    f"SM{sm} byte {byte_bit(bit_offset)} is {ours.get(place, 'nothing')} here, "
+                    f"{theirs.get(place, 'nothing')} there"
+                )
+        return "in PDOs of modules"
+
+    def _layout(self, device_id: int) -> dict[tuple[int, int], str]:
+        return {
+            (sm, offset): f"0x{index:04X}:{subindex:02X} ({bits} bit)" if index else f"a gap ({bits} bit)"
+            for sm, offset, index, subindex, bits in self._query(_LAYOUT, (device_id,))
+        }
+
+
+def _device(row: tuple[Any, ...]) -> FoundDevice:
+    _, vendor_id, product_code, revision_no, variant, vendor, type_text, name, hidden, *_ = row
+    return FoundDevice(vendor_id, product_code, revision_no, variant, vendor, type_text, name, bool(hidden))
+
+
+def _nearest(rows: list[_Row], revision_no: int | None) -> tuple[str, str, list[_Row], list[_Row]]:
+    """Match, reason, the chosen descriptions and the others, best first."""
+    preferred = [row for row in rows if row.device.variant == 1]
+    ranked = rank(
+        revision_no,
+        [Described(row.device.revision_no, row.check_revision_no, row.device.hidden) for row in preferred],
+    )
+    best = preferred[ranked[0].position]
+    chosen = [row for row in rows if row.device.revision_no == best.device.revision_no]
+    return ranked[0].match, ranked[0].reason, chosen, [preferred[item.position] for item in ranked[1:]]

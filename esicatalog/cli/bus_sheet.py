@@ -1,0 +1,93 @@
+"""The sheet of a scanned bus: a line a slave, what is to be known of it, and a summary."""
+
+from collections.abc import Iterator, Sequence
+
+from esicatalog.catalog.bus import BusReport, IdentifiedSlave
+from esicatalog.cli.common import table_lines
+
+_HEAD = ("pos", "alias", "identity", "ESI", "device", "revision", "E-bus left", "out", "in", "source")
+
+
+def bus_lines(buses: Sequence[BusReport]) -> Iterator[str]:
+    """The sheet as lines of text."""
+    for number, bus in enumerate(buses):
+        if number:
+            yield ""
+        if len(buses) > 1:
+            yield _bus_title(bus)
+        yield from table_lines([_row(item) for item in bus.slaves], _HEAD)
+        yield from _notes(bus.slaves)
+        yield from _summary(bus)
+
+
+def _bus_title(bus: BusReport) -> str:
+    first = bus.slaves[0].slave
+    place = f"master {first.master}" if first.master is not None else first.interface
+    return f"Bus {bus.bus}" + (f", {place}" if place else "")
+
+
+def _row(item: IdentifiedSlave) -> list[str]:
+    slave, answer, report = item.slave, item.identification, item.report
+    described = answer.device
+    numbers = (slave.vendor_id, slave.product_code, slave.revision_no)
+    source = described.sources[0] if described is not None and described.sources else None
+    return [
+        str(slave.position),
+        "" if slave.alias is None else str(slave.alias),
+        ":".join("-" if number is None else f"0x{number:08x}" for number in numbers),
+        answer.match,
+        (described.device.type or "" if described is not None else slave.name or "").strip(),
+        "" if described is None or answer.match == "exact" else f"0x{described.device.revision_no or 0:08x}",
+        "" if report.e_bus_left_ma is None else f"{report.e_bus_left_ma} mA",
+        _bytes(report.output_bytes),
+        _bytes(report.input_bytes),
+        "" if source is None else f"{source.member}, line {source.line}",
+    ]
+
+
+def _bytes(count: int | None) -> str:
+    return "?" if count is None else str(count)
+
+
+def _notes(slaves: Sequence[IdentifiedSlave]) -> Iterator[str]:
+    lines = []
+    for item in slaves:
+        answer = item.identification
+        words = [] if answer.match == "exact" else [answer.reason]
+        if answer.match != "exact":
+            words += [f"warning: {warning}" for warning in answer.warnings]
+        words += [*item.report.notes, *item.differences]
+        lines += [f"  {item.slave.position}: {text}" for text in words]
+    if lines:
+        yield ""
+        yield "Notes"
+        yield from lines
+
+
+def _summary(bus: BusReport) -> Iterator[str]:
+    summary = bus.summary
+    known = len(bus.slaves) - len(bus.not_exact_at)
+    unknown = f"; unknown of {_positions(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
+    clock = summary.reference_clock_candidate
+    facts = [
+        ("slaves", f"{len(bus.slaves)}, {known} with exact ESI"),
+        ("without", _positions(bus.not_exact_at)),
+        ("process data", f"{summary.output_bytes} bytes out, {summary.input_bytes} bytes in{unknown}"),
+        ("reference clock", f"slave {clock} is the first that can be it" if clock is not None else "no candidate"),
+        ("no LRW", _positions(summary.no_lrw_at)),
+        ("E-bus exceeded", _positions(summary.e_bus_exceeded_at)),
+        ("E-bus unknown", _positions(summary.e_bus_unknown_at)),
+        (
+            "same alias",
+            "; ".join(f"{alias}: {_positions(places)}" for alias, places in summary.duplicate_aliases.items()),
+        ),
+    ]
+    yield ""
+    yield "Summary"
+    for name, words in facts:
+        if words:
+            yield f"  {name:15}  {words}"
+
+
+def _positions(positions: Sequence[int]) -> str:
+    return f"slave {', '.join(map(str, positions))}" if positions else ""

@@ -1,0 +1,36 @@
+"""esicatalog sii"""
+
+from pathlib import Path
+
+import click
+
+from esicatalog.cli.common import format_option, print_json, read_bytes, reporting_errors
+
+_FILE = click.Path(path_type=Path, allow_dash=True)
+
+
+@click.group("sii")
+def command() -> None:
+    """Read EEPROM (SII) images."""
+
+
+@command.command("decode")
+@click.argument("file", type=_FILE)
+@format_option("table", "json")
+@reporting_errors
+def decode(file: Path, output_format: str) -> None:
+    """Print what an EEPROM image says: header, strings, sync managers, PDOs, clocks, and what is odd about it.
+
+    FILE is raw or Intel HEX, whatever its name; - reads standard input. No catalog is opened.
+    """
+    from esicatalog.sii.decode import decode_sii
+    from esicatalog.sii.files import image_bytes
+    from esicatalog.sii.text import sheet_lines
+    from esicatalog.sii.view import sii_json
+
+    image = decode_sii(image_bytes(read_bytes(file)))
+    if output_format == "json":
+        print_json(sii_json(image))
+    else:
+        for line in sheet_lines(image):
+            click.echo(line)

@@ -1,0 +1,149 @@
+"""What an engineer wants to know of a bus before it runs: E-bus supply, process data, clocks, aliases, LRW.
+
+Facts come from the scan where the master printed them (they are the device's own), else from the description.
+"""
+
+from collections import defaultdict
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from esicatalog.scan.records import ScannedSlave
+
+_E_BUS = "EBUS"
+
+
+class DeviceAtBus(NamedTuple):
+    """What the description of a slave says about its place at a bus."""
+
+    physics: str | None
+    e_bus_current_ma: int | None
+    no_lrw: bool
+    output_bytes: int | None
+    input_bytes: int | None
+    dc_supported: bool
+
+
+class SlaveReport(NamedTuple):
+    """What is to be known of one slave; None = unknown."""
+
+    output_bytes: int | None
+    input_bytes: int | None
+    e_bus_current_ma: int | None
+    e_bus_left_ma: int | None
+    """What the supply before it leaves for the terminals after it; None outside of an E-bus segment."""
+    dc_capable: bool | None
+    no_lrw: bool | None
+    notes: tuple[str, ...]
+
+
+class BusSummary(NamedTuple):
+    """What is to be known of the whole bus; positions are ring positions."""
+
+    duplicate_aliases: dict[int, tuple[int, ...]]
+    e_bus_exceeded_at: tuple[int, ...]
+    """First terminal of each E-bus segment that the supply does not reach."""
+    e_bus_unknown_at: tuple[int, ...]
+    output_bytes: int
+    input_bytes: int
+    bytes_unknown_at: tuple[int, ...]
+    reference_clock_candidate: int | None
+    """The first slave that can be the reference clock."""
+    no_lrw_at: tuple[int, ...]
+
+
+def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple[list[SlaveReport], BusSummary]:
+    """Reports of the slaves of one bus, in ring order, and their summary.
+
+    The E-bus budget follows the ring order and not the branches of a line. A device with negative current feeds the
+    segment behind it anew; one without E-bus port ends it.
+    """
+    aliases: dict[int, list[int]] = defaultdict(list)
+    for slave, _ in bus:
+        if slave.alias:
+            aliases[slave.alias].append(slave.position)
+    duplicates = {alias: tuple(positions) for alias, positions in aliases.items() if len(positions) > 1}
+    budget = _EBusBudget()
+    reports = []
+    for slave, device in bus:
+        budget.pass_by(slave, device)
+        notes = list(budget.notes)
+        if slave.alias in duplicates:
+            others = ", ".join(str(position) for position in duplicates[slave.alias] if position != slave.position)
+            notes.append(f"alias {slave.alias} is also that of slave {others}")
+        reports.append(
+            SlaveReport(
+                output_bytes=_bytes(slave.output_bits, device.output_bytes if device else None),
+                input_bytes=_bytes(slave.input_bits, device.input_bytes if device else None),
+                e_bus_current_ma=budget.current,
+                e_bus_left_ma=budget.left,
+                dc_capable=slave.dc_capable if slave.dc_capable is not None or not device else device.dc_supported,
+                no_lrw=slave.not_lrw if slave.not_lrw is not None or not device else device.no_lrw,
+                notes=tuple(notes),
+            )
+        )
+    return reports, _summary(bus, reports, duplicates, budget)
+
+
+def _bytes(bits: int | None, described: int | None) -> int | None:
+    return (bits + 7) // 8 if bits is not None else described
+
+
+class _EBusBudget:
+    """Follows the supply of an E-bus segment from slave to slave."""
+
+    def __init__(self) -> None:
+        self.left: int | None = None
+        self.current: int | None = None
+        self.notes: list[str] = []
+        self.exceeded_at: list[int] = []
+        self.unknown_at: list[int] = []
+
+    def pass_by(self, slave: ScannedSlave, device: DeviceAtBus | None) -> None:
+        """Take the next slave into account."""
+        self.notes = []
+        described = device.e_bus_current_ma if device is not None else None
+        self.current = slave.e_bus_current_ma if slave.e_bus_current_ma is not None else described
+        on_e_bus = _on_e_bus(slave, device)
+        if self.current is not None and self.current < 0:
+            self.left = -self.current
+        elif on_e_bus is False:
+            self.left = None
+        elif self.current is None:
+            if self.left is not None:
+                self.unknown_at.append(slave.position)
+                self.notes.append("E-bus current unknown: the budget ends here")
+            self.left = None
+        elif self.left is not None:
+            was_enough = self.left >= 0
+            self.left -= self.current
+            if self.left < 0 and was_enough:
+                self.exceeded_at.append(slave.position)
+                self.notes.append(f"E-bus supply exceeded by {-self.left} mA: put a power feed before it")
+
+
+def _on_e_bus(slave: ScannedSlave, device: DeviceAtBus | None) -> bool | None:
+    kinds = [port.kind for port in slave.ports if port.kind is not None]
+    if kinds:
+        return _E_BUS in kinds
+    return "K" in device.physics if device is not None and device.physics else None
+
+
+def _summary(
+    bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]],
+    reports: Sequence[SlaveReport],
+    duplicates: dict[int, tuple[int, ...]],
+    budget: _EBusBudget,
+) -> BusSummary:
+    together = [(slave, report) for (slave, _), report in zip(bus, reports, strict=True)]
+    return BusSummary(
+        duplicate_aliases=duplicates,
+        e_bus_exceeded_at=tuple(budget.exceeded_at),
+        e_bus_unknown_at=tuple(budget.unknown_at),
+        output_bytes=sum(report.output_bytes or 0 for report in reports),
+        input_bytes=sum(report.input_bytes or 0 for report in reports),
+        bytes_unknown_at=tuple(s.position for s, r in together if r.output_bytes is None or r.input_bytes is None),
+        reference_clock_candidate=next(
+            (s.position for s, r in together if r.dc_capable and s.dc_system_time is not False), None
+        ),
+        no_lrw_at=tuple(s.position for s, r in together if r.no_lrw),
+    )

@@ -1,0 +1,89 @@
+"""The route /-/esi/identify.json: one identity by GET, many or a scan by POST."""
+
+import asyncio
+from typing import Any
+
+import msgspec
+
+from esicatalog.api import Catalog
+from esicatalog.errors import InputError
+from esicatalog.identity import UINT32_MAX, Identity, parse_identity, parse_number
+from esicatalog.scan.front import read_scan
+from esicatalog.web.http import HttpError, body_of
+
+MOST_IDENTITIES = 10_000
+_PARAMETERS = ("vendor", "product", "revision")
+_NAMES = {"vendor": "vendor_id", "product": "product_code", "revision": "revision_no"}
+"""Members of an identity in JSON; the short and the long name mean the same."""
+
+
+async def identify_one(request: Any, catalog: Catalog) -> tuple[Any, int]:
+    """``?vendor=&product=&revision=``; 404 with the answer when nothing of the product is known."""
+    unknown = sorted(set(request.args) - set(_PARAMETERS))
+    if unknown:
+        raise HttpError(400, f"unknown parameter {unknown[0][:40]!r}; there are vendor, product and revision")
+    given = {name: request.args.getlist(name) for name in _PARAMETERS}
+    repeated = [name for name, texts in given.items() if len(texts) > 1]
+    if repeated:
+        raise HttpError(400, f"{repeated[0]} is given more than once")
+    texts = {name: texts[0] for name, texts in given.items() if texts and texts[0]}
+    missing = [name for name in _PARAMETERS[:2] if name not in texts]
+    if missing:
+        raise HttpError(400, f"{missing[0]} is missing; write vendor=0x1097&product=0x2406&revision=0x8f")
+    numbers = {_NAMES[name]: parse_number(text, name) for name, text in texts.items()}
+    answer = catalog.identify(**numbers)
+    return answer.as_json(), 200 if answer.device is not None else 404
+
+
+async def identify_many(request: Any, catalog: Catalog) -> tuple[Any, int]:
+    """A JSON list of identities, or the text of a scan; the answers are a list in the same order."""
+    body = await body_of(request)
+    if body.lstrip()[:1] in (b"[", b"{"):
+        return await asyncio.to_thread(_identities, body, catalog), 200
+    return await asyncio.to_thread(_scan, body.decode("utf-8", "replace"), catalog), 200
+
+
+def _scan(text: str, catalog: Catalog) -> list[dict[str, Any]]:
+    return [slave.as_json() for bus in catalog.identify_scan(read_scan(text)) for slave in bus.slaves]
+
+
+def _identities(body: bytes, catalog: Catalog) -> list[dict[str, Any]]:
+    try:
+        given = msgspec.json.decode(body)
+    except (msgspec.DecodeError, RecursionError) as error:
+        raise HttpError(400, f"the body is no JSON: {error}") from error
+    if not isinstance(given, list):
+        raise HttpError(400, "the body is no list of identities")
+    if len(given) > MOST_IDENTITIES:
+        raise HttpError(413, f"more than {MOST_IDENTITIES} identities at once")
+    wanted = [_identity(item, place) for place, item in enumerate(given)]
+    return [catalog.identify(item.vendor_id, item.product_code, item.revision_no).as_json() for item in wanted]
+
+
+def _identity(item: Any, place: int) -> Identity:
+    """An identity as an object, as a list of three, or as ``V:P:R``."""
+    try:
+        if isinstance(item, str):
+            return parse_identity(item)
+        if isinstance(item, list) and len(item) in (2, 3):
+            item = dict(zip(_PARAMETERS, item, strict=False))
+        if not isinstance(item, dict):
+            raise InputError("expected an object, a list [vendor, product, revision] or a text V:P:R")
+        numbers = {name: _number(item.get(short, item.get(name)), short) for short, name in _NAMES.items()}
+    except InputError as error:
+        raise HttpError(400, f"identity {place}: {error}") from error
+    vendor_id, product_code = numbers["vendor_id"], numbers["product_code"]
+    if vendor_id is None or product_code is None:
+        raise HttpError(400, f"identity {place}: vendor and product are needed")
+    return Identity(vendor_id, product_code, numbers["revision_no"])
+
+
+def _number(value: Any, name: str) -> int | None:
+    if value is None or value == "":
+        return None
+    if isinstance(value, str):
+        return parse_number(value, name)
+    whole = isinstance(value, int) or (isinstance(value, float) and value.is_integer())
+    if isinstance(value, bool) or not whole or not 0 <= value <= UINT32_MAX:
+        raise InputError(f"{name} {str(value)[:40]} is no number from 0 to 0x{UINT32_MAX:x}")
+    return int(value)

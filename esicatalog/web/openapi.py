@@ -1,0 +1,152 @@
+"""The OpenAPI document of the JSON routes."""
+
+from typing import Any
+
+from esicatalog.version import __version__
+from esicatalog.web.identify import MOST_IDENTITIES
+
+_DECIMAL_UINT32 = (
+    "[0-9]{1,9}|[1-3][0-9]{9}|4[01][0-9]{8}|42[0-8][0-9]{7}|429[0-3][0-9]{6}|4294[0-8][0-9]{5}|42949[0-5][0-9]{4}|"
+    "429496[0-6][0-9]{3}|4294967[01][0-9]{2}|42949672[0-8][0-9]|429496729[0-5]"
+)
+_NUMBER = {
+    "type": "string",
+    "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32})$",
+    "examples": ["0x1097", "#x1097", "4247"],
+}
+_UINT32 = {"type": ["integer", "null"], "minimum": 0, "maximum": 0xFFFF_FFFF}
+_TEXT = {"type": ["string", "null"]}
+_HEX = {"type": ["string", "null"], "pattern": "^0x[0-9a-f]{8}$"}
+_MATCHES = ["exact", "accepted", "older", "newer", "product", "vendor", "none"]
+
+
+_SCANS = (
+    "^vendor,product,revision(\\n0x[0-9a-f]{1,8},0x[0-9a-f]{1,8},(0x[0-9a-f]{1,8})?)+\\n$",
+    "^=== Master [0-9]{1,3}, Slave [0-9]{1,5} ===\\n",
+    "^SOEM \\(Simple Open EtherCAT Master\\)\\n",
+)
+"""How the texts of scans begin: a list of identities, ``ethercat slaves -v``, ``slaveinfo``."""
+
+
+def _object(properties: dict[str, Any], optional: tuple[str, ...] = ()) -> dict[str, Any]:
+    required = [name for name in properties if name not in optional]
+    return {"type": "object", "properties": properties, "required": required}
+
+
+def _list(item: dict[str, Any]) -> dict[str, Any]:
+    return {"type": "array", "items": item}
+
+
+def _ref(name: str) -> dict[str, Any]:
+    return {"$ref": f"#/components/schemas/{name}"}
+
+
+_IDENTITY = {
+    "vendor_id": _UINT32,
+    "vendor_id_hex": _HEX,
+    "product_code": _UINT32,
+    "product_code_hex": _HEX,
+    "revision_no": _UINT32,
+    "revision_no_hex": _HEX,
+}
+_DEVICE = {
+    **_IDENTITY,
+    "variant": {"type": "integer", "minimum": 1},
+    "vendor": _TEXT,
+    "type": _TEXT,
+    "name": _TEXT,
+    "hidden": {"type": "boolean"},
+    "evidence": _list({"type": "string"}),
+}
+_SOURCE = _object({"member": {"type": "string"}, "line": {"type": "integer"}, "group_type": _TEXT})
+_ANSWER = {
+    "query": _object(_IDENTITY),
+    "match": {"enum": _MATCHES},
+    "reason": {"type": "string"},
+    "device": {"oneOf": [_ref("DescribedDevice"), {"type": "null"}]},
+    "variants": _list(_ref("DescribedDevice")),
+    "candidates": _list(_ref("Device")),
+    "warnings": _list({"type": "string"}),
+    "slave": {"type": "object", "description": "Place and state of the slave; in answers about a scan only"},
+}
+_SCHEMAS = {
+    "Device": _object(_DEVICE),
+    "DescribedDevice": _object({**_DEVICE, "sources": _list(_SOURCE)}),
+    "Identification": _object(_ANSWER, optional=("slave",)),
+    "Error": _object({"error": {"type": "string"}}),
+    "Identity": _object(
+        {
+            "vendor": {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER]},
+            "product": {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER]},
+            "revision": {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER]},
+        },
+        optional=("revision",),
+    ),
+}
+
+
+def _parameter(name: str, required: bool, what: str) -> dict[str, Any]:
+    return {"name": name, "in": "query", "required": required, "description": what, "schema": _NUMBER}
+
+
+def _answers(description: str, schema: dict[str, Any]) -> dict[str, Any]:
+    return {"description": description, "content": {"application/json": {"schema": schema}}}
+
+
+_ERRORS = {
+    "400": _answers("A number or the body cannot be read", _ref("Error")),
+    "405": _answers("Another method than those listed", _ref("Error")),
+}
+
+
+def openapi_document(base_url: str) -> dict[str, Any]:
+    """The document; ``base_url`` is where Datasette is mounted."""
+    return {
+        "openapi": "3.1.0",
+        "info": {
+            "title": "esicatalog",
+            "version": __version__,
+            "description": "Which EtherCAT device is this, by the vendors' ESI files. Answers say what files declare.",
+        },
+        "servers": [{"url": base_url}],
+        "paths": {
+            "/-/esi/identify.json": {
+                "get": {
+                    "operationId": "identifyDevice",
+                    "summary": "The description of an identity, or the nearest one with the reason",
+                    "parameters": [
+                        _parameter("vendor", True, "Vendor id"),
+                        _parameter("product", True, "Product code"),
+                        _parameter("revision", False, "Revision; without it the latest visible one is meant"),
+                    ],
+                    "responses": {
+                        "200": _answers("The device, or one of its product", _ref("Identification")),
+                        "404": _answers("Nothing of this product is known", _ref("Identification")),
+                        **_ERRORS,
+                    },
+                },
+                "post": {
+                    "operationId": "identifyDevices",
+                    "summary": "Many identities, or the slaves of a scan",
+                    "requestBody": {
+                        "required": True,
+                        "content": {
+                            "application/json": {
+                                "schema": {**_list(_ref("Identity")), "maxItems": MOST_IDENTITIES},
+                            },
+                            "text/plain": {
+                                "schema": {"type": "string", "anyOf": [{"pattern": text} for text in _SCANS]},
+                                "example": "vendor,product,revision\n0x1097,0x2406,0x8f\n",
+                            },
+                        },
+                    },
+                    "responses": {
+                        "200": _answers("One answer an identity or slave, in order", _list(_ref("Identification"))),
+                        "413": _answers("The body is too large", _ref("Error")),
+                        **_ERRORS,
+                    },
+                },
+            },
+        },
+        "components": {"schemas": _SCHEMAS},
+    }

@@ -1,0 +1,74 @@
+"""A bus as a whole: E-bus budget, aliases, process data, clocks, LRW."""
+
+import msgspec
+
+from esicatalog.model.bus import DeviceAtBus, look_at_bus
+from esicatalog.scan.records import ScannedPort, ScannedSlave
+
+COUPLER = DeviceAtBus("YKY", -2000, False, 0, 0, True)
+TERMINAL = DeviceAtBus("KK", 100, False, 1, 2, False)
+HUNGRY = DeviceAtBus("KK", 1950, False, 0, 0, False)
+UNKNOWN_CURRENT = DeviceAtBus("KK", None, False, 0, 0, False)
+DRIVE = DeviceAtBus("YY", None, True, 8, 16, True)
+
+
+def bus(*devices, **of_position):
+    slaves = [
+        msgspec.structs.replace(ScannedSlave(line=1, position=n), **of_position.get(f"at{n}", {}))
+        for n in range(len(devices))
+    ]
+    return look_at_bus(list(zip(slaves, devices, strict=True)))
+
+
+def test_the_budget_goes_down_and_is_fed_anew():
+    reports, summary = bus(COUPLER, TERMINAL, HUNGRY, TERMINAL, COUPLER, TERMINAL)
+    assert [report.e_bus_left_ma for report in reports] == [2000, 1900, -50, -150, 2000, 1900]
+    assert summary.e_bus_exceeded_at == (2,)
+    assert [bool(report.notes) for report in reports] == [False, False, True, False, False, False]
+
+
+def test_what_has_no_e_bus_port_ends_the_segment():
+    reports, _ = bus(COUPLER, DRIVE, TERMINAL)
+    assert [report.e_bus_left_ma for report in reports] == [2000, None, None]
+
+
+def test_an_unknown_current_ends_the_budget_and_is_told():
+    reports, summary = bus(COUPLER, UNKNOWN_CURRENT, None, TERMINAL)
+    assert [report.e_bus_left_ma for report in reports] == [2000, None, None, None]
+    assert summary.e_bus_unknown_at == (1,)
+
+
+def test_what_the_master_printed_counts_before_the_description():
+    reports, _ = bus(
+        COUPLER,
+        TERMINAL,
+        at0={"e_bus_current_ma": -1000},
+        at1={"e_bus_current_ma": 300, "output_bits": 9, "not_lrw": True, "dc_capable": True},
+    )
+    assert reports[1].e_bus_left_ma == 700
+    assert (reports[1].output_bytes, reports[1].input_bytes) == (2, 2)
+    assert reports[1].no_lrw is True
+    assert reports[1].dc_capable is True
+
+
+def test_ports_of_the_scan_say_what_is_on_the_e_bus():
+    ports = (ScannedPort(number=0, kind="MII"), ScannedPort(number=1, kind="N/A"))
+    reports, _ = bus(COUPLER, None, at1={"ports": ports, "e_bus_current_ma": 0})
+    assert reports[1].e_bus_left_ma is None
+
+
+def test_summary():
+    _, summary = bus(
+        TERMINAL, None, DRIVE, at0={"alias": 5}, at1={"alias": 5, "dc_capable": True, "dc_system_time": False}
+    )
+    assert summary.duplicate_aliases == {5: (0, 1)}
+    assert (summary.output_bytes, summary.input_bytes) == (9, 18)
+    assert summary.bytes_unknown_at == (1,)
+    assert summary.reference_clock_candidate == 2
+    assert summary.no_lrw_at == (2,)
+
+
+def test_an_empty_bus():
+    reports, summary = look_at_bus([])
+    assert reports == []
+    assert summary.reference_clock_candidate is None

@@ -1,0 +1,342 @@
+"""Who is on this bus: the same answer from Python, from the shell and over HTTP."""
+
+import json
+import socket
+from pathlib import Path
+
+import pytest
+import schemathesis
+from hypothesis import HealthCheck, given, settings
+from schemathesis import GenerationMode
+from snippets import device, esi, pdo, rows
+from test_cli import run
+from test_search import catalog_of
+
+from esicatalog import Catalog, CatalogError
+from esicatalog.catalog.results import json_bytes
+from esicatalog.cli.serve import _listen
+from esicatalog.scan.front import read_scan
+from esicatalog.web.app import datasette_app
+from esicatalog.web.http import MAX_BODY_BYTES
+
+ROUTE = "/-/esi/identify.json"
+SLAVES = """\
+=== Master 0, Slave 0 ===
+Alias: 7
+Identity:
+  Vendor Id:       0x00000e5c
+  Product code:    0x0d080808
+  Revision number: 0x00110000
+General:
+  Current consumption: -200 mA
+=== Master 0, Slave 1 ===
+Alias: 7
+Identity:
+  Vendor Id:       0x00000e5c
+  Product code:    0x0d080808
+  Revision number: 0x00120000
+General:
+  Current consumption: 300 mA
+=== Master 0, Slave 2 ===
+Identity:
+  Vendor Id:       0x000000cd
+  Product code:    0x00000456
+  Revision number: 0x00010000
+"""
+
+
+@pytest.fixture(scope="module")
+def several(tmp_path_factory) -> Path:
+    """Three revisions of a product, two layouts; one has two descriptions."""
+    sm, wide = "<Sm>Outputs</Sm>", pdo("RxPdo", "#x1600", 8, 8, attributes='Sm="0"')
+    narrow = pdo("RxPdo", "#x1600", 16, attributes='Sm="0"') + pdo("RxPdo", "#x1601", 8, 8)
+    return catalog_of(
+        tmp_path_factory.mktemp("several"),
+        esi(
+            device(sm + wide, revision="#x00100000", type_text="A")
+            + device(sm + narrow, revision="#x00120000", type_text="B")
+            + device("<HideType RevisionNo='#x00110000'/>" + sm + wide, revision="#x00120000", type_text="B2")
+            + device(sm + wide, revision="#x00110000", type_text="hidden")
+        ),
+    )
+
+
+def answer(db: Path, *numbers: int):
+    with Catalog.open(db) as catalog:
+        return catalog.identify(*numbers)
+
+
+def test_exact_with_all_variants_and_the_others_near(several):
+    found = answer(several, 0xE5C, 1, 0x00120000)
+    assert found.match == "exact"
+    assert [item.device.variant for item in found.variants] == [1, 2]
+    assert found.device == found.variants[0]
+    assert [item.revision_no for item in found.candidates] == [0x00100000, 0x00110000]
+    assert [source.member for source in found.device.sources] == ["0.xml"]
+
+
+def test_another_layout_is_a_warning_that_names_the_difference(several):
+    (warning,) = answer(several, 0xE5C, 1, 0x00120000).warnings
+    assert warning == (
+        "default process image differs in 2 of 2 other revisions; 0x00100000 for example: "
+        "SM0 byte 0.0 is 0x7000:01 (16 bit) here, 0x7000:01 (8 bit) there"
+    )
+
+
+def test_hidden_is_found_when_asked_for_and_passed_over_otherwise(several):
+    assert answer(several, 0xE5C, 1, 0x00110000).device.device.type == "hidden"
+    assert answer(several, 0xE5C, 1, 0x00115555).device.device.type == "A"
+    assert answer(several, 0xE5C, 1).device.device.type == "B"
+
+
+@pytest.mark.parametrize(
+    ("numbers", "match", "words"),
+    [
+        ((0xE5C, 1, 0x000F0000), "newer", "only newer ones are described, next 0x00100000"),
+        ((0xE5C, 1, 0x00200000), "older", "0x00120000 is older with the same low word"),
+        ((0xE5C, 2, 1), "vendor", "its product 0x00000002 is not"),
+        ((0xE5D, 1, 1), "none", "vendor 0x00000e5d is not in the catalog"),
+    ],
+)
+def test_what_is_not_exact_says_why(several, numbers, match, words):
+    found = answer(several, *numbers)
+    assert found.match == match
+    assert words in found.reason
+    assert (found.device is None) == (match in ("vendor", "none"))
+
+
+def test_the_product_of_the_nearest_code_is_a_candidate(several):
+    assert {item.product_code for item in answer(several, 0xE5C, 2, 1).candidates} == {1}
+
+
+def test_answers_follow_the_catalog(tmp_path):
+    """The lookup keeps its connection: it must see what another process stores, and must not lock it."""
+    db = catalog_of(tmp_path, esi(device(revision="1")))
+    with Catalog.open(db) as asking:
+        assert asking.identify(0xE5C, 1, 2).match == "older"
+        (tmp_path / "in" / "1.xml").write_text(esi(device(revision="2")))
+        with Catalog.open(db) as storing:
+            storing.ingest([tmp_path / "in"], jobs=1)
+        assert asking.identify(0xE5C, 1, 2).match == "exact"
+
+
+def test_a_damaged_catalog_is_one_line(tmp_path):
+    db = catalog_of(tmp_path, esi(device()))
+    with Catalog.open(db) as catalog:
+        catalog.identify(1, 1, 1)
+        db.write_bytes(b"\0" * 8192)
+        with pytest.raises(CatalogError, match="not"):
+            catalog.identify(0xE5C, 1, 1)
+
+
+async def client(db: Path, **options):
+    application = datasette_app(db)
+    for name, value in options.items():
+        setattr(application, name, value)
+    await application.invoke_startup()
+    return application.client
+
+
+async def test_three_doors_one_answer(sample_db):
+    """Fifty identities, some of them one beside what is described: the bytes are the same."""
+    db = sample_db
+    described = [row for row in rows(db, "SELECT vendor_id, product_code, revision_no FROM devices") if None not in row]
+    stride = max(1, len(described) // 40)
+    wanted = [*described[::stride], *((v, p, r ^ 0x10000) for v, p, r in described[:: stride * 5])][:48]
+    wanted += [(0xE5C, 0x12345678, 1), (0x7FFFFFFF, 1, 1)]
+    web = await client(db)
+    with Catalog.open(db) as catalog:
+        for numbers in wanted:
+            ours = json_bytes(catalog.identify(*numbers).as_json())
+            words = [f"0x{number:x}" for number in numbers]
+            shell = run("identify", *words, "--format", "json", db=db).stdout_bytes
+            response = await web.get(ROUTE, params=dict(zip(("vendor", "product", "revision"), words, strict=True)))
+            assert ours == shell == response.content
+            assert response.status_code == (404 if json.loads(ours)["device"] is None else 200)
+
+
+async def test_many_identities_and_scans_by_post(data_db):
+    web = await client(data_db)
+    identities = [{"vendor": "0xe5c", "product": "#x0d080808"}, [0x1097, 0x2406, 0x8F], "0x1:0x2:0x3"]
+    found = (await web.post(ROUTE, json=identities)).json()
+    assert [item["match"] for item in found] == ["product", "exact", "none"]
+    posted = await web.post(ROUTE, content=SLAVES.encode(), headers={"content-type": "text/plain"})
+    shell = run("identify", "--slaves", "-", "--format", "json", db=data_db, stdin=SLAVES).stdout_bytes
+    assert posted.content == shell
+
+
+@pytest.mark.parametrize(
+    ("query", "words"),
+    [
+        ("", "vendor is missing"),
+        ("?vendor=1", "product is missing"),
+        ("?vendor=zz&product=1", "vendor 'zz' is not a number"),
+        ("?vendor=1&product=0x1ffffffff", "is larger than 0xffffffff"),
+        ("?vendor=1&product=1&rev=1", "unknown parameter 'rev'"),
+        ("?vendor=1&vendor=2&product=1", "vendor is given more than once"),
+    ],
+)
+async def test_wrong_requests_are_400_with_words(data_db, query, words):
+    response = await (await client(data_db)).get(ROUTE + query)
+    assert response.status_code == 400
+    assert words in response.json()["error"]
+
+
+@pytest.mark.parametrize(
+    ("body", "words"),
+    [
+        (b"", "the text is empty"),
+        (b"[1]", "identity 0: expected an object"),
+        (b'[{"vendor": 1}]', "identity 0: vendor and product are needed"),
+        (b'[{"vendor": true, "product": 1}]', "vendor True is no number"),
+        (b'[{"vendor": -1, "product": 1}]', "vendor -1 is no number"),
+        (b'{"vendor": 1}', "no list"),
+        (b"[[1,2", "no JSON"),
+        (b"hello", "no scan is recognised"),
+        (b"[" * 100_000, "no JSON"),
+    ],
+)
+async def test_wrong_bodies_are_400_with_words(data_db, body, words):
+    response = await (await client(data_db)).post(ROUTE, content=body)
+    assert response.status_code == 400
+    assert words in response.json()["error"]
+
+
+async def test_bounds_methods_and_etag(data_db):
+    web = await client(data_db)
+    assert (await web.post(ROUTE, content=b"x" * (MAX_BODY_BYTES + 1))).status_code == 413
+    assert (await web.post(ROUTE, content=b"[" + b'"1:1",' * 10_000 + b'"1:1"]')).status_code == 413
+    refused = await web.delete(ROUTE)
+    assert (refused.status_code, refused.headers["allow"]) == (405, "GET, POST")
+    first = await web.get(f"{ROUTE}?vendor=0x1097&product=0x2406")
+    again = await web.get(f"{ROUTE}?vendor=0x1097&product=0x2406", headers={"if-none-match": first.headers["etag"]})
+    assert (first.status_code, again.status_code, again.content) == (200, 304, b"")
+    assert "access-control-allow-origin" not in first.headers
+
+
+async def test_cors_only_where_datasette_has_it(data_db):
+    web = await client(data_db, cors=True)
+    response = await web.get(f"{ROUTE}?vendor=1&product=1")
+    assert response.headers["access-control-allow-origin"] == "*"
+
+
+async def test_who_may_not_see_the_database_gets_no_answer(data_db):
+    application = datasette_app(data_db)
+    denied = {"databases": {"catalog": {"allow": {"id": "root"}}}}
+    # 0.65 takes permissions from the metadata, 1.0 from the configuration
+    setattr(application, "config" if hasattr(application, "config") else "_metadata_local", denied)
+    await application.invoke_startup()
+    assert (await application.client.get(f"{ROUTE}?vendor=1&product=1")).status_code == 403
+    assert (await application.client.get("/-/esi/openapi.json")).status_code == 403
+
+
+def test_the_server_cannot_write(data_db):
+    with Catalog.open(data_db, read_only=True) as catalog, pytest.raises(CatalogError, match="readonly"):
+        catalog.ingest([data_db.parent], jobs=1)
+
+
+def test_answers_are_sent_without_waiting_for_acknowledgements():
+    """Nagle's algorithm and delayed acknowledgements cost 40 ms a request; a server found at 23 requests a second."""
+    with _listen("127.0.0.1", 0) as listener, socket.create_connection(listener.getsockname()):
+        connection, _ = listener.accept()
+        with connection:
+            assert connection.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY) != 0
+
+
+def test_openapi_says_what_the_routes_do(data_db):
+    """Requests made from the document, sensible and broken ones, get the answers that the document promises."""
+    api = schemathesis.openapi.from_asgi("/-/esi/openapi.json", datasette_app(data_db).app())
+    operations = [found.ok() for found in api.get_all_operations()]
+    assert [operation.method for operation in operations] == ["get", "post"]
+    for operation in operations:
+        for mode in GenerationMode:
+
+            @given(case=operation.as_strategy(generation_mode=mode))
+            @settings(max_examples=30, deadline=None, suppress_health_check=list(HealthCheck))
+            def answered_as_promised(case):
+                case.call_and_validate()
+
+            answered_as_promised()
+
+
+def test_a_scan_on_the_shell(data_db, tmp_path):
+    (tmp_path / "slaves.txt").write_text(SLAVES)
+    done = run("identify", "--slaves", str(tmp_path / "slaves.txt"), db=data_db)
+    assert done.exit_code == 0
+    lines = done.stdout.splitlines()
+    assert "exact" in lines[1] and "200 mA" in lines[1] and "io_terminal_8di_8do.xml, line 295" in lines[1]
+    assert "accepted" in lines[2] and "-100 mA" in lines[2]
+    assert "none" in lines[3]
+    assert "  1: no exact ESI; nearest shown because 0x00110000 accepts it by its CheckRevisionNo EQ_OR_G" in lines
+    assert "  1: E-bus supply exceeded by 100 mA: put a power feed before it" in lines
+    assert "  1: alias 7 is also that of slave 0" in lines
+    assert "  slaves           3, 1 with exact ESI" in lines
+    assert "  process data     2 bytes out, 2 bytes in; unknown of slave 2" in lines
+
+
+def test_pdos_and_objects_beside_a_scan(data_db, tmp_path):
+    (tmp_path / "slaves.txt").write_text(SLAVES)
+    (tmp_path / "pdos.txt").write_text(
+        'SM1: PhysAddr 0x1000, DefaultSize    1, ControlRegister 0x00, Enable 1\n  TxPDO 0x1aff "X"\n'
+    )
+    words = ("--slaves", str(tmp_path / "slaves.txt"), "--format", "json")
+    named = run("identify", *words, "--pdos", f"0={tmp_path / 'pdos.txt'}", db=data_db)
+    first, second, third = json.loads(named.stdout)
+    assert "TxPDO 0x1AFF: not described" in first["slave"]["differences"]
+    assert second["slave"]["differences"] == third["slave"]["differences"] == []
+    unnamed = run("identify", *words, "--pdos", str(tmp_path / "pdos.txt"), db=data_db)
+    assert unnamed.exit_code == 2
+    assert "does not name its slave; write POSITION=FILE" in unnamed.stderr
+
+
+def test_a_master_configuration(data_db, tmp_path):
+    eni = (
+        "<EtherCATConfig><Config><Slave><Info><Name>Term</Name><PhysAddr>1001</PhysAddr><VendorId>3676</VendorId>"
+        "<ProductCode>218630152</ProductCode><RevisionNo>1114112</RevisionNo></Info></Slave></Config></EtherCATConfig>"
+    )
+    (tmp_path / "bus.xml").write_text(eni)
+    (found,) = json.loads(run("identify", "--eni", str(tmp_path / "bus.xml"), "--format", "json", db=data_db).stdout)
+    assert (found["match"], found["device"]["type"], found["slave"]["name"]) == ("exact", "ECX-D808", "Term")
+
+
+def test_an_eeprom_image(data_db, tmp_path):
+    """Header words 8 to 13 are vendor, product and revision; a category end mark follows the header."""
+    words = [0x0E5C, 0, 0x0808, 0x0D08, 0, 0x0011]
+    header = bytearray(128)
+    header[16:28] = b"".join(word.to_bytes(2, "little") for word in words)
+    (tmp_path / "dump.bin").write_bytes(bytes(header) + b"\xff\xff")
+    done = run("identify", "--sii", str(tmp_path / "dump.bin"), db=data_db)
+    assert done.stdout.startswith("exact")
+    (tmp_path / "empty.bin").write_bytes(b"\xff" * 256)
+    empty = run("identify", "--sii", str(tmp_path / "empty.bin"), db=data_db)
+    assert empty.exit_code == 2
+    assert "an empty EEPROM" in empty.stderr
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        (),
+        ("1",),
+        ("1", "2", "--slaves", "x"),
+        ("--slaves", "x", "--eni", "y"),
+        ("1", "2", "--pdos", "x"),
+        ("--slaves", "missing.txt"),
+    ],
+)
+def test_wrong_usage_is_one_line(data_db, words):
+    done = run("identify", *words, db=data_db)
+    assert done.exit_code == 2
+    assert len(done.stderr.splitlines()) == 1
+
+
+def test_scenario_of_real_terminals(corpus, tmp_path):
+    """EL2008 exactly, EL3204 by vendor only (its code is in no file there), two invented devices not at all."""
+    (text,) = (corpus / "cli").rglob("*scenario1__slaves.txt")
+    scan = read_scan(text.read_text())
+    db = tmp_path / "c.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([corpus / "esi" / "DiamondLightSource+ethercat.zip"])
+        (bus,) = catalog.identify_scan(scan)
+    assert [item.identification.match for item in bus.slaves] == ["exact", "vendor", "none", "none"]
+    assert bus.slaves[0].identification.device.device.type == "EL2008"
