@@ -45,7 +45,7 @@ def test_pdos_of_modules_count_in_any_slot(data: Path):
     modules = reachable_modules(modular, info.modules)
     csv = next(module for module in modules if module.module_ident == 0x10900)
     entries = "".join(
-        f'    PDO entry 0x{(entry.entry_index or 0) + 0x800:04x}:{entry.subindex or 0:02x}, {entry.bit_length} bit, "x"\n'
+        f'    PDO entry 0x{entry.entry_index + 0x800:04x}:{entry.subindex or 0:02x}, {entry.bit_length} bit, "x"\n'
         for entry in csv.rx_pdos[0].entries
     )
     (slave,) = read_pdos(f'{HEAD}  RxPDO 0x1741 "second axis"\n{entries}').slaves

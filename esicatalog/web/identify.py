@@ -55,7 +55,7 @@ def _identities(body: bytes, catalog: Catalog) -> list[dict[str, Any]]:
     if not isinstance(given, list):
         raise HttpError(400, "the body is no list of identities")
     if len(given) > MOST_IDENTITIES:
-        raise HttpError(413, f"more than {MOST_IDENTITIES} identities at once")
+        raise HttpError(400, f"more than {MOST_IDENTITIES} identities at once")
     wanted = [_identity(item, place) for place, item in enumerate(given)]
     return [catalog.identify(item.vendor_id, item.product_code, item.revision_no).as_json() for item in wanted]
 
