@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 from esicatalog.version import __version__
 
 if TYPE_CHECKING:
-    from esicatalog.api import Catalog, DeviceDescription
+    from esicatalog.api import Catalog
+    from esicatalog.catalog.description import DeviceDescription
     from esicatalog.catalog.results import FoundDevice, Identification
     from esicatalog.errors import (
         BrokenDocument,
@@ -21,7 +22,8 @@ if TYPE_CHECKING:
     from esicatalog.identity import Identity, parse_identity
 
 _WHERE = {
-    "esicatalog.api": ("Catalog", "DeviceDescription"),
+    "esicatalog.api": ("Catalog",),
+    "esicatalog.catalog.description": ("DeviceDescription",),
     "esicatalog.catalog.results": ("FoundDevice", "Identification"),
     "esicatalog.errors": (
         "BrokenDocument",

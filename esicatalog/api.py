@@ -10,7 +10,7 @@ import contextlib
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from esicatalog.identity import Identity, parse_identity
 
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
     from esicatalog.catalog.bus import BusReport
     from esicatalog.catalog.check import CheckResult
+    from esicatalog.catalog.description import DeviceDescription
     from esicatalog.catalog.identity import IdentityLookup
-    from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification
-    from esicatalog.catalog.siblings import Revision
+    from esicatalog.catalog.results import FoundDevice, Identification
     from esicatalog.esi.records.device import Device
     from esicatalog.esi.records.module import Module
     from esicatalog.ingest.report import IngestReport
@@ -29,19 +29,6 @@ if TYPE_CHECKING:
     from esicatalog.scan.records import Scan, ScannedDictionary, ScannedPdos
 
 # SQLAlchemy and the records are loaded by what needs them: an ingest sets its workers to work before.
-
-
-class DeviceDescription(NamedTuple):
-    """A device as the catalog holds it: identity, documents, records of the device and of its modules, neighbours."""
-
-    found: "FoundDevice"
-    sources: "tuple[DeviceSource, ...]"
-    device: "Device"
-    modules: "tuple[Module, ...]"
-    revisions: "tuple[Revision, ...]"
-    """All revisions of the product, this one included."""
-    same_layout: "tuple[FoundDevice, ...]"
-    """Other devices whose default process image has the same layout."""
 
 
 class Catalog:
@@ -153,28 +140,16 @@ class Catalog:
         with self._connection() as connection:
             return find_devices(connection, wanted)
 
-    def device(self, identity: str | Identity) -> DeviceDescription:
+    def device(self, identity: str | Identity) -> "DeviceDescription":
         """One device with its records; ``identity`` is ``V:P[:R][@VARIANT]``, without R the latest revision.
 
         Raises :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
         """
-        from esicatalog.catalog.devices import find_device
-        from esicatalog.catalog.reader import RecordReader
-        from esicatalog.catalog.siblings import revisions_of, same_layout
+        from esicatalog.catalog.description import read_description
 
         wanted = parse_identity(identity) if isinstance(identity, str) else identity
         with self._connection() as connection:
-            number, found = find_device(connection, wanted)
-            reader = RecordReader(connection)
-            sources = self._identities().sources(number)
-            return DeviceDescription(
-                found,
-                sources,
-                reader.device(number),
-                tuple(reader.modules_of(number)),
-                revisions_of(connection, found.vendor_id, found.product_code),
-                same_layout(connection, number),
-            )
+            return read_description(connection, self._identities(), wanted)
 
     def content_hash(self) -> str | None:
         """SHA-256 of what the catalog holds, as the last ingest stored it; None while one is under way."""

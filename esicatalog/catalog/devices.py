@@ -43,8 +43,8 @@ def summary(row: Any, evidence: Iterable[str] = ()) -> FoundDevice:
     )
 
 
-def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, FoundDevice]:
-    """Row number and summary of a description. Raises :class:`NotFound` with what to do."""
+def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, FoundDevice, int]:
+    """Row number and summary of a description, and the number of variants. Raises :class:`NotFound`."""
     condition = [devices.c.vendor_id == identity.vendor_id, devices.c.product_code == identity.product_code]
     if identity.revision_no is not None:
         condition.append(devices.c.revision_no == identity.revision_no)
@@ -53,9 +53,10 @@ def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, Fou
         raise NotFound(f"{identity} is not in the catalog; see: esicatalog identify {identity_words(identity)}")
     wanted = identity.variant or 1
     chosen = identity.revision_no if identity.revision_no is not None else _latest(rows)
-    for row in rows:
-        if row.revision_no == chosen and row.variant == wanted:
-            return row.id, summary(row)
+    variants = [row for row in rows if row.revision_no == chosen]
+    for row in variants:
+        if row.variant == wanted:
+            return row.id, summary(row), len(variants)
     raise NotFound(f"{identity} has no variant {wanted}")
 
 

@@ -102,7 +102,7 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
 
 
 def _like_condition(connection: sa.Connection, identity: Identity) -> Condition:
-    number, found = find_device(connection, identity)
+    number, found, _ = find_device(connection, identity)
     facts = connection.execute(sa.select(schema.device_facts).where(schema.device_facts.c.device_id == number)).one()
     if facts.image_signature is None:
         raise InputError(f"{found.identity_text} has no process data by default; there is no layout to compare")

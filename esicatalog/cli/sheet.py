@@ -1,11 +1,9 @@
-"""The sheet of one device, as text and as JSON."""
+"""The sheet of one device as text."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-import msgspec
-
-from esicatalog.api import DeviceDescription
+from esicatalog.catalog.description import DeviceDescription
 from esicatalog.cli.common import table_lines
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
@@ -16,9 +14,8 @@ from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
-from esicatalog.model.process_image import SmImage, alternative_assignments, byte_bit, process_image
+from esicatalog.model.process_image import SmImage, alternative_assignments, byte_bit
 from esicatalog.model.revisions import revision_text
-from esicatalog.model.slots import chosen_modules
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import default_op_mode, sync_signals
 
@@ -38,7 +35,7 @@ _COE_DETAILS = {
 
 def sheet_lines(description: DeviceDescription, choice: Mapping[int, int]) -> Iterator[str]:
     """The sheet as lines of text; ``choice`` is ModuleIdent by slot. Raises :class:`InputError` for a bad choice."""
-    images = _images(description, choice)
+    images = description.images(choice)
     derived = derive(description.device, description.modules)
     yield from _identity(description, derived.facts)
     yield from _sync_managers(description)
@@ -51,13 +48,6 @@ def sheet_lines(description: DeviceDescription, choice: Mapping[int, int]) -> It
     yield from _dc_modes(description.device.op_modes)
     yield from _drive_modes(derived.modes)
     yield from _neighbours(description)
-
-
-def _images(description: DeviceDescription, choice: Mapping[int, int]) -> list[SmImage]:
-    device = description.device
-    position = default_op_mode(device.op_modes)
-    op_mode = device.op_modes[position] if position is not None else None
-    return process_image(device, chosen_modules(device, description.modules, choice), op_mode)
 
 
 def _assignments(description: DeviceDescription) -> Iterator[str]:
@@ -308,52 +298,6 @@ def _cycle(nanoseconds: int | None, factor: int | None) -> str:
     if nanoseconds:
         return f"{nanoseconds} ns"
     return f"factor {factor}" if factor is not None else ""
-
-
-def sheet_json(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
-    """The sheet as JSON: identity, sources, process image, drive modes, and the records of device and modules."""
-    images = _images(description, choice)
-    derived = derive(description.device, description.modules)
-    return {
-        "identity": description.found.as_json(),
-        "sources": [{"member": s.member, "line": s.line, "group_type": s.group_type} for s in description.sources],
-        "process_image": [
-            {
-                "sm": image.sm,
-                "usage": image.usage,
-                "bit_size": image.bit_size,
-                "byte_size": image.byte_size,
-                "remarks": list(image.remarks),
-                "entries": [
-                    {
-                        "bit_offset": placed.bit_offset,
-                        "bit_length": placed.entry.bit_length,
-                        "entry_index": placed.entry.entry_index,
-                        "subindex": placed.entry.subindex or 0,
-                        "name": display_text(placed.entry.names),
-                        "data_type": placed.entry.data_type,
-                        "direction": pdo.direction,
-                        "pdo_index": pdo.pdo.pdo_index,
-                        "module_ident": pdo.module.module_ident if pdo.module is not None else None,
-                        "slot": pdo.slot_number,
-                    }
-                    for pdo in image.pdos
-                    for placed in pdo.entries
-                ],
-            }
-            for image in images
-        ],
-        "facts": msgspec.to_builtins(derived.facts),
-        "drive_modes": msgspec.to_builtins(derived.modes.verdicts),
-        "mode_evidence": msgspec.to_builtins(derived.modes.evidence),
-        "revisions": [
-            {**item.device.as_json(), "hidden": item.hidden, "layout_changed": item.layout_changed}
-            for item in description.revisions
-        ],
-        "same_process_image_layout": [item.as_json() for item in description.same_layout],
-        "device": msgspec.to_builtins(description.device),
-        "modules": [msgspec.to_builtins(module) for module in description.modules],
-    }
 
 
 def _hex(value: int | None, digits: int = 4) -> str:

@@ -29,12 +29,13 @@ def command(identity: "Identity", db: str, modules: tuple[tuple[int, int], ...],
     IDENTITY is VENDOR:PRODUCT[:REVISION][@VARIANT]; without REVISION the latest.
     """
     from esicatalog.api import Catalog
-    from esicatalog.cli.sheet import sheet_json, sheet_lines
+    from esicatalog.catalog.description import description_json
+    from esicatalog.cli.sheet import sheet_lines
 
     with Catalog.open(db) as catalog:
         description = catalog.device(identity)
     if output_format == "json":
-        print_json(sheet_json(description, dict(modules)))
+        print_json(description_json(description, dict(modules)))
     else:
         for line in sheet_lines(description, dict(modules)):
             click.echo(line)

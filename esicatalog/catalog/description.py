@@ -1,0 +1,115 @@
+"""One device as the catalog holds it: records, documents, neighbours; and all of it as JSON."""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import msgspec
+import sqlalchemy as sa
+
+from esicatalog.catalog.devices import find_device
+from esicatalog.catalog.identity import IdentityLookup
+from esicatalog.catalog.reader import RecordReader
+from esicatalog.catalog.results import DeviceSource, FoundDevice
+from esicatalog.catalog.siblings import Revision, revisions_of, same_layout
+from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.identity import Identity
+from esicatalog.model.derivation import derive
+from esicatalog.model.process_image import SmImage, process_image
+from esicatalog.model.slots import chosen_modules
+from esicatalog.model.sync import default_op_mode
+
+
+class DeviceDescription(NamedTuple):
+    """A device as the catalog holds it: identity, documents, records of the device and of its modules, neighbours."""
+
+    device_id: int
+    """Row number in this catalog; not stable between catalogs."""
+    found: FoundDevice
+    sources: tuple[DeviceSource, ...]
+    device: Device
+    modules: tuple[Module, ...]
+    revisions: tuple[Revision, ...]
+    """All revisions of the product, this one included."""
+    same_layout: tuple[FoundDevice, ...]
+    """Other devices whose default process image has the same layout."""
+    variant_count: int
+    """How many descriptions of this identity there are."""
+
+    @property
+    def default_op_mode(self) -> OpMode | None:
+        """The OpMode that counts without a choice."""
+        position = default_op_mode(self.device.op_modes)
+        return self.device.op_modes[position] if position is not None else None
+
+    def images(self, choice: Mapping[int, int]) -> list[SmImage]:
+        """Process images with these modules (ModuleIdent by slot) in place of the default ones.
+
+        Raises :class:`InputError` for a choice that does not fit.
+        """
+        plugged = chosen_modules(self.device, self.modules, choice)
+        return process_image(self.device, plugged, self.default_op_mode)
+
+
+def read_description(connection: sa.Connection, lookup: IdentityLookup, identity: Identity) -> DeviceDescription:
+    """Read a description in a number of queries that does not depend on its size. Raises :class:`NotFound`."""
+    number, found, variant_count = find_device(connection, identity)
+    reader = RecordReader(connection)
+    return DeviceDescription(
+        number,
+        found,
+        lookup.sources(number),
+        reader.device(number),
+        tuple(reader.modules_of(number)),
+        revisions_of(connection, found.vendor_id, found.product_code),
+        same_layout(connection, number),
+        variant_count,
+    )
+
+
+def description_json(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
+    """Identity, sources, process image, facts, drive modes, and the records of device and modules."""
+    derived = derive(description.device, description.modules)
+    return {
+        "identity": description.found.as_json(),
+        "sources": [{"member": s.member, "line": s.line, "group_type": s.group_type} for s in description.sources],
+        "process_image": [_image_json(image) for image in description.images(choice)],
+        "facts": msgspec.to_builtins(derived.facts),
+        "drive_modes": msgspec.to_builtins(derived.modes.verdicts),
+        "mode_evidence": msgspec.to_builtins(derived.modes.evidence),
+        "revisions": [
+            {**item.device.as_json(), "hidden": item.hidden, "layout_changed": item.layout_changed}
+            for item in description.revisions
+        ],
+        "same_process_image_layout": [item.as_json() for item in description.same_layout],
+        "device": msgspec.to_builtins(description.device),
+        "modules": [msgspec.to_builtins(module) for module in description.modules],
+    }
+
+
+def _image_json(image: SmImage) -> dict[str, Any]:
+    return {
+        "sm": image.sm,
+        "usage": image.usage,
+        "bit_size": image.bit_size,
+        "byte_size": image.byte_size,
+        "remarks": list(image.remarks),
+        "entries": [
+            {
+                "bit_offset": placed.bit_offset,
+                "bit_length": placed.entry.bit_length,
+                "entry_index": placed.entry.entry_index,
+                "subindex": placed.entry.subindex or 0,
+                "name": display_text(placed.entry.names),
+                "data_type": placed.entry.data_type,
+                "direction": pdo.direction,
+                "pdo_index": pdo.pdo.pdo_index,
+                "module_ident": pdo.module.module_ident if pdo.module is not None else None,
+                "slot": pdo.slot_number,
+            }
+            for pdo in image.pdos
+            for placed in pdo.entries
+        ],
+    }
