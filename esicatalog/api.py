@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from esicatalog.catalog.bus import BusReport
     from esicatalog.catalog.check import CheckResult
     from esicatalog.catalog.description import DeviceDescription
+    from esicatalog.catalog.device_filter import DeviceFilter
     from esicatalog.catalog.identity import IdentityLookup
     from esicatalog.catalog.results import FoundDevice, Identification
     from esicatalog.esi.records.device import Device
@@ -133,10 +134,14 @@ class Catalog:
         :class:`~esicatalog.errors.InputError`, and :class:`~esicatalog.errors.NotFound` for an unknown ``like``.
         """
         from esicatalog.catalog.device_filter import DeviceFilter
-        from esicatalog.catalog.search import find_devices
 
         given: dict[str, Any] = {name: tuple(v) if isinstance(v, list) else v for name, v in filters.items()}
-        wanted = DeviceFilter(**given)
+        return self.find(DeviceFilter(**given))
+
+    def find(self, wanted: "DeviceFilter") -> "list[FoundDevice]":
+        """Devices that fulfil a filter, each with its evidence; like :meth:`devices`."""
+        from esicatalog.catalog.search import find_devices
+
         with self._connection() as connection:
             return find_devices(connection, wanted)
 

@@ -5,6 +5,7 @@ from typing import Any
 import click
 
 from esicatalog.catalog.device_filter import IDENTIFICATIONS, PROTOCOLS, SYNC_SIGNALS
+from esicatalog.catalog.filter_texts import parse_vendor
 from esicatalog.cli.common import (
     BOUNDS,
     IDENTITY,
@@ -17,8 +18,6 @@ from esicatalog.cli.common import (
     print_table,
     reporting_errors,
 )
-from esicatalog.errors import EsiCatalogError
-from esicatalog.identity import parse_number
 
 _CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant", "vendor", "type", "name", "evidence")
 
@@ -64,7 +63,7 @@ def command(db: str, vendor: str | None, output_format: str, **filters: Any) -> 
     """
     from esicatalog.api import Catalog
 
-    vendor_id, vendor_name = _vendor(vendor)
+    vendor_id, vendor_name = parse_vendor(vendor) if vendor is not None else (None, None)
     with Catalog.open(db) as catalog:
         found = catalog.devices(vendor_id=vendor_id, vendor=vendor_name, **filters)
     if output_format == "table":
@@ -75,14 +74,3 @@ def command(db: str, vendor: str | None, output_format: str, **filters: Any) -> 
         click.echo(f"{len(found)} devices", err=True)
     else:
         print_rows([device.as_json() for device in found], _CSV_COLUMNS, output_format)
-
-
-def _vendor(text: str | None) -> tuple[int | None, str | None]:
-    """A vendor id when the text starts like a number, else a part of the name."""
-    if text is None:
-        return None, None
-    if text[:1].isdigit() or text[:1] == "#":
-        return parse_number(text, "vendor"), None
-    if not text.strip():
-        raise EsiCatalogError("--vendor is empty; give a number or a part of the name")
-    return None, text

@@ -1,0 +1,101 @@
+"""Filters as texts: the parameters of the web pages and of devices.json, named like the options of the command."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from esicatalog.catalog.device_filter import IDENTIFICATIONS, MODES, PROTOCOLS, SYNC_SIGNALS, DeviceFilter
+from esicatalog.errors import InputError
+from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_modes, parse_number
+
+_TRUE, _FALSE = ("1", "true", "yes", "on"), ("0", "false", "no", "off")
+_MOST_LISTED = 100_000
+
+
+class Parameter(NamedTuple):
+    """A filter as text: the field of :class:`DeviceFilter`, how its text is read, the words it may be."""
+
+    field: str
+    parse: Callable[[str], Any]
+    repeated: bool = False
+    choices: tuple[str, ...] = ()
+
+
+def parse_flag(text: str) -> bool:
+    """A truth value. Raises :class:`InputError`."""
+    word = text.strip().lower()
+    if word not in (*_TRUE, *_FALSE):
+        raise InputError(f"{text[:40]!r} is neither 1 nor 0")
+    return word in _TRUE
+
+
+def _limit(text: str) -> int:
+    return parse_number(text, "limit", _MOST_LISTED)
+
+
+def parse_vendor(text: str) -> tuple[int | None, str | None]:
+    """Vendor id when the text starts like a number, else a part of the name. Raises :class:`InputError`."""
+    if text[:1].isdigit() or text[:1] == "#":
+        return parse_number(text, "vendor"), None
+    if not text.strip():
+        raise InputError("vendor is empty; give a number or a part of the name")
+    return None, text
+
+
+PARAMETERS: dict[str, Parameter] = {
+    "product": Parameter("product_code", parse_number),
+    "text": Parameter("text", str),
+    "profile": Parameter("profile_no", parse_number),
+    "mode": Parameter("modes", parse_modes, choices=MODES),
+    "strict": Parameter("strict", parse_flag),
+    "sync": Parameter("sync", str, choices=SYNC_SIGNALS),
+    "needs-dc": Parameter("needs_dc", parse_flag),
+    "protocol": Parameter("protocol", str, choices=PROTOCOLS),
+    "complete-access": Parameter("complete_access", parse_flag),
+    "pdo-assign": Parameter("pdo_assign", parse_flag),
+    "pdo-config": Parameter("pdo_config", parse_flag),
+    "bootstrap": Parameter("bootstrap", parse_flag),
+    "no-lrw": Parameter("no_lrw", parse_flag),
+    "identification": Parameter("identification", str, choices=IDENTIFICATIONS),
+    "physics": Parameter("physics", str),
+    "bytes-in": Parameter("bytes_in", parse_bounds),
+    "bytes-out": Parameter("bytes_out", parse_bounds),
+    "min-cycle-ns": Parameter("min_cycle_ns", parse_bounds),
+    "e-bus-ma": Parameter("e_bus_ma", parse_bounds),
+    "axes": Parameter("axes", parse_bounds),
+    "maps": Parameter("maps", parse_mapped, repeated=True),
+    "not-maps": Parameter("not_maps", parse_mapped, repeated=True),
+    "bits": Parameter("bits", parse_number),
+    "object": Parameter("objects", parse_mapped, repeated=True),
+    "like": Parameter("like", parse_identity),
+    "all-variants": Parameter("all_variants", parse_flag),
+    "include-hidden": Parameter("include_hidden", parse_flag),
+    "limit": Parameter("limit", _limit),
+}
+"""All filters but ``vendor``, which is an id or a part of a name."""
+
+
+def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
+    """The filter that parameters mean; empty texts count as not given. Raises :class:`InputError`."""
+    fields: dict[str, Any] = {}
+    for name, values in texts.items():
+        given = [value for value in values if value.strip()]
+        if name != "vendor" and name not in PARAMETERS:
+            raise InputError(f"unknown filter {name[:40]!r}; there are vendor, {', '.join(PARAMETERS)}")
+        if not given:
+            continue
+        if len(given) > 1 and not (name in PARAMETERS and PARAMETERS[name].repeated):
+            raise InputError(f"{name} is given more than once")
+        if name == "vendor":
+            fields["vendor_id"], fields["vendor"] = parse_vendor(given[0])
+            continue
+        parameter = PARAMETERS[name]
+        parsed = [_parsed(name, parameter, value) for value in given]
+        fields[parameter.field] = tuple(parsed) if parameter.repeated else parsed[0]
+    return DeviceFilter(**fields)
+
+
+def _parsed(name: str, parameter: Parameter, text: str) -> Any:
+    try:
+        return parameter.parse(text)
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from error

@@ -1,0 +1,196 @@
+"""ESI documents of devices: what the catalog knows of them, written so that it reads the same.
+
+A device needs in its document the modules that its slots reach, and no other module that they would reach too:
+vendors give one ModuleIdent to different modules in different documents. Devices that would disturb each other so
+are kept apart in documents of their own.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import PurePosixPath
+from typing import Any, NamedTuple
+
+import msgspec
+
+from esicatalog.errors import InputError
+from esicatalog.esi.containers import resolve_reference
+from esicatalog.esi.content import digest
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.document import DiagInfo, DictInfo, EsiInfo, Group, Vendor
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.profile import Profile
+from esicatalog.esi.write import write_esi
+from esicatalog.model.slots import reachable_modules
+
+
+class DescribedDevice(NamedTuple):
+    """A device with the modules that its slots reach, in document order."""
+
+    device: Device
+    modules: Sequence[Module] = ()
+
+
+def export_esi(vendor: Vendor, groups: Iterable[Group], devices: Iterable[DescribedDevice]) -> bytes:
+    """One EtherCATInfo document of devices, their modules and the groups they name, everything inline.
+
+    ``groups`` may hold more than is needed; the first of a type counts. Raises :class:`InputError` when devices
+    plug different modules under one ModuleIdent or ModuleClass and so cannot share a document.
+    """
+    documents = _documents(devices)
+    if len(documents) > 1:
+        other = documents[1].devices[0]
+        raise InputError(
+            f"device {other.type!r} cannot share a document with the others: modules of the same ModuleIdent or "
+            "ModuleClass would fit its slots or theirs; export fewer devices, or with files"
+        )
+    return write_esi(_info(vendor, tuple(groups), documents[0], None))
+
+
+def export_esi_files(
+    name: str, vendor: Vendor, groups: Iterable[Group], devices: Iterable[DescribedDevice]
+) -> dict[str, bytes]:
+    """The documents of devices with the dictionaries and diagnosis texts beside them, by relative file name.
+
+    The first file is ``name``; devices that cannot share it follow in ``…-2.xml`` and so on. A profile that names a
+    DictionaryFile or a single DiagFile gets that file under the vendor's own path. It is written inline instead where
+    the path leads outside of the folder, or means the file of another device with other content, and where several
+    DiagFiles share the texts (records do not tell which text came from which).
+    """
+    documents, known_groups = _documents(devices), tuple(groups)
+    names = [name, *(_numbered(name, number) for number in range(2, len(documents) + 1))]
+    beside = _FilesBeside()
+    for taken in (*names, *_missing_files(documents)):
+        beside.reserve(taken)
+    infos = [_info(vendor, known_groups, document, beside) for document in documents]
+    files = {file_name: write_esi(info) for file_name, info in zip(names, infos, strict=True)}
+    return files | {path: beside.read(path) for path in beside.paths()}
+
+
+def _numbered(name: str, number: int) -> str:
+    path = PurePosixPath(name)
+    return str(path.with_name(f"{path.stem}-{number}{path.suffix}"))
+
+
+class _Document:
+    """Devices and modules that can stand in one document."""
+
+    def __init__(self) -> None:
+        self.devices: list[Device] = []
+        self.modules: dict[bytes, Module] = {}
+        """By content: equal modules of several devices are written once."""
+
+    def take(self, device: Device, modules: dict[bytes, Module]) -> bool:
+        """Take a device in, unless it or one that is here would then reach other modules than its own."""
+        foreign = [module for key, module in self.modules.items() if key not in modules]
+        added = [module for key, module in modules.items() if key not in self.modules]
+        together = self.modules | modules
+        if (
+            reachable_modules(device, foreign)
+            or any(reachable_modules(held, added) for held in self.devices)
+            or _by_ident({key: module for key, module in together.items() if key in modules}) != _by_ident(modules)
+        ):
+            return False
+        self.devices.append(device)
+        self.modules = together
+        return True
+
+
+def _by_ident(modules: dict[bytes, Module]) -> list[bytes]:
+    """Modules by ModuleIdent, those that share one in their order: the first of them is the default."""
+    return sorted(modules, key=lambda key: modules[key].module_ident or 0)
+
+
+def _documents(devices: Iterable[DescribedDevice]) -> list[_Document]:
+    documents = [_Document()]
+    for device, modules in devices:
+        own = {digest(msgspec.msgpack.encode(module)): module for module in modules}
+        if not any(document.take(device, own) for document in documents):
+            documents.append(_Document())
+            documents[-1].take(device, own)
+    return documents
+
+
+def _info(vendor: Vendor, groups: tuple[Group, ...], document: _Document, beside: "_FilesBeside | None") -> EsiInfo:
+    return EsiInfo(
+        vendor=vendor,
+        groups=_groups_of(document.devices, groups),
+        devices=tuple(_with_profiles(device, beside) for device in document.devices),
+        modules=tuple(_with_profiles(module, beside) for module in document.modules.values()),
+    )
+
+
+def _groups_of(devices: Iterable[Device], groups: tuple[Group, ...]) -> tuple[Group, ...]:
+    """The groups that devices name and the parents of those, in the order given."""
+    by_type = {group.type: group for group in reversed(groups)}
+    wanted = [device.group_type for device in devices]
+    named: set[str | None] = set()
+    while wanted:
+        group = by_type.get(wanted.pop())
+        if group is not None and group.type not in named:
+            named.add(group.type)
+            wanted.append(group.parent_group)
+    return tuple(group for group in groups if group.type in named and by_type[group.type] is group)
+
+
+def _missing_files(documents: Iterable[_Document]) -> Iterator[str]:
+    """References that led nowhere when the device was read; they must not lead to another device's file now."""
+    for document in documents:
+        owners: list[Device | Module] = [*document.devices, *document.modules.values()]
+        for profile in (profile for owner in owners for profile in owner.profiles):
+            if profile.dictionary_file is not None and profile.dictionary is None:
+                yield profile.dictionary_file
+            if profile.diag_messages is None:
+                yield from profile.diag_files
+
+
+def _with_profiles(owner: Any, beside: "_FilesBeside | None") -> Any:
+    profiles = tuple(_with_contents(profile, beside) for profile in owner.profiles)
+    return msgspec.structs.replace(owner, profiles=profiles)
+
+
+def _with_contents(profile: Profile, beside: "_FilesBeside | None") -> Profile:
+    """The profile with its external contents either in files beside the document or inline, never both."""
+    changes: dict[str, Any] = {}
+    if profile.dictionary_file is not None and profile.dictionary is not None:
+        dictionary = DictInfo(dictionary=profile.dictionary)
+        kept = beside is not None and beside.keep(profile.dictionary_file, dictionary)
+        changes |= {"dictionary": None} if kept else {"dictionary_file": None}
+    if profile.diag_files and profile.diag_messages is not None:
+        texts = DiagInfo(diag_messages=profile.diag_messages)
+        kept = beside is not None and len(profile.diag_files) == 1 and beside.keep(profile.diag_files[0], texts)
+        changes |= {"diag_messages": None} if kept else {"diag_files": ()}
+    return msgspec.structs.replace(profile, **changes) if changes else profile
+
+
+class _FilesBeside:
+    """Files that documents refer to: a container in which every reference that stays inside finds its file."""
+
+    def __init__(self) -> None:
+        self._reserved: set[str] = set()
+        self._files: dict[str, tuple[str, DictInfo | DiagInfo]] = {}
+        """Path and content by the path in lower case: readers find files in any letter case."""
+
+    def reserve(self, reference: str) -> None:
+        """Keep nothing in the file that ``reference`` means."""
+        path = resolve_reference(self, "", reference)
+        if path is not None:
+            self._reserved.add(path.lower())
+
+    def keep(self, reference: str, content: DictInfo | DiagInfo) -> bool:
+        """Whether the file that ``reference`` means can have this content; then it has."""
+        path = resolve_reference(self, "", reference)
+        if path is None or path.lower() in self._reserved:
+            return False
+        _, held = self._files.setdefault(path.lower(), (path, content))
+        return held == content
+
+    def paths(self) -> list[str]:
+        """The files kept, in the order of the devices."""
+        return [path for path, _ in self._files.values()]
+
+    def find(self, member: str) -> str:
+        """Any file is there or can be."""
+        return member
+
+    def read(self, member: str) -> bytes:
+        """The document that a file holds."""
+        return write_esi(self._files[member.lower()][1])
