@@ -22,12 +22,15 @@ if TYPE_CHECKING:
     from esicatalog.catalog.description import DeviceDescription
     from esicatalog.catalog.device_filter import DeviceFilter
     from esicatalog.catalog.identity import IdentityLookup
+    from esicatalog.catalog.listing import Listing
     from esicatalog.catalog.results import FoundDevice, Identification
     from esicatalog.esi.records.device import Device
     from esicatalog.esi.records.module import Module
+    from esicatalog.export.verification import Verification
     from esicatalog.ingest.report import IngestReport
     from esicatalog.ingest.run import Progress
     from esicatalog.scan.records import Scan, ScannedDictionary, ScannedPdos
+    from esicatalog.sii.image import SiiImage
 
 # SQLAlchemy and the records are loaded by what needs them: an ingest sets its workers to work before.
 
@@ -119,6 +122,22 @@ class Catalog:
 
         return bus_reports(self._identities(), scan, self._records, pdos, dictionaries)
 
+    def verify_sii(self, image: "SiiImage") -> "Verification":
+        """An EEPROM image against the descriptions of its identity; the one that fits best counts."""
+        from esicatalog.export.sii_verify import verify_image
+        from esicatalog.export.verification import Verification
+
+        header = image.header
+        answer = self.identify(header.vendor_id, header.product_code, header.revision_no)
+        if answer.match != "exact":
+            return Verification(answer, None, image.findings, ())
+        compared = []
+        for variant in answer.variants:
+            device, _ = self._records(variant.device)
+            compared.append((variant.device, verify_image(image, header.vendor_id, device)))
+        best, differences = min(compared, key=lambda item: sum(difference.used_by_master for difference in item[1]))
+        return Verification(answer, best, image.findings, differences)
+
     def _records(self, found: "FoundDevice") -> "tuple[Device, tuple[Module, ...]]":
         """Records of a described device that has vendor, product and revision."""
         assert found.vendor_id is not None
@@ -144,6 +163,20 @@ class Catalog:
 
         with self._connection() as connection:
             return find_devices(connection, wanted)
+
+    def list_devices(self, wanted: "DeviceFilter", offset: int = 0) -> "Listing":
+        """A page of :meth:`find` (the filter's limit is its length) with what a list shows, and counts by filter."""
+        from esicatalog.catalog.listing import list_devices
+
+        with self._connection() as connection:
+            return list_devices(connection, wanted, offset)
+
+    def image(self, sha256: str) -> bytes | None:
+        """An image of a vendor, group, device or module by its key; None when there is none."""
+        from esicatalog.catalog.listing import image_of
+
+        with self._connection() as connection:
+            return image_of(connection, sha256)
 
     def device(self, identity: str | Identity) -> "DeviceDescription":
         """One device with its records; ``identity`` is ``V:P[:R][@VARIANT]``, without R the latest revision.

@@ -1,9 +1,15 @@
-"""esicatalog sii decode: a sheet and JSON of an EEPROM image, one line for what is none."""
+"""esicatalog sii: a sheet and JSON of an EEPROM image, and the image against its description."""
 
 import json
 
 from sii.by_hand import WHOLE
+from snippets import device, esi, only_device, pdo
 from test_cli import one_line_error, run
+from test_search import catalog_of
+
+from esicatalog import Catalog
+from esicatalog.export.sii import sii_image
+from esicatalog.sii.encode import encode_sii
 
 
 def test_sheet_and_json(tmp_path):
@@ -19,3 +25,56 @@ def test_what_is_no_image_is_one_line(tmp_path):
     (tmp_path / "short.bin").write_bytes(b"\1\2\3")
     assert "the header alone takes 128" in one_line_error(run("sii", "decode", str(tmp_path / "short.bin")))
     assert "No such file" in one_line_error(run("sii", "decode", str(tmp_path / "missing.bin")))
+
+
+DEVICE = (
+    "<Fmmu>Outputs</Fmmu><Sm StartAddress='#x1000' ControlByte='#x44' Enable='1' DefaultSize='2'>Outputs</Sm>"
+    + pdo("RxPdo", "#x1600", 8, 8, attributes='Sm="0"')
+    + "<Eeprom><ByteSize>256</ByteSize><ConfigData>8003006E6400</ConfigData></Eeprom>"
+)
+
+
+def dump_of(tmp_path, content: str, revision: str = "#x1"):
+    """An image made for a description; what the encoder makes is compared with real dumps elsewhere."""
+    image = sii_image(0xE5C, None, only_device(esi(device(content, revision=revision))))
+    (tmp_path / "dump.bin").write_bytes(encode_sii(image))
+    return tmp_path / "dump.bin"
+
+
+def test_verify_agrees_and_differs(tmp_path):
+    db = catalog_of(tmp_path, esi(device(DEVICE)))
+    same = run("sii", "verify", dump_of(tmp_path, DEVICE), db=db)
+    assert (same.exit_code, same.stdout.splitlines()[-1].split(",")[1].split()[0]) == (0, "0")
+    other = run("sii", "verify", dump_of(tmp_path, DEVICE.replace("#x44", "#x64")), db=db)
+    assert other.exit_code == 1
+    assert (
+        "  ! SyncManagers: SM0: the image has Outputs at 0x1000, 2 bytes, control 0x64, enable 0x01; "
+        "described is Outputs at 0x1000, 2 bytes, control 0x44, enable 0x01"
+    ) in other.stdout.splitlines()
+    found = json.loads(run("sii", "verify", tmp_path / "dump.bin", "--format", "json", db=db).stdout)
+    assert (found["agrees"], found["differences"][0]["part"]) == (False, "SyncManagers")
+
+
+def test_names_alone_do_not_count(tmp_path):
+    db = catalog_of(tmp_path, esi(device(DEVICE)))
+    renamed = dump_of(tmp_path, DEVICE.replace("e1", "another name"))
+    done = run("sii", "verify", renamed, db=db)
+    assert (done.exit_code, "another name" in done.stdout) == (0, True)
+
+
+def test_another_revision_is_not_compared(tmp_path):
+    db = catalog_of(tmp_path, esi(device(DEVICE)))
+    done = run("sii", "verify", dump_of(tmp_path, DEVICE, revision="#x2"), db=db)
+    assert done.exit_code == 1
+    assert done.stdout.startswith("not compared: no exact ESI")
+
+
+def test_real_dumps_agree_with_their_descriptions(corpus, tmp_path):
+    """EK1100 and EL2004: sync managers, FMMUs, PDO layout and the rest that a master uses."""
+    archive = corpus / "esi" / "DiamondLightSource+ethercat.zip"
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([archive, corpus / "esi" / "DiamondLightSource+ethercat-history.zip"])
+    for name in ("*ek1100.hex", "*(EL2004).bin"):
+        (dump,) = (corpus / "sii").rglob(name)
+        done = run("sii", "verify", dump, db=tmp_path / "c.db")
+        assert (done.exit_code, "0 in what a master uses" in done.stdout) == (0, True), done.stdout

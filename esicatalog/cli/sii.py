@@ -1,10 +1,11 @@
 """esicatalog sii"""
 
+import sys
 from pathlib import Path
 
 import click
 
-from esicatalog.cli.common import format_option, print_json, read_bytes, reporting_errors
+from esicatalog.cli.common import EXIT_NO, db_option, format_option, print_json, read_bytes, reporting_errors
 
 _FILE = click.Path(path_type=Path, allow_dash=True)
 
@@ -34,3 +35,30 @@ def decode(file: Path, output_format: str) -> None:
     else:
         for line in sheet_lines(image):
             click.echo(line)
+
+
+@command.command("verify")
+@click.argument("file", type=_FILE)
+@db_option
+@format_option("table", "json")
+@reporting_errors
+def verify(file: Path, db: str, output_format: str) -> None:
+    """Compare an EEPROM image with the catalogued description of its identity.
+
+    Exit code 1 when they differ in what a master uses (identity, mailboxes, sync managers, FMMUs, PDOs, clocks), and
+    when the identity is not described exactly.
+    """
+    from esicatalog.api import Catalog
+    from esicatalog.sii.decode import decode_sii
+    from esicatalog.sii.files import image_bytes
+
+    image = decode_sii(image_bytes(read_bytes(file)))
+    with Catalog.open(db) as catalog:
+        verified = catalog.verify_sii(image)
+    if output_format == "json":
+        print_json(verified.as_json())
+    else:
+        for line in verified.lines():
+            click.echo(line)
+    if not verified.agrees:
+        sys.exit(EXIT_NO)

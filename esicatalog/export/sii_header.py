@@ -1,0 +1,111 @@
+"""Header and declared categories of an SII image: what the elements Eeprom, Type, Sm and Mailbox say."""
+
+import struct
+from collections.abc import Iterator, Mapping
+from functools import reduce
+from operator import or_
+from typing import TypeVar
+
+from esicatalog.esi.binding import Record
+from esicatalog.esi.numbers import decode_hex_binary
+from esicatalog.esi.records.device import Device, Eeprom, EepromCategory, SyncManager
+from esicatalog.esi.records.mailbox import Mailbox
+from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
+from esicatalog.sii.image import (
+    END_TYPE,
+    DistributedClocks,
+    Fmmus,
+    General,
+    RawCategory,
+    RxPdos,
+    Strings,
+    SyncManagers,
+    TxPdos,
+)
+from esicatalog.sii.records import SIZE_UNIT_BYTES, Header
+from esicatalog.sii.words import CoeDetails, GeneralFlags, MailboxProtocols, PdoFlags, SmEnable
+
+ASSUMED_BYTE_SIZE = 2048
+"""Size of the EEPROM where the description gives no ByteSize: that of 94 % of all descriptions."""
+COMPUTED_TYPES = {
+    kind.category_type for kind in (Strings, General, Fmmus, SyncManagers, TxPdos, RxPdos, DistributedClocks)
+}
+"""Types of the categories that are computed from the description itself."""
+_CONFIGURATION_WORDS = (
+    "pdi_control",
+    "pdi_configuration",
+    "sync_impulse_length_10ns",
+    "pdi_configuration_2",
+    "station_alias",
+    "reserved_5",
+    "reserved_6",
+)
+_BOOTSTRAP_WORDS = (
+    "bootstrap_receive_mailbox_offset",
+    "bootstrap_receive_mailbox_size",
+    "bootstrap_send_mailbox_offset",
+    "bootstrap_send_mailbox_size",
+)
+BOOTSTRAP_BYTES = 2 * len(_BOOTSTRAP_WORDS)
+_PROTOCOLS = {protocol.name.lower(): protocol for protocol in MailboxProtocols if protocol.name}
+
+F = TypeVar("F", CoeDetails, GeneralFlags, MailboxProtocols, PdoFlags, SmEnable)
+
+
+def flags_of(none: F, flags: Mapping[str, F], record: Record) -> F:
+    """The flags of all fields of ``record`` that are set, beside those of ``none``."""
+    return reduce(or_, (flag for field, flag in flags.items() if getattr(record, field)), none)
+
+
+def computed_header(vendor_id: int | None, device: Device) -> Header:
+    """The words 0 to 0x3F with their check sum. Words of a shorter ConfigData, and codes not given, are zero."""
+    eeprom = device.eeprom or Eeprom()
+    configuration = (decode_hex_binary(eeprom.config_data) or b"")[:CHECKSUM_OFFSET].ljust(CHECKSUM_OFFSET, b"\0")
+    words = dict(zip(_CONFIGURATION_WORDS, struct.unpack("<7H", configuration), strict=True))
+    boot_strap = decode_hex_binary(eeprom.boot_strap) or b""
+    if len(boot_strap) >= BOOTSTRAP_BYTES:
+        words |= zip(_BOOTSTRAP_WORDS, struct.unpack_from("<4H", boot_strap), strict=True)
+    receive, send = (_mailbox_area(device, usage) for usage in ("MBoxOut", "MBoxIn"))
+    byte_size = ASSUMED_BYTE_SIZE if eeprom.byte_size is None else eeprom.byte_size
+    return with_checksum(
+        Header(
+            **words,
+            vendor_id=vendor_id or 0,
+            product_code=device.product_code or 0,
+            revision_no=device.revision_no or 0,
+            serial_no=device.serial_no or 0,
+            standard_receive_mailbox_offset=receive.start_address or 0,
+            standard_receive_mailbox_size=receive.default_size or 0,
+            standard_send_mailbox_offset=send.start_address or 0,
+            standard_send_mailbox_size=send.default_size or 0,
+            mailbox_protocols=flags_of(MailboxProtocols(0), _PROTOCOLS, device.mailbox or Mailbox()),
+            size_word=max(byte_size // SIZE_UNIT_BYTES - 1, 0),
+        )
+    )
+
+
+def _mailbox_area(device: Device, usage: str) -> SyncManager:
+    return next((sm for sm in device.sync_managers if sm.usage == usage), SyncManager())
+
+
+def declared_categories(device: Device) -> Iterator[RawCategory]:
+    """The categories of Eeprom/Category; an odd length is padded with 0xFF, as string tables are."""
+    for category in device.eeprom.categories if device.eeprom is not None else ():
+        if is_declarable(category):
+            data = _category_data(category)
+            yield RawCategory(category_type=category.cat_no or 0, data=data + b"\xff" * (len(data) % 2))
+
+
+def is_declarable(category: EepromCategory) -> bool:
+    """Whether an Eeprom/Category can go into an image: its number is one, and none of :data:`COMPUTED_TYPES`."""
+    number = category.cat_no
+    return number is not None and 0 <= number < END_TYPE and number not in COMPUTED_TYPES
+
+
+def _category_data(category: EepromCategory) -> bytes:
+    if category.data_string is not None:
+        return category.data_string.encode() + b"\0"
+    for value, size in ((category.data_uint, 2), (category.data_udint, 4)):
+        if value is not None:
+            return (value % (1 << 8 * size)).to_bytes(size, "little")
+    return decode_hex_binary(category.data) or b""

@@ -1,0 +1,127 @@
+"""A computed SII image merged into the image of a device: what only that device has is kept."""
+
+from collections.abc import Iterator
+from itertools import chain
+from typing import NamedTuple
+
+import msgspec
+
+from esicatalog.export.sii_changes import Change, image_changes
+from esicatalog.export.sii_limits import behind_end_mark, with_bytes_behind
+from esicatalog.sii.checksum import with_checksum
+from esicatalog.sii.encode import encode_sii
+from esicatalog.sii.image import Category, General, RawCategory, SiiImage
+from esicatalog.sii.records import Header
+from esicatalog.sii.words import category_title
+
+_DEVICE_WORDS = (
+    "station_alias",
+    "serial_no",
+    "execution_delay",
+    "port0_delay",
+    "port1_delay",
+    "reserved_13",
+    "private",
+    "size_word",
+    "version",
+)
+"""Words that belong to the single device, not to its description."""
+_SAID_TOGETHER = {
+    "PDI words": ("pdi_control", "pdi_configuration", "sync_impulse_length_10ns", "pdi_configuration_2"),
+    "word 5": ("reserved_5",),
+    "word 6": ("reserved_6",),
+    "bootstrap mailbox": (
+        "bootstrap_receive_mailbox_offset",
+        "bootstrap_receive_mailbox_size",
+        "bootstrap_send_mailbox_offset",
+        "bootstrap_send_mailbox_size",
+    ),
+}
+"""Words that a description says together or not at all: all zero means that it says nothing."""
+_RESERVED_IN_GENERAL = ("legacy_ports", "sysman_class", "reserved_15", "reserved_20", "rest")
+
+
+class MergedImage(NamedTuple):
+    """An image for one device, what writing it would change, worst first, and what of the device it keeps, in words.
+
+    ``byte_size`` is the size of the device's EEPROM: by its size word, or the bytes of the dump if these are more.
+    """
+
+    image: SiiImage
+    byte_size: int
+    changes: tuple[Change, ...]
+    kept: tuple[str, ...]
+
+
+def merge_image(computed: SiiImage, dump: SiiImage) -> MergedImage:
+    """The computed image with what the device's own image, ``dump``, has beyond any description.
+
+    Kept are alias, serial number, delays, private words, the size of the EEPROM, reserved bytes of General, the bytes
+    behind the end mark, and every category that is not computed: 1 to 9 and the makers' own, also where the
+    description declares one of the same number. PDI words and bootstrap mailbox stay as they are where the
+    description says nothing. The order is that of the dump.
+
+    Raises :class:`SiiLimitError` when the computed categories reach into the bytes behind the end mark, and
+    :class:`SiiEncodeError` for a computed image that cannot be encoded when there are such bytes.
+    """
+    header = _header(computed.header, dump.header)
+    image = SiiImage(header=header, categories=_categories(computed, dump))
+    image = with_bytes_behind(dump, image)
+    byte_size = max(dump.header.byte_size, len(encode_sii(dump)))
+    return MergedImage(image, byte_size, image_changes(dump, image), tuple(_kept(computed, dump)))
+
+
+def _header(computed: Header, dump: Header) -> Header:
+    fields = (*_DEVICE_WORDS, *chain.from_iterable(_unsaid(computed).values()))
+    return with_checksum(msgspec.structs.replace(computed, **{field: getattr(dump, field) for field in fields}))
+
+
+def _unsaid(computed: Header) -> dict[str, tuple[str, ...]]:
+    return {
+        what: fields for what, fields in _SAID_TOGETHER.items() if not any(getattr(computed, field) for field in fields)
+    }
+
+
+def _categories(computed: SiiImage, dump: SiiImage) -> tuple[Category, ...]:
+    """The categories of the dump in their order, the computed ones in the place of the first of their type."""
+    waiting = {item.category_type: item for item in computed.categories if not isinstance(item, RawCategory)}
+    merged: list[Category] = []
+    for own in dump.categories:
+        replacement = waiting.pop(own.category_type, None)
+        if isinstance(replacement, General) and isinstance(own, General):
+            replacement = _general(replacement, own)
+        if replacement is not None:
+            merged.append(replacement)
+        elif isinstance(own, RawCategory):
+            merged.append(own)
+    taken = {item.category_type for item in merged}
+    declared = [item for item in computed.of_type(RawCategory) if item.category_type not in taken]
+    return (*merged, *waiting.values(), *declared)
+
+
+def _general(computed: General, own: General) -> General:
+    return msgspec.structs.replace(computed, **{field: getattr(own, field) for field in _RESERVED_IN_GENERAL})
+
+
+def _kept(computed: SiiImage, dump: SiiImage) -> Iterator[str]:
+    header = dump.header
+    if header.station_alias:
+        yield f"station alias {header.station_alias}"
+    if header.serial_no:
+        yield f"serial number 0x{header.serial_no:08X}"
+    if any((header.execution_delay, header.port0_delay, header.port1_delay, header.reserved_13)):
+        yield "words 0x10 to 0x13"
+    if any(header.private):
+        yield "words 0x1D to 0x3D"
+    for what, fields in _unsaid(computed.header).items():
+        if any(getattr(header, field) for field in fields):
+            yield f"{what}, which the description does not give"
+    if header.size_word != computed.header.size_word:
+        yield f"size of the EEPROM, {header.byte_size} bytes; the description says {computed.header.byte_size}"
+    declared = {item.category_type: item.data for item in computed.of_type(RawCategory)}
+    for category in dump.of_type(RawCategory):
+        other = declared.get(category.category_type, category.data) != category.data
+        differs = "; the description declares other data" if other else ""
+        yield f"{category_title(category.category_type)}, {len(category.data)} bytes{differs}"
+    if behind_end_mark(dump):
+        yield f"{len(behind_end_mark(dump))} bytes behind the end mark"

@@ -1,0 +1,46 @@
+"""An image read from a device against the description of its identity."""
+
+from typing import NamedTuple
+
+from esicatalog.esi.records.device import Device
+from esicatalog.export.sii import sii_image
+from esicatalog.export.sii_changes import FLAGS, Change, image_changes
+from esicatalog.sii.image import SiiImage
+
+_OWN = {"serial number", "station alias"}
+"""What is the device's own and in no description."""
+_USED_PARTS = {"identity", "mailboxes", "SyncManagers", "FMMUs", "PDOs", "OpModes"}
+_USED_OF_GENERAL = {"flags", "CoE"}
+
+
+class ImageDifference(NamedTuple):
+    """What the image says otherwise than the description."""
+
+    part: str
+    text: str
+    used_by_master: bool
+    """Whether a master configures the device by it; names, PDI words and maker's data do not count."""
+
+
+def verify_image(image: SiiImage, vendor_id: int | None, device: Device) -> tuple[ImageDifference, ...]:
+    """How an image differs from what the description would give, in the order of importance."""
+    described = sii_image(vendor_id, None, device)
+    return tuple(
+        ImageDifference(change.part, _words(change), _is_used(change))
+        for change in image_changes(described, image)
+        if change.label not in _OWN
+    )
+
+
+def _words(change: Change) -> str:
+    if change.before is None:
+        return f"{change.label}: the image has {change.after}; not described"
+    if change.after is None:
+        return f"{change.label}: not in the image; described is {change.before}"
+    return f"{change.label}: the image has {change.after}; described is {change.before}"
+
+
+def _is_used(change: Change) -> bool:
+    if change.part == "General":
+        return change.label in _USED_OF_GENERAL
+    return change.part in _USED_PARTS and not change.label.endswith(FLAGS)

@@ -1,0 +1,294 @@
+"""Merging a computed image into that of a device: what is kept, what would change, and in which words."""
+
+import struct
+
+import msgspec
+import pytest
+from sii import by_hand
+from snippets import device, esi, pdo, read
+
+from esicatalog.export.sii import sii_image
+from esicatalog.export.sii_changes import image_changes
+from esicatalog.export.sii_limits import SiiLimitError, check_image, fit_image
+from esicatalog.export.sii_merge import MergedImage, merge_image
+from esicatalog.export.sii_remarks import image_text
+from esicatalog.sii.decode import decode_sii
+from esicatalog.sii.encode import encode_sii
+from esicatalog.sii.image import RawCategory, SiiImage
+from esicatalog.sii.records import Header
+
+DUMP = decode_sii(by_hand.WHOLE)
+"""Alias 1234, serial 42, private words, categories 3 and 43, a bootstrap mailbox; vendor 0x79A."""
+CONFIG = "<Eeprom><ByteSize>2048</ByteSize><ConfigData>8003006E64000001</ConfigData></Eeprom>"
+"""The PDI words of the dump."""
+BROKEN = "<Eeprom><ByteSize>2048</ByteSize><ConfigData>0504006E64000001</ConfigData></Eeprom>"
+
+
+def computed(content: str = "", vendor_id: int = 0x79A) -> SiiImage:
+    text = esi(device(content, product="#xDEADBEEF", revision="#x00010002"))
+    (info,) = read(text).document.infos
+    return sii_image(vendor_id, info.groups[0], info.devices[0])
+
+
+def parts(merged: MergedImage) -> list[str]:
+    """The parts in which something would change, once each, in order."""
+    return list(dict.fromkeys(change.part for change in merged.changes))
+
+
+def test_what_only_the_device_has_is_kept():
+    merged = merge_image(computed(CONFIG), DUMP)
+    data = encode_sii(merged.image)
+    before = by_hand.WHOLE
+    assert data[8:10] == before[8:10], "alias"
+    assert data[0x1C:0x20] == before[0x1C:0x20], "serial number"
+    assert data[0x3A:0x7C] == before[0x3A:0x7C], "private words"
+    assert data[0x7C:0x80] == before[0x7C:0x80], "size and version"
+    assert data[14] == by_hand.remainder_crc(data[:14])
+    raw = {item.category_type: item.data for item in merged.image.of_type(RawCategory)}
+    assert raw == {3: b"factory data", 43: b"\xf0\xff"}
+    assert merged.kept == (
+        "station alias 1234",
+        "serial number 0x0000002A",
+        "words 0x1D to 0x3D",
+        "word 5, which the description does not give",
+        "bootstrap mailbox, which the description does not give",
+        "category 3 (device specific), 12 bytes",
+        "category 43 (SyncUnit), 2 bytes",
+    )
+
+
+def test_the_order_of_the_dump_is_kept_and_new_categories_follow():
+    everything = "<Fmmu>Outputs</Fmmu><Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8)
+    merged = merge_image(computed(everything), DUMP)
+    assert [item.category_type for item in merged.image.categories] == [3, 10, 30, 40, 41, 43, 51]
+    bare = msgspec.structs.replace(DUMP, categories=DUMP.categories[:1])
+    merged = merge_image(computed(everything), bare)
+    assert [item.category_type for item in merged.image.categories] == [3, 10, 30, 40, 41, 51]
+
+
+def test_the_first_of_repeated_categories_is_replaced_and_the_others_go():
+    strings = DUMP.categories[1]
+    doubled = msgspec.structs.replace(DUMP, categories=(*DUMP.categories, strings))
+    merged = merge_image(computed(), doubled)
+    assert [item.category_type for item in merged.image.categories] == [3, 10, 30, 43]
+
+
+def test_a_category_that_could_not_be_read_is_replaced_too():
+    broken = RawCategory(category_type=30, data=b"BootCfg\0")
+    merged = merge_image(computed(), msgspec.structs.replace(DUMP, categories=(broken,)))
+    assert [item.category_type for item in merged.image.categories] == [30, 10]
+    assert merged.image.general is not None
+
+
+def test_factory_categories_of_the_device_win_over_declared_ones():
+    declared = "".join(f"<Category><CatNo>{n}</CatNo><Data>AABB</Data></Category>" for n in (3, 4))
+    merged = merge_image(computed(f"<Eeprom><ByteSize>2048</ByteSize>{declared}</Eeprom>"), DUMP)
+    raw = {item.category_type: item.data for item in merged.image.of_type(RawCategory)}
+    assert raw == {3: b"factory data", 43: b"\xf0\xff", 4: b"\xaa\xbb"}
+    assert "category 3 (device specific), 12 bytes; the description declares other data" in merged.kept
+    assert ("other categories", "category 4 (device specific) would be added: aa bb") in words(merged.changes)
+
+
+@pytest.mark.parametrize("content", ["", "<Eeprom><ByteSize>2048</ByteSize></Eeprom>"])
+def test_without_config_data_the_pdi_words_stay(content):
+    merged = merge_image(computed(content), DUMP)
+    assert encode_sii(merged.image)[:16] == by_hand.WHOLE[:16]
+    assert "PDI words, which the description does not give" in merged.kept
+    assert "PDI words" not in parts(merged)
+
+
+def test_other_config_data_are_the_first_change():
+    merged = merge_image(computed(BROKEN, vendor_id=2), DUMP)
+    assert struct.unpack_from("<HHHH", encode_sii(merged.image)) == (0x0405, 0x6E00, 0x0064, 0x0100)
+    assert words(merged.changes)[0] == ("PDI words", "PDI control: 0x0380 would become 0x0405")
+    assert words(merged.changes)[1] == ("identity", "vendor id: 0x0000079A would become 0x00000002")
+    (info,) = read(esi(device())).document.infos
+    lines = image_text(info.devices[0], merged.image, merged=merged).splitlines()
+    assert "unreachable" in lines[1]
+    assert "another device" in lines[2]
+
+
+def test_the_parts_come_in_the_order_of_harm():
+    merged = merge_image(computed(BROKEN + pdo("RxPdo", "#x1601", 8), vendor_id=2), DUMP)
+    assert parts(merged) == [
+        "PDI words",
+        "identity",
+        "mailboxes",
+        "SyncManagers",
+        "FMMUs",
+        "PDOs",
+        "OpModes",
+        "General",
+        "texts",
+    ]
+
+
+def test_reserved_bytes_of_general_stay():
+    general = msgspec.structs.replace(DUMP.general, sysman_class=0x13, legacy_ports=7, reserved_20=bytes(range(12)))
+    categories = tuple(general if item == DUMP.general else item for item in DUMP.categories)
+    merged = merge_image(computed(), msgspec.structs.replace(DUMP, categories=categories))
+    found = merged.image.general
+    assert (found.sysman_class, found.legacy_ports, found.reserved_20) == (0x13, 7, bytes(range(12)))
+    assert found.e_bus_current_ma == 0, "what the description says counts"
+
+
+def test_merging_an_image_into_itself_changes_nothing():
+    image = check_image(computed(CONFIG + pdo("RxPdo", "#x1600", 8, attributes='Sm="0"')), 2048)
+    merged = merge_image(image, image)
+    assert merged.changes == ()
+    assert check_image(merged.image, merged.byte_size) == image
+    (info,) = read(esi(device())).document.infos
+    assert "The device's image would not change." in image_text(info.devices[0], image, merged=merged)
+
+
+def dump_with_tail(free: int, size_word: int = 5) -> SiiImage:
+    """The dump in an EEPROM that ends with four bytes of the maker's, after so many free ones."""
+    header = msgspec.structs.replace(DUMP.header, size_word=size_word)
+    return msgspec.structs.replace(DUMP, header=header, trailing=b"\xff" * free + b"\x01\x02\xff\x04")
+
+
+def test_bytes_behind_the_end_mark_keep_their_address():
+    dump = dump_with_tail(100)
+    address = len(encode_sii(dump)) - 4
+    for content in ("", CONFIG, "<Fmmu>Outputs</Fmmu>", pdo("RxPdo", "#x1600", *range(1, 20))):
+        merged = merge_image(computed(content), dump)
+        data = encode_sii(check_image(merged.image, merged.byte_size))
+        assert data[address : address + 4] == b"\x01\x02\xff\x04"
+        assert len(data) == 768
+    assert merged.kept[-1] == "104 bytes behind the end mark"
+
+
+def test_bytes_behind_the_end_mark_keep_their_address_when_names_are_left_out():
+    dump = dump_with_tail(100)
+    address = len(encode_sii(dump)) - 4
+    merged = merge_image(computed(pdo("RxPdo", "#x1600", *range(1, 20))), dump)
+    fitted = fit_image(merged.image, address + 4).image
+    assert encode_sii(fitted)[address:] == b"\x01\x02\xff\x04"
+
+
+def test_bytes_behind_the_end_mark_are_not_overwritten():
+    dump = dump_with_tail(0)
+    content = pdo("RxPdo", "#x1600", *range(1, 60))
+    excess = len(encode_sii(merge_image(computed(content), DUMP).image)) - len(by_hand.WHOLE) + 6
+    with pytest.raises(SiiLimitError, match=f"{excess} bytes too long: it would overwrite") as found:
+        merge_image(computed(content), dump)
+    assert found.value.excess_bytes == excess
+
+
+def test_the_eeprom_is_as_large_as_its_dump():
+    """A size word can be wrong: 14 stands in a real image of 2048 bytes."""
+    dump = msgspec.structs.replace(
+        DUMP, header=msgspec.structs.replace(DUMP.header, size_word=1), trailing=b"\xff" * 600
+    )
+    assert merge_image(computed(), dump).byte_size == len(encode_sii(dump))
+    assert merge_image(computed(), DUMP).byte_size == 2048
+
+
+def test_a_dump_of_another_size_keeps_it():
+    dump = msgspec.structs.replace(DUMP, header=msgspec.structs.replace(DUMP.header, size_word=31))
+    merged = merge_image(computed(CONFIG), dump)
+    assert merged.image.header.size_word == 31
+    assert "size of the EEPROM, 4096 bytes; the description says 2048" in merged.kept
+
+
+PDOS = (
+    '<RxPdo Sm="2"><Index>#x1600</Index><Name>Target</Name>'
+    "<Entry><Index>#x607A</Index><SubIndex>0</SubIndex><BitLen>32</BitLen><DataType>DINT</DataType></Entry></RxPdo>"
+)
+
+
+def words(found):
+    return [(change.part, change.text) for change in found]
+
+
+def changes(before: str, after: str) -> list[tuple[str, str]]:
+    return words(image_changes(computed(before), computed(after)))
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "expected"),
+    [
+        (PDOS, PDOS, []),
+        (
+            PDOS,
+            PDOS.replace("32", "16").replace("DINT", "INT"),
+            [
+                ("PDOs", "RxPDO 0x1600: SM2, entries: 1, bits: 32 would become "
+                 "SM2, entries: 1, bits: 16"),
+                ("PDOs", "RxPDO 0x1600, entry 1: 0x607A:00, 32 bits, DINT would become 0x607A:00, 16 bits, INT"),
+            ],
+        ),
+        (
+            PDOS,
+            PDOS.replace("#x607A", "0"),
+            [("PDOs", "RxPDO 0x1600, entry 1: 0x607A:00, 32 bits, DINT would become a gap of 32 bits")],
+        ),
+        (
+            PDOS,
+            PDOS.replace('Sm="2"', 'Mandatory="1"'),
+            [("PDOs", "RxPDO 0x1600: SM2, entries: 1, bits: 32 would become "
+              "not assigned, entries: 1, bits: 32"),
+             ("PDOs", "RxPDO 0x1600, flags: none would become mandatory")],
+        ),
+        (PDOS, "", [("PDOs", "RxPDO 0x1600 would be removed: SM2, entries: 1, bits: 32")]),
+        ("", PDOS, [("PDOs", "RxPDO 0x1600 would be added: SM2, entries: 1, bits: 32")]),
+        (
+            pdo("TxPdo", "#x1A00") + pdo("TxPdo", "#x1A01"),
+            pdo("TxPdo", "#x1A01") + pdo("TxPdo", "#x1A00"),
+            [("PDOs", "order of the TxPDOs: 0x1A00, 0x1A01 would become 0x1A01, 0x1A00")],
+        ),
+        (
+            pdo("TxPdo", "#x1A00", 1) + pdo("TxPdo", "#x1A00", 2),
+            pdo("TxPdo", "#x1A00", 1) + pdo("TxPdo", "#x1A00", 3),
+            [
+                ("PDOs", "TxPDO 0x1A00: not assigned, entries: 1, bits: 2 would become "
+                 "not assigned, entries: 1, bits: 3"),
+                ("PDOs", "TxPDO 0x1A00, entry 1: 0x7000:01, 2 bits, type 0x00 would become "
+                 "0x7000:01, 3 bits, type 0x00"),
+            ],
+        ),
+        (PDOS, PDOS.replace("Target", "Position"),
+         [("texts", "name of RxPDO 0x1600: 'Target' would become 'Position'")]),
+        ("<Fmmu>Outputs</Fmmu>", "<Fmmu>Inputs</Fmmu>", [("FMMUs", "FMMU0: Outputs would become Inputs")]),
+        (
+            '<Sm StartAddress="#x1000" ControlByte="#x64" Enable="1">Outputs</Sm>',
+            '<Sm StartAddress="#x1000" ControlByte="#x24" Enable="1">Outputs</Sm>',
+            [("SyncManagers", "SM0: Outputs at 0x1000, 0 bytes, control 0x64, enable 0x01 would become "
+              "Outputs at 0x1000, 0 bytes, control 0x24, enable 0x01")],
+        ),
+        (
+            "<Mailbox><CoE/></Mailbox>",
+            '<Mailbox><CoE CompleteAccess="1"/><FoE/></Mailbox>',
+            [
+                ("mailboxes", "mailbox protocols: CoE would become CoE, FoE"),
+                ("General", "CoE: SDO would become SDO, complete access"),
+                ("General", "FoE: none would become enabled"),
+            ],
+        ),
+        (
+            "",
+            "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>",
+            [("OpModes", "OpMode 1 would be added: AssignActivate 0x0300, SYNC0 cycle 0 ns factor 1, shift 0 ns, "
+              "SYNC1 factor 0, shift 0 ns")],
+        ),
+    ],
+)  # fmt: skip
+def test_changes_in_words(before, after, expected):
+    assert changes(before, after) == expected
+
+
+def test_padding_of_fmmus_is_no_change():
+    """Tools fill up with 0x00 or 0xFF; both mean unused."""
+    padded = decode_sii(by_hand.image((40, b"\x01\xff")))
+    other = decode_sii(by_hand.image((40, b"\x01\x00")))
+    assert image_changes(padded, other) == ()
+
+
+def test_further_words_and_categories_are_changes_too():
+    before = SiiImage(header=Header(), categories=(RawCategory(category_type=3, data=b"AB"),))
+    after = SiiImage(header=Header(execution_delay=5, private=b"\x01" + bytes(65)))
+    assert tuple(words(image_changes(before, after))) == (
+        ("other words", "word 0x10, a delay: 0 would become 5"),
+        ("other words", "words 0x1D to 0x3D: zeros would become 01"),
+        ("other categories", "category 3 (device specific) would be removed: 41 42"),
+    )
