@@ -8,7 +8,7 @@ DB ?= catalog.db
 PORT ?= 8001
 CORPUS ?= $(or $(ESICATALOG_CORPUS),../shared/corpus)
 
-.PHONY: install serve test lint test-corpus bench docs screenshot clean
+.PHONY: install serve test test-datasette-1 lint test-corpus bench docs screenshot clean
 
 install: $(VENV)/installed
 
@@ -24,6 +24,15 @@ serve: install
 test: install lint
 	$(BIN)/python -m pytest -m 'not corpus'
 
+# The web pages and routes once more, on the coming line of Datasette.
+test-datasette-1: $(VENV)-datasette-1/installed
+	$(VENV)-datasette-1/bin/python -m pytest -m 'not corpus' tests/test_datasette.py tests/test_identify.py tests/test_pages.py tests/test_browser.py
+
+$(VENV)-datasette-1/installed: pyproject.toml
+	$(PYTHON) -m venv $(VENV)-datasette-1
+	$(VENV)-datasette-1/bin/python -m pip install --quiet --disable-pip-version-check --pre --editable '.[dev]' 'datasette>=1.0a41,<2'
+	touch $@
+
 lint: install
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
@@ -36,9 +45,11 @@ test-corpus: install
 bench: install
 	$(BIN)/python benchmarks/ingest.py $(CORPUS)/esi
 	$(BIN)/python benchmarks/queries.py $(CORPUS)/esi
+	$(BIN)/python benchmarks/identify.py $(CORPUS)/esi
+	$(BIN)/python benchmarks/pages.py $(CORPUS)/esi
 
 docs: install
 	$(BIN)/python docs/generate.py
 
 clean:
-	rm -rf $(VENV) dist build .pytest_cache .mypy_cache .ruff_cache
+	rm -rf $(VENV) $(VENV)-datasette-1 dist build .pytest_cache .mypy_cache .ruff_cache

@@ -23,20 +23,28 @@ _FLAGS = ("complete_access", "pdo_assign", "pdo_config", "bootstrap", "needs_dc"
 _AMOUNTS = ("bytes_in", "bytes_out", "min_cycle_ns", "e_bus_ma", "axes")
 
 
-def find_devices(connection: sa.Connection, wanted: DeviceFilter) -> list[FoundDevice]:
-    """Devices that fulfil the filter, by vendor, product, revision and variant.
+def find_devices(connection: sa.Connection, wanted: DeviceFilter, offset: int = 0) -> list[FoundDevice]:
+    """Devices that fulfil the filter, by vendor, product, revision and variant; ``offset`` skips the first ones.
 
     Raises :class:`InputError`, and :class:`NotFound` when the device to compare with is not there.
     """
-    found = list(conditions(connection, wanted))
-    rows = connection.execute(device_query(found, wanted)).all()
+    held = list(conditions(connection, wanted))
+    return [device for _, device in found_devices(connection, held, wanted, offset)]
+
+
+def found_devices(
+    connection: sa.Connection, found: Sequence[Condition], wanted: DeviceFilter, offset: int = 0
+) -> list[tuple[int, FoundDevice]]:
+    """Devices that fulfil conditions, with their row numbers and evidence."""
+    query = device_query(found, wanted)
+    rows = connection.execute(query.offset(offset) if offset else query).all()
     evidence: dict[int, list[str]] = {row.id: [] for row in rows}
     for condition in found:
         if condition.evidence is not None:
             for part in chunks(evidence):
                 for number, texts in condition.evidence(connection, part).items():
                     evidence[number].extend(texts)
-    return [summary(row, evidence[row.id]) for row in rows]
+    return [(row.id, summary(row, evidence[row.id])) for row in rows]
 
 
 def device_query(found: Sequence[Condition], wanted: DeviceFilter) -> sa.Select[Any]:
@@ -55,14 +63,28 @@ def device_query(found: Sequence[Condition], wanted: DeviceFilter) -> sa.Select[
             columns.name,
         )
         .outerjoin(vendors, vendors.c.vendor_id == columns.vendor_id)
-        .where(*(condition.sql for condition in found))
+        .where(*_fulfilled(found, wanted))
         .order_by(columns.vendor_id, columns.product_code, columns.revision_no, columns.type, columns.variant)
     )
-    if not wanted.all_variants:
-        query = query.where(columns.variant == 1)
-    if not wanted.include_hidden:
-        query = query.where(columns.hidden == sa.false())
     return query.limit(wanted.limit) if wanted.limit is not None else query
+
+
+def matching_ids(found: Sequence[Condition], wanted: DeviceFilter) -> sa.Select[Any]:
+    """Row numbers of all devices that fulfil the filter, as a subquery; the limit does not count."""
+    return (
+        sa.select(devices.c.id)
+        .outerjoin(vendors, vendors.c.vendor_id == devices.c.vendor_id)
+        .where(*_fulfilled(found, wanted))
+    )
+
+
+def _fulfilled(found: Sequence[Condition], wanted: DeviceFilter) -> list[Any]:
+    conditions = [condition.sql for condition in found]
+    if not wanted.all_variants:
+        conditions.append(devices.c.variant == 1)
+    if not wanted.include_hidden:
+        conditions.append(devices.c.hidden == sa.false())
+    return conditions
 
 
 def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Condition]:

@@ -1,22 +1,34 @@
-"""Requests and responses of the JSON routes: bounded bodies, errors as JSON, ETag, CORS only where Datasette has it."""
+"""Requests and responses: bounded bodies, errors as JSON or pages, ETag, CORS only where Datasette has it."""
 
 from collections.abc import Awaitable, Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 from datasette.utils import add_cors_headers
 from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.results import json_bytes
-from esicatalog.errors import EsiCatalogError
+from esicatalog.errors import EsiCatalogError, NotFound
 from esicatalog.version import __version__
 from esicatalog.web.state import catalog_for
 
 MAX_BODY_BYTES = 4 * 1024 * 1024
 """A scan of a full bus (65535 slaves) in the longest format takes less."""
 
+_ERROR_PAGE = "error.html"
+
+View = Callable[[Any, Any], Awaitable[Response]]
+"""What Datasette calls for a route: (request, datasette) → response."""
 Handler = Callable[[Any, Catalog], Awaitable[tuple[Any, int]]]
 """Makes the JSON value and the HTTP status of an answer."""
+
+
+class Page(NamedTuple):
+    """A page to render: template, what it shows, HTTP status."""
+
+    template: str
+    context: dict[str, Any]
+    status: int = 200
 
 
 class HttpError(Exception):
@@ -27,7 +39,7 @@ class HttpError(Exception):
         self.status = status
 
 
-def json_route(handlers: dict[str, Handler]) -> Callable[[Any, Any], Awaitable[Response]]:
+def json_route(handlers: dict[str, Handler]) -> View:
     """A Datasette view that answers JSON, by HTTP method. HEAD is answered as GET."""
 
     async def view(request: Any, datasette: Any) -> Response:
@@ -49,8 +61,33 @@ def json_route(handlers: dict[str, Handler]) -> Callable[[Any, Any], Awaitable[R
         except HttpError as error:
             value, status = {"error": str(error)}, error.status
         except EsiCatalogError as error:
-            value, status = {"error": str(error)}, 400
+            value, status = {"error": str(error)}, 404 if isinstance(error, NotFound) else 400
         return _json(value, status, headers)
+
+    return view
+
+
+def page_route(handler: Callable[[Any, Catalog], Awaitable[Page]], post: bool = False) -> View:
+    """A Datasette view that answers a page; errors become a page of their own."""
+    methods = ("GET", "HEAD", "POST") if post else ("GET", "HEAD")
+
+    async def view(request: Any, datasette: Any) -> Response:
+        if request.method not in methods:
+            return Response("method not allowed", 405, {"Allow": ", ".join(methods)})
+        catalog = await catalog_for(datasette, request.actor)
+        headers: dict[str, str] = {}
+        if request.method != "POST":
+            headers |= {"ETag": _etag(catalog), "Cache-Control": "no-cache"}
+            if request.headers.get("if-none-match") == headers["ETag"]:
+                return Response(b"", 304, headers)
+        try:
+            page = await handler(request, catalog)
+        except HttpError as error:
+            page = Page(_ERROR_PAGE, {"error": str(error)}, error.status)
+        except EsiCatalogError as error:
+            page = Page(_ERROR_PAGE, {"error": str(error)}, 404 if isinstance(error, NotFound) else 400)
+        html = await datasette.render_template(f"esicatalog/{page.template}", page.context, request=request)
+        return Response(html, page.status, headers, "text/html; charset=utf-8")
 
     return view
 

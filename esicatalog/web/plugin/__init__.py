@@ -8,8 +8,10 @@ from datasette import hookimpl
 
 from esicatalog.catalog.full_text import search_expression
 from esicatalog.catalog.views import FULL_TEXT
+from esicatalog.web.cells import cell, decimal_filters
 from esicatalog.web.functions import hex0x, parse_hex
 from esicatalog.web.routes import ROUTES
+from esicatalog.web.state import MOUNTED_AS
 
 
 @hookimpl(trylast=True)  # type: ignore[untyped-decorator]
@@ -45,3 +47,38 @@ def register_routes() -> list[tuple[str, Any]]:
 def skip_csrf(scope: dict[str, Any]) -> bool:
     """POST to the routes below /-/esi/ changes nothing and needs no token."""
     return "/-/esi/" in str(scope.get("path", ""))
+
+
+@hookimpl  # type: ignore[untyped-decorator]
+def render_cell(row: Any, value: Any, column: str, table: str | None, database: str, datasette: Any) -> Any:
+    """Hex, images and links to device pages in the tables of the catalog."""
+    if database != MOUNTED_AS:
+        return None
+    return cell(row, value, column, table, datasette.setting("base_url"))
+
+
+@hookimpl  # type: ignore[untyped-decorator]
+def asgi_wrapper(datasette: Any) -> Callable[[Any], Any]:
+    """Filters of table pages take hex: ``?product_code=0x044c2c52`` means the decimal number."""
+
+    def wrap(application: Any) -> Any:
+        async def wrapped(scope: dict[str, Any], receive: Any, send: Any) -> None:
+            if scope["type"] == "http" and str(scope.get("path", "")).startswith(_table_prefix(datasette)):
+                query = decimal_filters(scope.get("query_string", b"").decode("latin-1"))
+                if query is not None:
+                    scope = {**scope, "query_string": query.encode("latin-1")}
+            await application(scope, receive, send)
+
+        return wrapped
+
+    return wrap
+
+
+def _table_prefix(datasette: Any) -> str:
+    return f"{datasette.setting('base_url')}{MOUNTED_AS}/"
+
+
+@hookimpl  # type: ignore[untyped-decorator]
+def menu_links(datasette: Any) -> list[dict[str, str]]:
+    """The way from the tables to the pages."""
+    return [{"href": datasette.urls.path("/-/esi/"), "label": "Devices"}]

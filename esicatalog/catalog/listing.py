@@ -1,0 +1,82 @@
+"""A page of found devices with what a list shows of each: icon, drive modes, SYNC signals; and counts for filters."""
+
+from typing import NamedTuple
+
+import sqlalchemy as sa
+
+from esicatalog.catalog.device_filter import DeviceFilter
+from esicatalog.catalog.facets import FacetValue, facets
+from esicatalog.catalog.results import FoundDevice
+from esicatalog.catalog.schema import device_facts, devices, drive_modes, images
+from esicatalog.catalog.search import conditions, device_query, found_devices, matching_ids
+from esicatalog.model.cia402 import CIA402
+
+_SHOWN_VERDICTS = ("yes", "likely")
+
+
+class ListedDevice(NamedTuple):
+    """A device in a list."""
+
+    found: FoundDevice
+    image_sha256: str | None
+    modes: tuple[tuple[str, str], ...]
+    """Drive modes with the verdict yes or likely."""
+    signals: tuple[str, ...]
+    """SYNC0 and SYNC1 where some OpMode generates them."""
+
+
+class Listing(NamedTuple):
+    """Devices from ``offset`` on, how many there are in all, counts by filter, and the SELECT as text."""
+
+    devices: tuple[ListedDevice, ...]
+    total: int
+    offset: int
+    facets: dict[str, tuple[FacetValue, ...]]
+    sql: str
+
+
+def list_devices(connection: sa.Connection, wanted: DeviceFilter, offset: int) -> Listing:
+    """Find devices for a page; the number of queries does not depend on how many there are."""
+    held = list(conditions(connection, wanted))
+    found = found_devices(connection, held, wanted, offset)
+    total = connection.execute(
+        sa.select(sa.func.count()).select_from(matching_ids(held, wanted).subquery())
+    ).scalar_one()
+    literal = device_query(held, wanted).limit(None).compile(connection, compile_kwargs={"literal_binds": True})
+    return Listing(
+        _listed(connection, found),
+        total,
+        offset,
+        facets(connection, held, wanted),
+        str(literal),
+    )
+
+
+def _listed(connection: sa.Connection, found: list[tuple[int, FoundDevice]]) -> tuple[ListedDevice, ...]:
+    numbers = [number for number, _ in found]
+    columns, facts, modes = devices.c, device_facts.c, drive_modes.c
+    query = (
+        sa.select(columns.id, columns.image_sha256, facts.supports_sync0, facts.supports_sync1)
+        .join(device_facts, facts.device_id == columns.id)
+        .where(columns.id.in_(numbers))
+    )
+    rows = {row.id: row for row in connection.execute(query)}
+    verdicts: dict[int, dict[str, str]] = {}
+    for number, mode, verdict in connection.execute(
+        sa.select(modes.device_id, modes.mode, modes.verdict)
+        .where(modes.device_id.in_(numbers), modes.kind == CIA402, modes.verdict.in_(_SHOWN_VERDICTS))
+        .order_by(modes.device_id, modes.position)
+    ):
+        verdicts.setdefault(number, {}).setdefault(mode, verdict)
+    listed = []
+    for number, device in found:
+        row = rows[number]
+        signals = [name for name, on in (("SYNC0", row.supports_sync0), ("SYNC1", row.supports_sync1)) if on]
+        listed.append(ListedDevice(device, row.image_sha256, tuple(verdicts.get(number, {}).items()), tuple(signals)))
+    return tuple(listed)
+
+
+def image_of(connection: sa.Connection, sha256: str) -> bytes | None:
+    """The bytes of an image; None when it is not stored or malformed."""
+    found: bytes | None = connection.execute(sa.select(images.c.data).where(images.c.sha256 == sha256)).scalar()
+    return found

@@ -1,0 +1,171 @@
+"""Times of the distributed clocks for a chosen OpMode, as multiples of the bus cycle (ESI-FACTS section 11).
+
+SYNC1 is programmed as a delay after SYNC0: register 0x09A4 = SYNC1 period - SYNC0 period + ShiftTimeSync1.
+"""
+
+import math
+from fractions import Fraction
+from typing import NamedTuple
+
+from esicatalog.errors import InputError
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.model.sync import SyncSignals, default_op_mode, sync_signals
+
+_UINT32_MAX, _INT32_MAX = 0xFFFF_FFFF, 0x7FFF_FFFF
+
+
+class Time(NamedTuple):
+    """A time: so many bus cycles, and so many nanoseconds more."""
+
+    cycles: Fraction = Fraction(0)
+    ns: int = 0
+
+    def plus(self, other: "Time") -> "Time":
+        """The sum."""
+        return Time(self.cycles + other.cycles, self.ns + other.ns)
+
+    def minus(self, other: "Time") -> "Time":
+        """The difference."""
+        return Time(self.cycles - other.cycles, self.ns - other.ns)
+
+    def times(self, factor: int) -> "Time":
+        """The multiple."""
+        return Time(self.cycles * factor, self.ns * factor)
+
+    def in_ns(self, cycle_ns: int) -> Fraction:
+        """Its length for a bus cycle."""
+        return self.cycles * cycle_ns + self.ns
+
+    def expression(self, cycle: str, divide: str = "/") -> str:
+        """It as an expression in whole nanoseconds; ``cycle`` is the name of the bus cycle."""
+        parts = []
+        if self.cycles:
+            divided = cycle if self.cycles.denominator == 1 else f"{cycle} {divide} {self.cycles.denominator}"
+            factor = self.cycles.numerator
+            parts.append(divided if factor == 1 else f"{divided} * {factor}")
+        if self.ns or not parts:
+            parts.append(str(self.ns))
+        text = " + ".join(parts).replace("+ -", "- ")
+        return text if text.isidentifier() or text.isdigit() else f"({text})"
+
+
+class Clocks(NamedTuple):
+    """What a master programs for one OpMode."""
+
+    assign_activate: int
+    signals: SyncSignals
+    sync0_cycle: Time
+    sync0_shift_ns: int
+    sync1_delay: Time
+    """Register 0x09A4; zero when SYNC1 is not generated."""
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def divisor(self) -> int:
+        """The bus cycle must be a multiple of so many nanoseconds, else the signals drift apart."""
+        return math.lcm(self.sync0_cycle.cycles.denominator, self.sync1_delay.cycles.denominator)
+
+
+def chosen_op_mode(device: Device, modules: tuple[Module, ...], wanted: str | None) -> tuple[int | None, list[str]]:
+    """Position of the OpMode: the one wanted by name or position, else the one that modules ask for, else the default.
+
+    Raises :class:`InputError` for one that does not exist and for a name that several have.
+    """
+    modes = device.op_modes
+    if wanted is None:
+        return _by_modules(device, modules)
+    listed = ", ".join(f"{position} {mode.name!r}" for position, mode in enumerate(modes)) or "none"
+    named = [position for position, mode in enumerate(modes) if (mode.name or "").strip() == wanted.strip()]
+    if len(named) > 1:
+        raise InputError(f"OpMode {wanted!r} exists at positions {', '.join(map(str, named))}; choose by position")
+    if named:
+        return named[0], []
+    if wanted.strip().isdecimal() and int(wanted) < len(modes):
+        return int(wanted), []
+    raise InputError(f"OpMode {wanted!r} does not exist; the device has {listed}")
+
+
+def _by_modules(device: Device, modules: tuple[Module, ...]) -> tuple[int | None, list[str]]:
+    default = default_op_mode(device.op_modes)
+    asked = dict.fromkeys(module.dc_op_mode_name for module in modules if module.dc_op_mode_name)
+    positions = {mode.name: position for position, mode in reversed(list(enumerate(device.op_modes)))}
+    known = [name for name in asked if name in positions]
+    if not known:
+        return default, []
+    remarks = []
+    if positions[known[0]] != default:
+        remarks.append(f"OpMode {known[0]!r} is not the default one: a plugged module asks for it (DcOpModeName)")
+    if len(known) > 1:
+        remarks.append(f"plugged modules ask for different OpModes: {', '.join(map(repr, known))}")
+    return positions[known[0]], remarks
+
+
+def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
+    """What the OpMode programs at this bus cycle; None without AssignActivate, which means no distributed clocks.
+
+    Raises :class:`InputError` when the signals would drift because the cycle cannot be divided as the OpMode says.
+    """
+    if op_mode is None or not op_mode.assign_activate:
+        return None
+    signals = sync_signals(op_mode.assign_activate)
+    remarks: list[str] = []
+    sync0 = _sync0_cycle(op_mode, signals, remarks) if signals.dc_active else Time()
+    shift_ns = (op_mode.shift_time_sync0_ns or 0) if signals.dc_active else 0
+    delay = _sync1_delay(op_mode, sync0, cycle_ns, remarks) if signals.sync1 else Time()
+    if signals.dc_active and op_mode.shift_time_sync0_input:
+        remarks.append(
+            "ShiftTimeSync0 counts from the input reference (Input=1): the shift is given as written; a master that "
+            "knows its input time adds it"
+        )
+    if signals.dc_active and op_mode.shift_time_sync0_factor:
+        remarks.append(
+            f"ShiftTimeSync0 has Factor {op_mode.shift_time_sync0_factor}, which is left out: its rule is not public; "
+            "compare with a known configuration of the device"
+        )
+    found = Clocks(op_mode.assign_activate & 0xFFFF, signals, sync0, shift_ns, delay, tuple(remarks))
+    if cycle_ns % found.divisor:
+        raise InputError(
+            f"OpMode {op_mode.name!r} divides the bus cycle by {found.divisor}; {cycle_ns} ns is no multiple of that: "
+            "choose the cycle or another OpMode"
+        )
+    _check_range(found, op_mode.name, cycle_ns)
+    return found
+
+
+def _sync0_cycle(op_mode: OpMode, signals: SyncSignals, remarks: list[str]) -> Time:
+    if op_mode.cycle_time_sync0_ns:
+        return Time(ns=op_mode.cycle_time_sync0_ns)
+    factor = op_mode.cycle_time_sync0_factor or 0
+    if factor:
+        return Time(Fraction(factor) if factor > 0 else Fraction(1, -factor))
+    if not signals.sync0 and not signals.sync1:
+        return Time()
+    remarks.append("CycleTimeSync0 is not given: SYNC0 follows the bus cycle")
+    return Time(Fraction(1))
+
+
+def _sync1_delay(op_mode: OpMode, sync0: Time, cycle_ns: int, remarks: list[str]) -> Time:
+    factor = op_mode.cycle_time_sync1_factor or 0
+    if op_mode.cycle_time_sync1_ns:
+        period = Time(ns=op_mode.cycle_time_sync1_ns)
+    elif factor:
+        period = sync0.times(factor) if factor > 0 else Time(Fraction(-factor))
+    else:
+        period = sync0
+    if period.in_ns(cycle_ns) < sync0.in_ns(cycle_ns):
+        remarks.append("SYNC1 is described faster than SYNC0, which no slave controller generates: it follows SYNC0")
+        period = sync0
+    delay = period.minus(sync0).plus(Time(ns=op_mode.shift_time_sync1_ns or 0))
+    early = -delay.in_ns(cycle_ns)
+    if early > 0 and sync0.in_ns(cycle_ns) > 0:
+        remarks.append("SYNC1 lies before SYNC0: it is programmed whole SYNC0 cycles later, at the same place")
+        delay = delay.plus(sync0.times(math.ceil(early / sync0.in_ns(cycle_ns))))
+    return delay
+
+
+def _check_range(found: Clocks, name: str | None, cycle_ns: int) -> None:
+    times = (found.sync0_cycle.in_ns(cycle_ns), found.sync1_delay.in_ns(cycle_ns))
+    if not all(0 <= time <= _UINT32_MAX for time in times) or abs(found.sync0_shift_ns) > _INT32_MAX:
+        raise InputError(f"OpMode {name!r} has times that do not fit the registers of the slave controller")

@@ -1,0 +1,72 @@
+"""Comparison of two device descriptions: what is different, and whether a master's configuration is affected.
+
+The parts are compared by ``compare_…`` modules of this package, all by tables of fields with a rule each.
+Not compared: images, check sums, texts in other languages than the one shown, and what only tools for humans use
+(comments and properties of objects).
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.model.compare_dc import compare_clocks
+from esicatalog.model.compare_device import (
+    compare_eeprom,
+    compare_fmmus,
+    compare_general,
+    compare_identity,
+    compare_sync_managers,
+)
+from esicatalog.model.compare_facts import AREAS, PROCESS_IMAGE, Difference
+from esicatalog.model.compare_image import compare_images
+from esicatalog.model.compare_mailbox import compare_init_cmds, compare_mailboxes
+from esicatalog.model.compare_objects import compare_objects
+from esicatalog.model.compare_pdos import compare_pdos, compare_predefined_assignments
+from esicatalog.model.compare_slots import compare_slots
+
+
+def compare_devices(
+    left: Device,
+    left_modules: Sequence[Module],
+    right: Device,
+    right_modules: Sequence[Module],
+    *,
+    left_vendor_id: int | None = None,
+    right_vendor_id: int | None = None,
+) -> list[Difference]:
+    """All differences of two devices with the modules that their slots can reach, in the order of the areas.
+
+    Exchanged sides give the same differences with exchanged values; only ``counts`` has a direction (see
+    :mod:`esicatalog.model.compare_facts`). Vendors are no part of a description: they are compared when given.
+    """
+    return [
+        *compare_identity(left, right, left_vendor_id, right_vendor_id),
+        *compare_general(left, right),
+        *compare_sync_managers(left, right),
+        *compare_fmmus(left, right),
+        *compare_pdos(left, right),
+        *compare_predefined_assignments(left, right),
+        *compare_images(left, left_modules, right, right_modules),
+        *compare_mailboxes(left.mailbox, right.mailbox),
+        *compare_init_cmds(left.mailbox, right.mailbox),
+        *compare_clocks(left, right),
+        *compare_objects(left.profiles, right.profiles),
+        *compare_slots(left, left_modules, right, right_modules),
+        *compare_eeprom(left, right),
+    ]
+
+
+def summary_words(differences: Iterable[Difference]) -> str:
+    """How many there are and how many count, e.g. ``37 differences, 4 count for a master: 3 PDO, 1 Dc``."""
+    found = list(differences)
+    if not found:
+        return "no differences"
+    image = "" if any(item.area == PROCESS_IMAGE for item in found) else "; the default process image is the same"
+    counting = Counter(item.area for item in found if item.counts)
+    total = f"{len(found)} difference{'s' if len(found) > 1 else ''}"
+    if not counting:
+        return f"{total}, none counts for a master{image}"
+    areas = ", ".join(f"{counting[area]} {area}" for area in AREAS if counting[area])
+    count = counting.total()
+    return f"{total}, {count} count{'s' if count == 1 else ''} for a master: {areas}{image}"

@@ -1,0 +1,83 @@
+"""Which devices of two documents are to be compared with each other."""
+
+from collections.abc import Callable, Hashable, Sequence
+from typing import NamedTuple
+
+from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.document import Document
+from esicatalog.esi.records.module import Module
+from esicatalog.model.compare_facts import matched
+from esicatalog.model.slots import reachable_modules
+
+
+class DescribedDevice(NamedTuple):
+    """A device of a document, with the modules that its slots can reach and the line of its element."""
+
+    vendor_id: int | None
+    vendor: str | None
+    device: Device
+    modules: tuple[Module, ...]
+    line: int
+
+
+Pair = tuple[DescribedDevice | None, DescribedDevice | None]
+"""Devices that belong together; None where only one document has one."""
+
+
+def described_devices(document: Document) -> list[DescribedDevice]:
+    """All devices of a document, in its order; also those without codes."""
+    found = []
+    for info, lines, referenced in zip(document.infos, document.device_lines, document.referenced_modules, strict=True):
+        vendor_id = info.vendor.vendor_id if info.vendor is not None else None
+        vendor = display_text(info.vendor.names) if info.vendor is not None else None
+        for device, line in zip(info.devices, lines, strict=True):
+            modules = tuple(reachable_modules(device, (*info.modules, *referenced)))
+            found.append(DescribedDevice(vendor_id, vendor, device, modules, line))
+    return found
+
+
+def paired_devices(left: Sequence[DescribedDevice], right: Sequence[DescribedDevice]) -> list[Pair]:
+    """The devices of two documents that belong together, in the order of the left, then what only the right has.
+
+    Two documents with one device each are compared whatever they describe. Else devices belong together by vendor,
+    product and revision, of several of these by type too. Where no revision of a product is in both documents, its
+    devices belong together by type, then by their order. Devices without product code go by their type.
+    """
+    if len(left) == len(right) == 1:
+        return [(left[0], right[0])]
+    same: list[Pair] = []
+    rest, others = _join(left, right, lambda item: (*_identity(item), item.device.type), same)
+    rest, others = _join(rest, others, _identity, same)
+    settled = {_product(item) for item, _ in same if item is not None}
+
+    def product(item: DescribedDevice) -> tuple[Hashable, ...]:
+        return _identity(item) if _product(item) in settled else _product(item)
+
+    rest, others = _join(rest, others, lambda item: (*product(item), item.device.type), same)
+    rest, others = _join(rest, others, product, same)
+    order = {id(item): position for position, item in enumerate(left)}
+    pairs = [*same, *((item, None) for item in rest)]
+    return [*sorted(pairs, key=lambda pair: order[id(pair[0])]), *((None, item) for item in others)]
+
+
+def _join(
+    left: Sequence[DescribedDevice],
+    right: Sequence[DescribedDevice],
+    key: Callable[[DescribedDevice], Hashable],
+    same: list[Pair],
+) -> tuple[list[DescribedDevice], list[DescribedDevice]]:
+    """Add the pairs with equal keys to ``same``; returns what is left over on both sides."""
+    joined = matched(left, right, key)
+    same += [pair for pair in joined if None not in pair]
+    rest = [item for item, other in joined if item is not None and other is None]
+    return rest, [other for item, other in joined if item is None and other is not None]
+
+
+def _identity(item: DescribedDevice) -> tuple[Hashable, ...]:
+    return *_product(item), item.device.revision_no
+
+
+def _product(item: DescribedDevice) -> tuple[Hashable, ...]:
+    code = item.device.product_code
+    return item.vendor_id, code if code is not None else item.device.type

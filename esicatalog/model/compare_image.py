@@ -1,0 +1,87 @@
+"""Comparison of the default process images: their sizes, and the first places where they differ."""
+
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.model.compare_facts import PROCESS_IMAGE, Difference, difference, either, matched
+from esicatalog.model.compare_pdos import mapped_words
+from esicatalog.model.compare_words import shown_text
+from esicatalog.model.pdo_facts import entry_facts
+from esicatalog.model.process_image import SmImage, byte_bit, default_process_image
+
+FIRST_PLACES = 3
+"""Places of a SyncManager that are told one by one."""
+
+
+class _Placed(NamedTuple):
+    """What lies at a bit offset."""
+
+    mapped: tuple[int | None, int, int | None]
+    name: str | None
+
+
+def compare_images(
+    left: Device, left_modules: Sequence[Module], right: Device, right_modules: Sequence[Module]
+) -> Iterator[Difference]:
+    """The default process images (default OpMode, default modules) by SyncManager.
+
+    Padding is no place of its own: where the entries lie is what the master's program relies on.
+    """
+    images, others = default_process_image(left, left_modules), default_process_image(right, right_modules)
+    for ours, theirs in matched(images, others, lambda image: image.sm):
+        place = f"SM{either(ours, theirs).sm}"
+        size, other_size = _size_words(ours), _size_words(theirs)
+        if size != other_size:
+            yield difference(PROCESS_IMAGE, f"{place} size", size, other_size, True)
+        if ours is not None and theirs is not None:
+            yield from _compare_places(place, ours, theirs)
+
+
+def _size_words(image: SmImage | None) -> str | None:
+    return f"{image.byte_size} bytes ({image.bit_size} bit)" if image is not None else None
+
+
+def _compare_places(place: str, left: SmImage, right: SmImage) -> Iterator[Difference]:
+    ours, theirs = _places(left), _places(right)
+    offsets = [at for at in sorted(ours.keys() | theirs.keys()) if _mapped_at(ours, at) != _mapped_at(theirs, at)]
+    first = offsets if len(offsets) <= FIRST_PLACES + 1 else offsets[:FIRST_PLACES]
+    for at in first:
+        said, also = _words_at(ours, at), _words_at(theirs, at)
+        yield difference(PROCESS_IMAGE, f"{place} at {byte_bit(at)}", said, also, True)
+    if len(offsets) > len(first):
+        at, *further = offsets[FIRST_PLACES:]
+        said, also = (f"{_words_at(known, at) or 'nothing'}; {len(further)} further places" for known in (ours, theirs))
+        yield difference(PROCESS_IMAGE, f"{place} from {byte_bit(at)}", said, also, True)
+
+
+def _places(image: SmImage) -> dict[int, _Placed]:
+    return {
+        placed.bit_offset: _Placed(
+            (placed.entry.entry_index, placed.entry.subindex or 0, placed.entry.bit_length),
+            shown_text(placed.entry.names),
+        )
+        for pdo in image.pdos
+        for placed in pdo.entries
+        if not entry_facts(placed.entry).is_padding
+    }
+
+
+def _mapped_at(places: dict[int, _Placed], at: int) -> tuple[int | None, int, int | None] | None:
+    return places[at].mapped if at in places else None
+
+
+def _words_at(places: dict[int, _Placed], at: int) -> str | None:
+    """What begins at an offset, or what it falls into."""
+    if at in places:
+        found = places[at]
+        return " ".join(filter(None, (mapped_words(*found.mapped), found.name)))
+    starts = sorted(places)
+    before = bisect_right(starts, at) - 1
+    if before >= 0:
+        covering = places[starts[before]].mapped
+        if starts[before] + (covering[2] or 0) > at:
+            return f"inside {mapped_words(*covering)} from {byte_bit(starts[before])}"
+    return None

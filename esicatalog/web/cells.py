@@ -1,0 +1,80 @@
+"""Cells of Datasette's table pages: numbers in hex, images as images, devices as links to their pages."""
+
+from collections.abc import Mapping
+from typing import Any
+from urllib.parse import quote, unquote
+
+from markupsafe import Markup
+
+from esicatalog.catalog.results import FoundDevice
+from esicatalog.errors import InputError
+from esicatalog.identity import parse_number
+from esicatalog.web.links import BASE, device_path
+
+HEX_DIGITS = {
+    **dict.fromkeys(("vendor_id", "product_code", "revision_no", "serial_no", "module_ident"), 8),
+    **dict.fromkeys(("pdo_index", "entry_index", "object_index", "type_index", "rx_pdo_index"), 4),
+    **dict.fromkeys(("start_address", "assign_activate", "identification_ado"), 4),
+    **dict.fromkeys(("control_byte",), 2),
+}
+"""Columns that people read in hex, and how many digits they have."""
+
+_TYPE_COLUMNS = {"devices": "type"}
+_VIEW_TYPE_COLUMN = "device_type"
+_OPERATORS = {"exact", "not", "gt", "gte", "lt", "lte", "in", "notin"}
+"""Comparisons of Datasette's filters (``column__gt=…``) that take numbers."""
+
+
+def cell(row: Any, value: Any, column: str, table: str | None, base_url: str) -> Markup | None:
+    """What a cell shows in place of its value; None leaves it to Datasette."""
+    digits = HEX_DIGITS.get(column)
+    if digits is not None and isinstance(value, int):
+        return Markup('<span title="{}">0x{}</span>').format(value, f"{value:0{digits}x}")
+    if column in (_VIEW_TYPE_COLUMN, _TYPE_COLUMNS.get(table or "")):
+        path = _device_path(row)
+        if path is not None:
+            href = f"{base_url}{BASE.removeprefix('/')}{quote(path, safe='/@')}"
+            return Markup('<a href="{}">{}</a>').format(href, value or "without type")
+    if column == "image_sha256" and isinstance(value, str) and value:
+        href = f"{base_url}{BASE.removeprefix('/')}image/{quote(value)}"
+        return Markup('<img src="{}" alt="" title="{}" style="image-rendering: pixelated">').format(href, value)
+    return None
+
+
+def _device_path(row: Any) -> str | None:
+    try:
+        numbers = (row["vendor_id"], row["product_code"], row["revision_no"])
+        variant = row["variant"]
+    except (KeyError, IndexError, TypeError):
+        return None
+    numbers = tuple(_plain(number) for number in numbers)
+    return device_path(FoundDevice(*numbers, variant, None, None, None, False))
+
+
+def _plain(number: Any) -> Any:
+    """Foreign keys that Datasette has expanded are {"value": …, "label": …}."""
+    return number["value"] if isinstance(number, Mapping) else number
+
+
+def decimal_filters(query: str) -> str | None:
+    """The query string of a table page with hex numbers of filters in decimal; None when there are none."""
+    parts, changed = [], False
+    for part in query.split("&"):
+        name, equals, text = part.partition("=")
+        column, _, operator = unquote(name).partition("__")
+        replaced = _decimal(column, operator, unquote(text.replace("+", " ")))
+        if equals and replaced is not None:
+            part, changed = f"{name}={replaced}", True
+        parts.append(part)
+    return "&".join(parts) if changed else None
+
+
+def _decimal(column: str, operator: str, text: str) -> str | None:
+    if column not in HEX_DIGITS or (operator and operator not in _OPERATORS):
+        return None
+    if not any(mark in text.lower() for mark in ("0x", "#x")):
+        return None
+    try:
+        return ",".join(str(parse_number(item)) for item in text.split(","))
+    except InputError:
+        return None

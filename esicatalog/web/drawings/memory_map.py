@@ -1,0 +1,257 @@
+"""The areas of the SyncManagers in the memory of the slave controller as a drawing (ESI-FACTS section 8).
+
+A buffered SyncManager takes three buffers of its length, a mailbox one. Addresses run downwards; heights grow with
+the logarithm of the sizes, so that one byte and a kilobyte both can be read.
+"""
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.model.process_image import SmImage
+from esicatalog.model.sm_facts import SmFacts, sm_facts
+from esicatalog.web.drawings.svg import (
+    WIDTH,
+    clipped,
+    count,
+    drawing,
+    element,
+    first_that_fits,
+    hexadecimal,
+    paragraphs,
+    rectangle,
+    text,
+    title,
+)
+
+MOST_SYNC_MANAGERS = 16
+"""So many have registers, 0x0800 to 0x087F."""
+
+_MEMORY_START, _MEMORY_END = 0x1000, 0x10000
+_BUFFERS = {"buffered": 3, "mailbox": 1}
+_COLOURS = {"output": "pdo-0", "input": "pdo-2"}
+_MAILBOXES = ("MBoxOut", "MBoxIn")
+_LEFT, _RIGHT, _TOP = 52, WIDTH - 2, 8
+_LINE = 14
+
+
+class _Area(NamedTuple):
+    """What one SyncManager takes; ``size`` is that of a buffer, None where the description leaves it open."""
+
+    sm: int
+    name: str
+    start: int
+    size: int | None
+    size_words: str
+    facts: SmFacts
+    buffers: int
+    enabled: bool
+    is_mailbox: bool
+
+    @property
+    def end(self) -> int:
+        """The first address behind it; an area of open size has room for a mark."""
+        return self.start + (self.size or 1) * self.buffers
+
+    @property
+    def parts(self) -> list[tuple[int, int]]:
+        """First address and end of each buffer."""
+        size = self.size or 1
+        return [(self.start + size * at, self.start + size * (at + 1)) for at in range(self.buffers)]
+
+
+class _Overlap(NamedTuple):
+    """Addresses from ``first`` to before ``end`` that two enabled SyncManagers share."""
+
+    sms: tuple[int, int]
+    first: int
+    end: int
+    words: str
+
+
+def memory_map_svg(device: Device, images: Sequence[SmImage]) -> str:
+    """The SyncManagers' areas from 0x1000 on as SVG: a ``g.sm`` each, ``g.overlap`` where enabled ones share.
+
+    The length is DefaultSize, or that of the process image (``images``) where it is longer or DefaultSize is absent.
+    What cannot be drawn (registers, virtual SyncManagers, no address) is named below. Needs ``DRAWING_CSS``.
+    """
+    sizes = {image.sm: image.byte_size for image in images}
+    areas: list[_Area] = []
+    remarks: list[str] = []
+    for number, sync_manager in enumerate(device.sync_managers[:MOST_SYNC_MANAGERS]):
+        area = _area(number, sync_manager, sizes.get(number))
+        reason = _not_drawn(sync_manager, area)
+        if reason:
+            remarks.append(f"{area.name} {reason}: not drawn.")
+        else:
+            areas.append(area)
+    if len(device.sync_managers) > MOST_SYNC_MANAGERS:
+        remarks.append(f"Only the first {MOST_SYNC_MANAGERS} of {len(device.sync_managers)} SyncManagers are drawn.")
+    overlaps = list(_overlaps(areas))
+    alarms, below = paragraphs(_bottom(areas) + 4, (overlap.words for overlap in overlaps), "words alarm")
+    if areas:
+        remarks.insert(0, "Heights are not to scale.")
+    words, below = paragraphs(below, remarks or ["The device has no SyncManagers."])
+    return drawing("memory-map", _map_label(areas, overlaps), below + 6, *_picture(areas, overlaps), *alarms, *words)
+
+
+def _area(number: int, sync_manager: SyncManager, image_size: int | None) -> _Area:
+    facts = sm_facts(sync_manager)
+    size = max(sync_manager.default_size or 0, image_size or 0) or None
+    return _Area(
+        number,
+        f"SM{number} {clipped(sync_manager.usage or '')}".rstrip(),
+        sync_manager.start_address or 0,
+        size,
+        _size_words(sync_manager.default_size, image_size),
+        facts,
+        _BUFFERS.get(facts.buffer_mode or "", 1) if size else 1,
+        sync_manager.enable is None or bool(sync_manager.enable & 1),
+        sync_manager.usage in _MAILBOXES,
+    )
+
+
+def _size_words(default_size: int | None, image_size: int | None) -> str:
+    known = []
+    if default_size:
+        known.append(f"DefaultSize {count(default_size, 'byte', 'bytes')}")
+    if image_size is not None and image_size != default_size:
+        known.append(f"process image {count(image_size, 'byte', 'bytes')}")
+    return ", ".join(known) or "no DefaultSize"
+
+
+def _not_drawn(sync_manager: SyncManager, area: _Area) -> str | None:
+    if sync_manager.virtual:
+        return "is virtual"
+    if sync_manager.start_address is None:
+        return "has no StartAddress"
+    if area.start < _MEMORY_START:
+        return f"at {hexadecimal(area.start)} lies in the registers"
+    if area.end > _MEMORY_END:
+        return f"at {hexadecimal(area.start)} leaves the address space of 64 KiB"
+    return None
+
+
+def _overlaps(areas: Sequence[_Area]) -> Iterator[_Overlap]:
+    enabled = [area for area in areas if area.enabled and area.size]
+    for one, other in combinations(enabled, 2):
+        first, end = max(one.start, other.start), min(one.end, other.end)
+        if first < end:
+            shared = f"{_span(first, end)} ({count(end - first, 'byte', 'bytes')})"
+            yield _Overlap((one.sm, other.sm), first, end, f"{one.name} and {other.name} overlap at {shared}.")
+
+
+def _merged(overlaps: Sequence[_Overlap]) -> list[tuple[int, int]]:
+    """The addresses of overlaps without any of them twice."""
+    merged: list[tuple[int, int]] = []
+    for overlap in sorted(overlaps, key=lambda overlap: overlap.first):
+        if merged and overlap.first <= merged[-1][1]:
+            merged[-1] = (merged[-1][0], max(merged[-1][1], overlap.end))
+        else:
+            merged.append((overlap.first, overlap.end))
+    return merged
+
+
+def _span(first: int, end: int) -> str:
+    return f"{hexadecimal(first)}–{hexadecimal(end - 1)}"
+
+
+def _boundaries(areas: Sequence[_Area]) -> dict[int, int]:
+    """Every address where something begins or ends, and its place in the drawing."""
+    addresses = sorted({address for area in areas for part in area.parts for address in part})
+    places: dict[int, int] = {}
+    y, before = _TOP, None
+    for address in addresses:
+        if before is not None:
+            y += _height(address - before)
+        places[address] = y
+        before = address
+    return places
+
+
+def _height(size: int) -> int:
+    return 14 + 2 * size.bit_length()
+
+
+def _bottom(areas: Sequence[_Area]) -> int:
+    return max(_boundaries(areas).values(), default=0) + 4
+
+
+def _lanes(areas: Sequence[_Area]) -> dict[int, int]:
+    """The column of each SyncManager: side by side where they overlap."""
+    ends: list[int] = []
+    lanes = {}
+    for area in sorted(areas, key=lambda area: (area.start, area.sm)):
+        lane = next((at for at, end in enumerate(ends) if end <= area.start), len(ends))
+        ends[lane : lane + 1] = [area.end]
+        lanes[area.sm] = lane
+    return lanes
+
+
+def _picture(areas: Sequence[_Area], overlaps: Sequence[_Overlap]) -> Iterator[str]:
+    places, lanes = _boundaries(areas), _lanes(areas)
+    yield from _axis(areas, places)
+    width = (_RIGHT - _LEFT) / (max(lanes.values(), default=0) + 1)
+    for area in areas:
+        yield _shape(area, places, _LEFT + lanes[area.sm] * width, width)
+        own = [overlap for overlap in overlaps if area.sm in overlap.sms]
+        for first, end in _merged(own):
+            words = [overlap.words for overlap in own if first <= overlap.first < end]
+            red = rectangle(_LEFT + lanes[area.sm] * width, places[first], width, places[end] - places[first])
+            yield element("g", title(*words), red, class_="overlap", data_sm=area.sm)
+        yield from _labels(area, places, _LEFT + lanes[area.sm] * width, width)
+
+
+def _axis(areas: Sequence[_Area], places: dict[int, int]) -> Iterator[str]:
+    ends = {end for area in areas if area.size for _, end in area.parts}
+    known = ends | {start for area in areas for start, _ in area.parts}
+    for address, y in places.items():
+        if address in known:
+            yield text(_LEFT - 6, y + 4, hexadecimal(address), "axis offset")
+
+
+def _shape(area: _Area, places: dict[int, int], x: float, width: float) -> str:
+    boxes = [
+        rectangle(x, places[start], width, places[end] - places[start], None if area.size else "no-size")
+        for start, end in area.parts
+    ]
+    classes = ["sm", _colour(area)]
+    if not area.enabled:
+        classes.append("not-enabled")
+    return element("g", title(*_title_lines(area)), *boxes, class_=" ".join(classes), data_sm=area.sm)
+
+
+def _colour(area: _Area) -> str:
+    """Process data by direction; mailboxes, and what has no known direction, in the last colour."""
+    return "pdo-7" if area.is_mailbox else _COLOURS.get(area.facts.transfer_direction or "", "pdo-7")
+
+
+def _title_lines(area: _Area) -> list[str]:
+    if not area.size:
+        return [area.name, f"starts at {hexadecimal(area.start)}, size unknown: {area.size_words}"]
+    buffers = f"{count(area.buffers, 'buffer', 'buffers')} of {count(area.size, 'byte', 'bytes')}"
+    lines = [area.name, f"{_span(area.start, area.end)}, {buffers}", area.size_words]
+    mode = area.facts.buffer_mode
+    lines.append(f"{mode} mode" if mode else "ControlByte does not tell buffered from mailbox: drawn as one buffer")
+    if not area.enabled:
+        lines.append("not enabled")
+    return lines
+
+
+def _labels(area: _Area, places: dict[int, int], x: float, width: float) -> Iterator[str]:
+    size = count(area.size, "byte", "bytes") if area.size else "size unknown"
+    details = size + (f" × {area.buffers}" if area.buffers > 1 else "") + ("" if area.enabled else ", not enabled")
+    choices = ((f"{area.name}: {details}",), (area.name, details), (area.name,), (f"SM{area.sm}",))
+    for at, (start, end) in enumerate(area.parts):
+        wanted = choices if at == 0 else ((f"SM{area.sm} buffer {at + 1}",), (f"{at + 1}",))
+        lines = first_that_fits(wanted, width - 6, places[end] - places[start], _LINE)
+        first = (places[start] + places[end] - _LINE * (len(lines) - 1)) / 2 + 4
+        yield from (text(x + width / 2, first + _LINE * n, line, "label") for n, line in enumerate(lines))
+
+
+def _map_label(areas: Sequence[_Area], overlaps: Sequence[_Overlap]) -> str:
+    words = f"Memory map: {count(len(areas), 'SyncManager', 'SyncManagers')}"
+    if areas:
+        words += f" from {hexadecimal(min(area.start for area in areas))}"
+    return f"{words}, {count(len(overlaps), 'overlap', 'overlaps') if overlaps else 'no overlap'}"

@@ -1,0 +1,42 @@
+"""Addresses of pages, relative to where Datasette is mounted."""
+
+from urllib.parse import quote, urlencode
+
+from esicatalog.catalog.results import FoundDevice
+from esicatalog.errors import InputError
+from esicatalog.identity import Identity, parse_number
+
+BASE = "/-/esi/"
+
+
+def device_path(device: FoundDevice) -> str | None:
+    """Path of a device page below :data:`BASE`; None for a device without codes."""
+    numbers = (device.vendor_id, device.product_code, device.revision_no)
+    if None in numbers:
+        return None
+    path = "device/" + "/".join(f"0x{number:x}" for number in numbers)
+    return path if device.variant == 1 else f"{path}@{device.variant}"
+
+
+def identity_of_path(vendor: str, product: str, revision: str) -> Identity:
+    """The identity in the path of a device page; ``latest`` is the latest visible revision."""
+    revision_text, at, variant = revision.partition("@")
+    return Identity(
+        parse_number(vendor, "vendor"),
+        parse_number(product, "product"),
+        None if revision_text == "latest" else parse_number(revision_text, "revision"),
+        _variant(variant) if at else None,
+    )
+
+
+def _variant(text: str) -> int:
+    number = parse_number(text, "variant")
+    if number == 0:
+        raise InputError("variants count from 1")
+    return number
+
+
+def with_query(path: str, parameters: list[tuple[str, str]]) -> str:
+    """A path with parameters; those without text are left out."""
+    query = urlencode([(name, text) for name, text in parameters if text], quote_via=quote)
+    return f"{path}?{query}" if query else path

@@ -1,0 +1,1 @@
+"""What the pages show: view models of plain values for the templates."""

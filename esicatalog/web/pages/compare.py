@@ -1,0 +1,40 @@
+"""The compare page: two descriptions side by side, difference by difference."""
+
+import asyncio
+from collections import defaultdict
+from typing import Any
+
+from esicatalog.api import Catalog
+from esicatalog.errors import EsiCatalogError, NotFound
+from esicatalog.identity import parse_identity
+from esicatalog.model.compare import compare_devices
+from esicatalog.web.http import Page
+from esicatalog.web.links import device_path
+
+_TEMPLATE = "compare.html"
+
+
+async def compare_page(request: Any, catalog: Catalog) -> Page:
+    """``?a=V:P:R&b=V:P:R``; without both the form alone."""
+    texts = {name: (request.args.get(name) or "").strip() for name in ("a", "b")}
+    empty = {**texts, "problem": None, "sides": None}
+    if not all(texts.values()):
+        return Page(_TEMPLATE, empty)
+    try:
+        return Page(_TEMPLATE, empty | await asyncio.to_thread(_compared, catalog, texts["a"], texts["b"]))
+    except EsiCatalogError as error:
+        return Page(_TEMPLATE, empty | {"problem": str(error)}, 404 if isinstance(error, NotFound) else 400)
+
+
+def _compared(catalog: Catalog, first: str, second: str) -> dict[str, Any]:
+    left, right = (catalog.device(parse_identity(text)) for text in (first, second))
+    differences = compare_devices(left.device, left.modules, right.device, right.modules)
+    areas: dict[str, list[Any]] = defaultdict(list)
+    for item in differences:
+        areas[item.area].append(item)
+    return {
+        "sides": [{"found": side.found, "path": device_path(side.found)} for side in (left, right)],
+        "areas": list(areas.items()),
+        "count": len(differences),
+        "counting": sum(item.counts for item in differences),
+    }

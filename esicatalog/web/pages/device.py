@@ -1,0 +1,267 @@
+"""The device page: what a description declares and implies, in sections."""
+
+import asyncio
+from collections.abc import Mapping
+from typing import Any
+
+from esicatalog.api import Catalog
+from esicatalog.catalog.description import DeviceDescription, description_json
+from esicatalog.catalog.mapping import image_key
+from esicatalog.errors import InputError
+from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.slots import Slot
+from esicatalog.identity import parse_plugged
+from esicatalog.model.derivation import derive
+from esicatalog.model.device_facts import DeviceFacts
+from esicatalog.model.pdo_facts import symmetric_exclusions
+from esicatalog.model.process_image import SmImage, alternative_assignments, byte_bit
+from esicatalog.model.revisions import revision_text
+from esicatalog.model.slots import accepts, chosen_modules, numbered_slots
+from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.sync import default_op_mode, sync_signals
+from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
+from esicatalog.web.http import Page
+from esicatalog.web.links import device_path, identity_of_path
+
+_MOST_SLOTS = 24
+_MOST_ALIKE = 12
+_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
+_COE_DETAILS = {
+    "coe_sdo_info": "SdoInfo",
+    "coe_pdo_assign": "PdoAssign",
+    "coe_pdo_config": "PdoConfig",
+    "coe_pdo_upload": "PdoUpload",
+    "coe_complete_access": "CompleteAccess",
+    "coe_segmented_sdo": "SegmentedSdo",
+    "coe_diag_history": "DiagHistory",
+}
+
+
+async def device_page(request: Any, catalog: Catalog) -> Page:
+    """``/-/esi/device/V/P/R?module=SLOT=IDENT``: the page of one description."""
+    description, choice = await asyncio.to_thread(_asked, request, catalog)
+    return Page("device.html", await asyncio.to_thread(_context, description, choice))
+
+
+async def device_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
+    """``/-/esi/device/V/P/R.json``: the JSON of ``esicatalog show --format json``."""
+    description, choice = await asyncio.to_thread(_asked, request, catalog)
+    return await asyncio.to_thread(description_json, description, choice), 200
+
+
+def _asked(request: Any, catalog: Catalog) -> tuple[DeviceDescription, dict[int, int]]:
+    identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
+    chosen = [parse_plugged(text) for text in request.args.getlist("module") if not text.endswith("=")]
+    return catalog.device(identity), dict(chosen)
+
+
+def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
+    device, found = description.device, description.found
+    derived = derive(device, description.modules)
+    problem = None
+    try:
+        images = description.images(choice)
+    except InputError as error:
+        images, problem = derived.images, str(error)
+    op_modes = device.op_modes
+    default = default_op_mode(op_modes)
+    path = device_path(found) or ""
+    return {
+        "found": found,
+        "path": path,
+        "title": found.type or "without type",
+        "revision_text": revision_text(found.vendor_id, found.revision_no),
+        "image": image_key(device.image_data),
+        "group": device.group_type,
+        "sources": description.sources,
+        "variants": [
+            f"{path.partition('@')[0]}{'' if n == 1 else f'@{n}'}" for n in range(1, description.variant_count + 1)
+        ],
+        "facts": _facts(description, derived.facts),
+        "images": [_image(image) for image in images],
+        "problem": problem,
+        "choice": choice,
+        "slots": _slots(description, choice),
+        "sync_managers": [_sync_manager(number, sm) for number, sm in enumerate(device.sync_managers)],
+        "memory_map": memory_map_svg(device, images) if device.sync_managers else "",
+        "pdos": _pdos(device.rx_pdos, device.tx_pdos),
+        "assignments": alternative_assignments(device),
+        "modules": [
+            {
+                "ident": module.module_ident,
+                "name": display_text(module.names) or module.type or "",
+                "pdos": _pdos(module.rx_pdos, module.tx_pdos),
+                "commands": _commands(module.mailbox),
+            }
+            for module in description.modules
+        ],
+        "op_modes": [
+            {
+                "mode": mode,
+                "signals": sync_signals(mode.assign_activate),
+                "is_default": position == default,
+                "drawing": dc_timing_svg(mode),
+            }
+            for position, mode in enumerate(op_modes)
+        ],
+        "verdicts": derived.modes.verdicts,
+        "evidence": derived.modes.evidence,
+        "commands": _commands(device.mailbox),
+        "eeprom": device.eeprom,
+        "object_count": sum(len(p.dictionary.objects) for p in device.profiles if p.dictionary is not None),
+        "revisions": [
+            {
+                "path": device_path(item.device),
+                "found": item.device,
+                "text": revision_text(item.device.vendor_id, item.device.revision_no),
+                "hidden": item.hidden,
+                "layout_changed": item.layout_changed,
+                "is_this": item.device.revision_no == found.revision_no,
+            }
+            for item in description.revisions
+        ],
+        "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
+        "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
+        "identity": f"0x{found.vendor_id or 0:x}:0x{found.product_code or 0:x}:0x{found.revision_no or 0:x}",
+        "drawing_css": DRAWING_CSS,
+    }
+
+
+def _facts(description: DeviceDescription, facts: DeviceFacts) -> list[tuple[str, str]]:
+    device = description.device
+    mailbox = device.mailbox
+    protocols = [f"{n[0].upper()}o{n[2].upper()}" for n in _PROTOCOLS if mailbox is not None and getattr(mailbox, n)]
+    details = [word for field, word in _COE_DETAILS.items() if mailbox is not None and getattr(mailbox, field)]
+    clocks = [name for name, on in (("SYNC0", facts.supports_sync0), ("SYNC1", facts.supports_sync1)) if on]
+    if facts.dc_supported:
+        clocks.insert(0, "DC needed" if facts.dc_needed else "DC optional")
+    profiles = {
+        f"{number}" + (f"/{info}" if info is not None else "")
+        for profile in device.profiles
+        for number, info in [
+            (profile.profile_no, profile.add_info),
+            *((channel.profile_no, channel.add_info) for channel in profile.channel_infos),
+        ]
+        if number is not None
+    }
+    shown = [
+        ("group", device.group_type),
+        ("profiles", ", ".join(sorted(profiles))),
+        ("ports", device.physics),
+        ("E-bus current", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
+        ("mailbox", ", ".join(protocols) or "none"),
+        ("CoE", ", ".join(details)),
+        ("clocks", ", ".join(clocks) or "no DC"),
+        ("smallest cycle", f"{facts.min_cycle_ns} ns" if facts.min_cycle_ns is not None else None),
+        ("process data", f"{facts.output_bytes} bytes out, {facts.input_bytes} bytes in by default"),
+        ("CheckRevisionNo", device.check_revision_no),
+        ("LRW", "not possible (UseLrdLwr)" if device.use_lrd_lwr else None),
+        ("FSoE", f"{facts.fsoe} evidence: {facts.fsoe_evidence}" if facts.fsoe else None),
+    ]
+    return [(name, value) for name, value in shown if value]
+
+
+def _image(image: SmImage) -> dict[str, Any]:
+    return {
+        "sm": image.sm,
+        "usage": image.usage or "",
+        "bytes": image.byte_size,
+        "bits": image.bit_size,
+        "remarks": image.remarks,
+        "drawing": process_image_svg(image) if image.bit_size else "",
+        "legend": process_image_legend(image) if image.bit_size else "",
+        "rows": [
+            {
+                "place": byte_bit(placed.bit_offset),
+                "bits": placed.entry.bit_length,
+                "entry": f"0x{placed.entry.entry_index:04X}:{placed.entry.subindex or 0:02X}"
+                if placed.entry.entry_index
+                else "padding",
+                "type": placed.entry.data_type or "",
+                "name": display_text(placed.entry.names) or "",
+                "pdo": f"0x{pdo.pdo.pdo_index or 0:04X}" + (f" in slot {pdo.slot_number}" if pdo.module else ""),
+            }
+            for pdo in image.pdos
+            for placed in pdo.entries
+        ],
+    }
+
+
+def _sync_manager(number: int, sm: Any) -> dict[str, Any]:
+    return {"number": number, "sm": sm, "facts": sm_facts(sm)}
+
+
+def _pdos(rx_pdos: tuple[Pdo, ...], tx_pdos: tuple[Pdo, ...]) -> list[dict[str, Any]]:
+    exclusions = symmetric_exclusions((*rx_pdos, *tx_pdos))
+    return [
+        {
+            "direction": direction,
+            "index": pdo.pdo_index,
+            "name": display_text(pdo.names) or "",
+            "sm": pdo.sm,
+            "bits": sum(entry.bit_length or 0 for entry in pdo.entries),
+            "flags": [flag for flag in ("fixed", "mandatory", "virtual") if getattr(pdo, flag)],
+            "excludes": exclusions.get(pdo.pdo_index, ()),
+            "entries": [
+                {
+                    "index": entry.entry_index,
+                    "subindex": entry.subindex or 0,
+                    "bits": entry.bit_length,
+                    "type": entry.data_type or "",
+                    "name": display_text(entry.names) or "",
+                }
+                for entry in pdo.entries
+            ],
+        }
+        for direction, pdos in (("RxPDO", rx_pdos), ("TxPDO", tx_pdos))
+        for pdo in pdos
+    ]
+
+
+def _commands(mailbox: Mailbox | None) -> list[dict[str, Any]]:
+    if mailbox is None:
+        return []
+    return [
+        {"protocol": protocol, "transitions": " ".join(cmd.transitions), "target": _target(cmd), "cmd": cmd}
+        for protocol in ("CoE", "SoE", "EoE", "AoE")
+        for cmd in getattr(mailbox, f"{protocol.lower()}_init_cmds")
+    ]
+
+
+def _target(cmd: InitCmd) -> str:
+    if cmd.idn is not None:
+        return f"IDN {cmd.idn}"
+    if cmd.object_index is not None:
+        return f"0x{cmd.object_index:04X}:{cmd.subindex or 0:02X}" + (" complete" if cmd.complete_access else "")
+    return f"type {cmd.eoe_type}" if cmd.eoe_type is not None else ""
+
+
+def _slots(description: DeviceDescription, choice: Mapping[int, int]) -> list[dict[str, Any]]:
+    device, modules = description.device, description.modules
+    try:
+        plugged = {item.slot_number: item.module.module_ident for item in chosen_modules(device, modules, choice)}
+    except InputError:
+        plugged = {}
+    found = []
+    for number, slot, _ in numbered_slots(device):
+        if number >= _MOST_SLOTS:
+            break
+        found.append(
+            {
+                "number": number,
+                "name": _slot_name(slot),
+                "plugged": plugged.get(number),
+                "modules": [
+                    (module.module_ident, display_text(module.names) or module.type or "")
+                    for module in modules
+                    if module.module_ident is not None and accepts(slot, module)
+                ],
+            }
+        )
+    return found
+
+
+def _slot_name(slot: Slot) -> str:
+    return display_text(slot.names) or ""

@@ -1,0 +1,126 @@
+"""The home page: one search box, filters with counts, found devices."""
+
+import asyncio
+from typing import Any
+
+import msgspec
+
+from esicatalog.api import Catalog
+from esicatalog.catalog.device_filter import DeviceFilter
+from esicatalog.catalog.filter_texts import PARAMETERS, filter_of_texts
+from esicatalog.catalog.listing import Listing
+from esicatalog.errors import InputError
+from esicatalog.identity import parse_number
+from esicatalog.web.http import Page
+from esicatalog.web.links import BASE, device_path, with_query
+
+PAGE_LENGTH = 50
+_PAGE = "page"
+_MAIN_FILTERS = ("text", "vendor", "mode", "sync", "protocol", "profile", "maps")
+_CHECKS = {
+    "strict": "only verdict yes",
+    "include-hidden": "hidden revisions too",
+    "all-variants": "all variants",
+    "needs-dc": "needs DC",
+    "complete-access": "complete access",
+    "pdo-assign": "PDO assign",
+    "pdo-config": "PDO config",
+    "bootstrap": "bootstrap mailbox",
+    "no-lrw": "no LRW",
+}
+_TEXTS = {
+    "maps": "maps object, e.g. 0x60FF",
+    "object": "has object, e.g. 0x6502",
+    "bytes-in": "input bytes, e.g. <=8",
+    "bytes-out": "output bytes, e.g. >=4",
+    "min-cycle-ns": "smallest cycle in ns, e.g. <=250000",
+    "e-bus-ma": "E-bus current in mA, e.g. <=100",
+    "axes": "CiA 402 axes, e.g. >=2",
+    "physics": "ports, e.g. YY or KK",
+    "like": "same layout as V:P:R",
+}
+
+
+async def home_page(request: Any, catalog: Catalog) -> Page:
+    """Search by the parameters of the address, which are those of the command ``devices``."""
+    texts = {name: request.args.getlist(name) for name in request.args}
+    number = _page_number(texts.pop(_PAGE, []))
+    try:
+        wanted = filter_of_texts(texts)
+    except InputError as error:
+        empty = Listing((), 0, 0, {}, "")
+        return Page("home.html", {**_context(texts, empty, number), "problem": str(error)}, 400)
+    limited = msgspec.structs.replace(wanted, limit=PAGE_LENGTH)
+    listing = await asyncio.to_thread(catalog.list_devices, limited, (number - 1) * PAGE_LENGTH)
+    return Page("home.html", _context(texts, listing, number))
+
+
+async def devices_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
+    """The devices that fulfil the parameters, as ``esicatalog devices --format json`` prints them."""
+    wanted: DeviceFilter = filter_of_texts({name: request.args.getlist(name) for name in request.args})
+    found = await asyncio.to_thread(catalog.find, wanted)
+    return [device.as_json() for device in found], 200
+
+
+def _page_number(texts: list[str]) -> int:
+    try:
+        return max(1, parse_number(texts[0], _PAGE, 100_000)) if texts else 1
+    except InputError:
+        return 1
+
+
+def _context(texts: dict[str, list[str]], listing: Listing, number: int) -> dict[str, Any]:
+    given = [(name, text) for name, values in texts.items() for text in values if text.strip()]
+    pages = max(1, -(-listing.total // PAGE_LENGTH))
+    return {
+        "given": {name: values[0] for name, values in texts.items() if values},
+        "devices": [_row(item) for item in listing.devices],
+        "total": listing.total,
+        "facets": {
+            name: [
+                {
+                    "label": value.label,
+                    "count": value.device_count,
+                    "chosen": (name, value.text) in given,
+                    "href": with_query("", _toggled(given, name, value.text)),
+                }
+                for value in values
+            ]
+            for name, values in listing.facets.items()
+        },
+        "checks": _CHECKS,
+        "texts": _TEXTS,
+        "hidden_fields": [(name, text) for name, text in given if name not in (*_MAIN_FILTERS, *_CHECKS, *_TEXTS)],
+        "sql": listing.sql,
+        "json_href": with_query(f"{BASE}devices.json", given),
+        "page": number,
+        "pages": pages,
+        "previous": with_query("", [*given, (_PAGE, str(number - 1))]) if number > 1 else None,
+        "next": with_query("", [*given, (_PAGE, str(number + 1))]) if number < pages else None,
+        "is_search": bool(given),
+        "modes": PARAMETERS["mode"].choices,
+        "syncs": PARAMETERS["sync"].choices,
+        "protocols": PARAMETERS["protocol"].choices,
+    }
+
+
+def _toggled(given: list[tuple[str, str]], name: str, text: str) -> list[tuple[str, str]]:
+    """The parameters with this choice made, or taken back where it stands."""
+    others = [(key, value) for key, value in given if key != name]
+    return others if (name, text) in given else [*others, (name, text)]
+
+
+def _row(item: Any) -> dict[str, Any]:
+    device = item.found
+    return {
+        "identity": device.identity_text,
+        "path": device_path(device),
+        "vendor": device.vendor or "",
+        "type": device.type or "without type",
+        "name": device.name or "",
+        "hidden": device.hidden,
+        "image": item.image_sha256,
+        "modes": item.modes,
+        "signals": item.signals,
+        "evidence": device.evidence,
+    }

@@ -1,0 +1,71 @@
+"""The object dictionary of a device: loaded when it is opened, because it can be larger than the rest of the page."""
+
+import asyncio
+from typing import Any
+
+from esicatalog.api import Catalog
+from esicatalog.catalog.description import DeviceDescription
+from esicatalog.esi.records.common import display_text
+from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
+from esicatalog.model.scan_compare import access_text
+from esicatalog.web.http import Page
+from esicatalog.web.links import device_path, identity_of_path
+
+
+async def objects_page(request: Any, catalog: Catalog) -> Page:
+    """The objects: a part of a page for scripts (``Sec-Fetch-Mode: cors``), a page of its own for people."""
+    names = ("vendor", "product", "revision")
+    identity = identity_of_path(**{name: request.url_vars[name] for name in names})
+    description = await asyncio.to_thread(catalog.device, identity)
+    objects = await asyncio.to_thread(_objects, description)
+    is_part = request.headers.get("sec-fetch-dest") == "empty"
+    context = {
+        "objects": objects,
+        "title": description.found.type or "the device",
+        "path": device_path(description.found) or "",
+    }
+    return Page("objects.html" if is_part else "objects_page.html", context)
+
+
+def _objects(description: DeviceDescription) -> list[dict[str, Any]]:
+    found = []
+    for profile in description.device.profiles:
+        if profile.dictionary is None:
+            continue
+        types = type_table(profile.dictionary.data_types)
+        for declared in profile.dictionary.objects:
+            data_type = types.get(declared.type or "")
+            found.append(
+                {
+                    "index": declared.object_index,
+                    "name": display_text(declared.names) or "",
+                    "type": declared.type or "",
+                    "enums": [
+                        (item.value, display_text(item.texts) or "")
+                        for item in (data_type.enum_infos if data_type is not None else ())
+                    ],
+                    "entries": [_entry(entry) for entry in resolve_object(declared, types).entries],
+                }
+            )
+    return found
+
+
+def _entry(entry: ObjectEntry) -> dict[str, Any]:
+    return {
+        "subindex": entry.subindex,
+        "name": entry.name,
+        "data_type": entry.data_type,
+        "bit_size": entry.bit_size,
+        "access_by_state": access_text(entry.access_word),
+        "pdo_mapping": entry.pdo_mapping,
+        "shown_default": _value(entry.default_int, entry.default_real, entry.default_text, entry.default_raw),
+        "shown_min": _value(entry.min_int, entry.min_real),
+        "shown_max": _value(entry.max_int, entry.max_real),
+    }
+
+
+def _value(*values: Any) -> str:
+    value = next((item for item in values if item is not None), None)
+    if isinstance(value, int) and abs(value) > 9:
+        return f"{value} (0x{value:X})" if value > 0 else str(value)
+    return "" if value is None else str(value)

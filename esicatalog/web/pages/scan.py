@@ -1,0 +1,105 @@
+"""The scan page: paste what a master printed or drop an EEPROM image, get the bus with matches."""
+
+import asyncio
+from typing import Any
+
+from esicatalog.api import Catalog
+from esicatalog.catalog.bus import BusReport, IdentifiedSlave
+from esicatalog.errors import EsiCatalogError
+from esicatalog.scan.front import read_scan
+from esicatalog.sii.decode import decode_sii
+from esicatalog.sii.files import image_bytes
+from esicatalog.sii.text import sheet_lines
+from esicatalog.web.http import Page, body_of
+from esicatalog.web.links import device_path
+from esicatalog.web.uploads import read_form
+
+_TEMPLATE = "scan.html"
+_NOTHING: dict[str, Any] = {"text": "", "buses": [], "findings": [], "sii": None, "problem": None}
+
+
+async def scan_page(request: Any, catalog: Catalog) -> Page:
+    """The empty form, or what was posted with its matches."""
+    if request.method != "POST":
+        return Page(_TEMPLATE, dict(_NOTHING))
+    form = read_form(request.headers.get("content-type", ""), await body_of(request))
+    content = form.get("file") or form.get("scan", b"")
+    try:
+        return Page(_TEMPLATE, _NOTHING | await asyncio.to_thread(_answer, content, catalog))
+    except EsiCatalogError as error:
+        shown = {"text": form.get("scan", b"").decode("utf-8", "replace"), "problem": str(error)}
+        return Page(_TEMPLATE, _NOTHING | shown, 400)
+
+
+def _answer(content: bytes, catalog: Catalog) -> dict[str, Any]:
+    if _looks_like_image(content):
+        return {"sii": _image(content, catalog)}
+    text = content.decode("utf-8", "replace")
+    scan = read_scan(text)
+    return {
+        "text": text,
+        "buses": [_bus(bus) for bus in catalog.identify_scan(scan)],
+        "findings": [f"line {finding.line}: {finding.message}" for finding in scan.findings],
+    }
+
+
+def _looks_like_image(content: bytes) -> bool:
+    """Scans are text; an image holds zeros, or is Intel HEX."""
+    return b"\0" in content or content.lstrip()[:1] == b":"
+
+
+def _image(content: bytes, catalog: Catalog) -> dict[str, Any]:
+    image = decode_sii(image_bytes(content))
+    header = image.header
+    answer = catalog.identify(header.vendor_id, header.product_code, header.revision_no)
+    device = answer.device.device if answer.device is not None else None
+    return {
+        "match": answer.match,
+        "reason": answer.reason,
+        "path": device_path(device) if device is not None else None,
+        "type": device.type if device is not None else None,
+        "sheet": "\n".join(sheet_lines(image)),
+    }
+
+
+def _bus(bus: BusReport) -> dict[str, Any]:
+    summary = bus.summary
+    clock = summary.reference_clock_candidate
+    facts = [
+        ("with exact ESI", f"{len(bus.slaves) - len(bus.not_exact_at)} of {len(bus.slaves)}"),
+        ("process data", f"{summary.output_bytes} bytes out, {summary.input_bytes} bytes in"),
+        ("sizes unknown of", _listed(summary.bytes_unknown_at)),
+        ("reference clock", f"slave {clock} is the first that can be it" if clock is not None else "no candidate"),
+        ("no LRW", _listed(summary.no_lrw_at)),
+        ("E-bus supply exceeded at", _listed(summary.e_bus_exceeded_at)),
+        ("E-bus current unknown of", _listed(summary.e_bus_unknown_at)),
+        ("same alias", "; ".join(f"{alias}: {_listed(at)}" for alias, at in summary.duplicate_aliases.items())),
+    ]
+    return {
+        "bus": bus.bus,
+        "slaves": [_slave(item) for item in bus.slaves],
+        "summary": [(name, words) for name, words in facts if words],
+    }
+
+
+def _listed(positions: tuple[int, ...]) -> str:
+    return f"slave {', '.join(map(str, positions))}" if positions else ""
+
+
+def _slave(item: IdentifiedSlave) -> dict[str, Any]:
+    slave, answer, report = item.slave, item.identification, item.report
+    device = answer.device.device if answer.device is not None else None
+    numbers = (slave.vendor_id, slave.product_code, slave.revision_no)
+    exact = answer.match == "exact"
+    return {
+        "position": slave.position,
+        "alias": slave.alias,
+        "identity": ":".join("-" if number is None else f"0x{number:08x}" for number in numbers),
+        "match": answer.match,
+        "path": device_path(device) if device is not None else None,
+        "type": (device.type if device is not None else slave.name) or "",
+        "left": "" if report.e_bus_left_ma is None else f"{report.e_bus_left_ma} mA",
+        "out": "?" if report.output_bytes is None else report.output_bytes,
+        "in": "?" if report.input_bytes is None else report.input_bytes,
+        "notes": [*([] if exact else [answer.reason, *answer.warnings]), *report.notes],
+    }

@@ -1,0 +1,53 @@
+// Small helps for the pages below /-/esi/; everything but copying and filtering the dictionary works without them.
+"use strict";
+
+for (const button of document.querySelectorAll("button[data-copy]")) {
+  button.hidden = false;
+  button.addEventListener("click", async () => {
+    await navigator.clipboard.writeText(button.dataset.copy);
+    const words = button.textContent;
+    button.textContent = "copied";
+    setTimeout(() => { button.textContent = words; }, 1200);
+  });
+}
+
+for (const holder of document.querySelectorAll("details[data-src]")) {
+  holder.addEventListener("toggle", async () => {
+    const target = holder.querySelector("[data-target]");
+    if (!holder.open || target.dataset.loaded) return;
+    target.dataset.loaded = "1";
+    target.textContent = "loading …";
+    const response = await fetch(holder.dataset.src);
+    if (!response.ok) {
+      target.textContent = `the server answered ${response.status}`;
+      delete target.dataset.loaded;
+      return;
+    }
+    target.innerHTML = await response.text();
+    const box = target.querySelector("input[data-filter]");
+    if (box) box.addEventListener("input", () => filterObjects(target, box.value));
+  });
+}
+
+function filterObjects(target, text) {
+  const words = text.toLowerCase().split(/\s+/).filter(Boolean);
+  let shown = 0;
+  for (const item of target.querySelectorAll("[data-object]")) {
+    const fits = words.every((word) => item.dataset.object.includes(word));
+    item.hidden = !fits;
+    if (fits) shown += 1;
+  }
+  target.querySelector("[data-shown]").textContent = `${shown} objects`;
+}
+
+for (const zone of document.querySelectorAll("[data-drop]")) {
+  const input = document.getElementById(zone.dataset.drop);
+  zone.addEventListener("dragover", (event) => event.preventDefault());
+  zone.addEventListener("drop", (event) => {
+    event.preventDefault();
+    if (event.dataTransfer.files.length) {
+      input.files = event.dataTransfer.files;
+      input.form.requestSubmit();
+    }
+  });
+}

@@ -1,0 +1,44 @@
+"""Forms with files, in memory: what a browser posts from the scan page."""
+
+import io
+from typing import Any
+from urllib.parse import parse_qsl
+
+from python_multipart import parse_form
+from python_multipart.exceptions import FormParserError
+
+from esicatalog.web.http import HttpError
+
+Form = dict[str, bytes]
+_MOST_FIELDS = 20
+
+
+def read_form(content_type: str, body: bytes) -> Form:
+    """Fields and files of a form by name, urlencoded or multipart; empty files are left out.
+
+    Raises :class:`HttpError` for a body that is no form.
+    """
+    form: Form = {}
+
+    def on_field(field: Any) -> None:
+        form[_name(field.field_name)] = field.value or b""
+
+    def on_file(file: Any) -> None:
+        file.file_object.seek(0)
+        content = file.file_object.read()
+        if content:
+            form[_name(file.field_name)] = content
+
+    headers = {"Content-Type": content_type.encode("latin-1", "replace"), "Content-Length": str(len(body)).encode()}
+    try:
+        if not content_type.lower().startswith("multipart/form-data"):
+            fields = parse_qsl(body, keep_blank_values=True, max_num_fields=_MOST_FIELDS)
+            return {_name(name): value for name, value in fields}
+        parse_form(headers, io.BytesIO(body), on_field, on_file)
+    except (FormParserError, ValueError) as error:
+        raise HttpError(400, f"the form cannot be read: {error}") from error
+    return form
+
+
+def _name(name: bytes | None) -> str:
+    return (name or b"").decode("utf-8", "replace")

@@ -1,0 +1,153 @@
+"""The pages in a real browser: search, filter, pick modules, compare, paste a scan, by keyboard, small and large."""
+
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import Browser, Page, expect, sync_playwright
+from test_identify import SLAVES
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no chromium on this machine")
+
+EYOU = "/-/esi/device/0x1097/0x2406/0x8f"
+COMPARE = "/-/esi/compare?a=0xe5c:0x0d080808:0x00100000&b=0xe5c:0x0d080808:0x00110000"
+PAGES = ("/-/esi/", "/-/esi/?mode=CSV", EYOU, "/-/esi/scan", COMPARE)
+
+
+@pytest.fixture(scope="module")
+def address(data_db: Path) -> Iterator[str]:
+    """``esicatalog serve`` as people start it."""
+    command = [sys.executable, "-m", "esicatalog", "serve", "--db", str(data_db), "--port", "0"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    assert process.stdout is not None
+    yield process.stdout.readline().strip().removesuffix("/catalog")
+    process.terminate()
+    process.wait()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with sync_playwright() as playwright:
+        # as root, as in containers, chromium starts without its sandbox only
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def page(browser: Browser, address: str) -> Iterator[Page]:
+    """A page that fails the test when anything is asked of another host or a script breaks."""
+    context = browser.new_context(base_url=address, viewport={"width": 1280, "height": 900})
+    opened = context.new_page()
+    problems: list[str] = []
+    opened.on("request", lambda request: request.url.startswith((address, "data:")) or problems.append(request.url))
+    opened.on("pageerror", lambda error: problems.append(str(error)))
+    yield opened
+    context.close()
+    assert problems == []
+
+
+def test_search_filter_and_open(page: Page):
+    page.goto("/-/esi/")
+    page.get_by_role("searchbox").fill("D808")
+    page.get_by_role("button", name="Search").click()
+    expect(page.get_by_role("status")).to_have_text("1 device")
+    page.goto("/-/esi/")
+    page.get_by_role("link", name="CSV 3").click()
+    assert page.url.endswith("/-/esi/?mode=CSV")
+    expect(page.get_by_role("status")).to_have_text("3 devices")
+    page.get_by_role("link", name="EYOU_ServoModule_V143").click()
+    expect(page.get_by_role("heading", level=1)).to_contain_text("EYOU_ServoModule_V143")
+    assert page.locator("section[aria-labelledby=image] svg").count() == 2
+    assert (
+        page.locator("section[aria-labelledby=image] svg g.entry").count()
+        == page.locator("section[aria-labelledby=image] details tbody tr").count()
+    )
+
+
+def test_module_picker(page: Page):
+    page.goto(EYOU)
+    before = page.locator("section[aria-labelledby=image] details tbody").first.text_content()
+    page.get_by_label("Slot 0").select_option("0=0x219800")
+    page.get_by_role("button", name="Show with these modules").click()
+    expect(page.get_by_role("heading", name="Process image with the chosen modules")).to_be_visible()
+    assert page.locator("section[aria-labelledby=image] details tbody").first.text_content() != before
+
+
+def test_dictionary_is_loaded_and_filtered(page: Page):
+    page.goto(EYOU)
+    page.get_by_text("objects", exact=False).locator("visible=true").last.click()
+    box = page.get_by_label("Filter by index, name or type")
+    box.fill("0x6502")
+    expect(page.locator("[data-shown]")).to_have_text("1 objects")
+    assert page.locator("details[data-object]:visible").count() == 1
+
+
+def test_compare_and_scan(page: Page):
+    page.goto(COMPARE)
+    expect(page.get_by_role("status")).to_contain_text("difference")
+    page.goto("/-/esi/scan")
+    page.get_by_label("Output of").fill(SLAVES)
+    page.get_by_role("button", name="Identify").click()
+    assert page.locator("table.slaves tbody tr").count() == 3
+    page.get_by_role("link", name="ECX-D808").first.click()
+    expect(page.get_by_role("heading", level=1)).to_contain_text("ECX-D808")
+
+
+def test_by_keyboard_alone(page: Page):
+    page.goto("/-/esi/")
+    page.keyboard.press("Tab")
+    expect(page.get_by_role("link", name="Skip to content")).to_be_focused()
+    for _ in range(12):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.id") == "text":
+            break
+    page.keyboard.type("L6N")
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("status")).to_have_text("1 device")
+    page.get_by_role("link", name="L6N", exact=True).focus()
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("heading", level=1)).to_contain_text("L6N")
+    page.locator("section[aria-labelledby=pdos] summary").first.focus()
+    page.keyboard.press("Enter")
+    expect(page.locator("section[aria-labelledby=pdos] table").first).to_be_visible()
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("path", PAGES)
+def test_accessibility(browser: Browser, address: str, path: str, scheme):
+    """axe-core finds nothing serious, in either scheme of colours."""
+    opened = browser.new_page(base_url=address, color_scheme=scheme)
+    opened.goto(path)
+    violations = Axe().run(opened).response["violations"]
+    serious = [
+        (found["id"], node["html"][:200], node["failureSummary"][:200])
+        for found in violations
+        if found["impact"] in ("serious", "critical")
+        for node in found["nodes"][:3]
+    ]
+    opened.close()
+    assert serious == []
+
+
+@pytest.mark.parametrize("width", [1280, 400])
+@pytest.mark.parametrize("path", PAGES)
+def test_nothing_sticks_out(browser: Browser, address: str, path: str, width: int):
+    opened = browser.new_page(base_url=address, viewport={"width": width, "height": 900})
+    opened.goto(path)
+    assert opened.evaluate("document.documentElement.scrollWidth") <= width
+    opened.close()
+
+
+def test_copy_button(browser: Browser, address: str):
+    context = browser.new_context(base_url=address, permissions=["clipboard-read", "clipboard-write"])
+    opened = context.new_page()
+    opened.goto(EYOU)
+    opened.get_by_role("button", name="Copy 0x00002406").click()
+    assert opened.evaluate("navigator.clipboard.readText()") == "0x00002406"
+    context.close()

@@ -1,0 +1,257 @@
+"""The pages below /-/esi/: they say what the catalog says, escape what vendors write, and refuse with words."""
+
+import re
+from pathlib import Path
+
+import pytest
+from lxml import html
+from snippets import device, esi, pdo, rows
+from test_identify import SLAVES, client
+from test_search import catalog_of
+
+from esicatalog.web.cells import decimal_filters
+
+HOSTILE = "&lt;script&gt;alert(1)&lt;/script&gt;"
+ATTRIBUTE = '"onmouseover=alert(1) x="'
+EYOU = "/-/esi/device/0x1097/0x2406/0x8f"
+
+
+async def page(db: Path, path: str, status: int = 200):
+    response = await (await client(db)).get(path)
+    assert response.status_code == status, response.text
+    return html.fromstring(response.text)
+
+
+def texts(tree, path: str) -> list[str]:
+    return [" ".join(element.text_content().split()) for element in tree.cssselect(path)]
+
+
+async def test_home_lists_devices_with_counts(data_db):
+    tree = await page(data_db, "/-/esi/")
+    assert texts(tree, "h2") == ["5 devices"]
+    assert "EYOU_ServoModule_V143" in texts(tree, ".device-head a")
+    assert [link for link in texts(tree, "aside a") if link.startswith("CSV")] == ["CSV 3"]
+
+
+@pytest.mark.parametrize(
+    ("query", "count"),
+    [
+        ("text=servo", "4 devices"),
+        ("mode=CSV&strict=1", "3 devices"),
+        ("sync=sync1", "1 device"),
+        ("vendor=0x1097", "1 device"),
+        ("maps=0x6040:1&include-hidden=1", "2 devices"),
+        ("bytes-in=%3C%3D1", "1 device"),
+        ("text=nothing-like-it", "0 devices"),
+    ],
+)
+async def test_filters_in_the_address(data_db, query, count):
+    assert texts(await page(data_db, f"/-/esi/?{query}"), "h2") == [count]
+
+
+async def test_a_filter_is_taken_back_by_its_own_link(data_db):
+    tree = await page(data_db, "/-/esi/?mode=CSV&sync=sync0")
+    (chosen,) = [link for link in tree.cssselect("aside a.chosen") if link.text_content().startswith("CSV")]
+    assert chosen.get("href") == "?sync=sync0"
+
+
+@pytest.mark.parametrize("query", ["mode=XYZ", "bytes-in=lots", "nonsense=1", "maps=zz"])
+async def test_a_filter_that_cannot_be_read_is_told(data_db, query):
+    tree = await page(data_db, f"/-/esi/?{query}", 400)
+    assert len(texts(tree, "[role=alert]")) == 1
+
+
+async def test_json_and_sql_of_a_search(data_db):
+    web = await client(data_db)
+    tree = html.fromstring((await web.get("/-/esi/?mode=CSV")).text)
+    json_link, sql_link = (link.get("href") for link in tree.cssselect(".doors a"))
+    assert len((await web.get(json_link)).json()) == 3
+    sql_page = await web.get(sql_link, follow_redirects=True)
+    assert sql_page.status_code == 200
+    assert "EYOU_ServoModule_V143" in sql_page.text
+
+
+async def test_devices_json_is_that_of_the_command(data_db):
+    web = await client(data_db)
+    found = (await web.get("/-/esi/devices.json?mode=CSV&strict=1")).json()
+    assert [item["type"] for item in found] == ["ECX-A202", "EYOU_ServoModule_V143", "L6N"]
+    refused = await web.get("/-/esi/devices.json?mode=XYZ")
+    assert (refused.status_code, "say one of" in refused.json()["error"]) == (400, True)
+
+
+async def test_device_page_and_its_json(data_db):
+    web = await client(data_db)
+    tree = html.fromstring((await web.get(EYOU)).text)
+    assert texts(tree, "h1")[0].startswith("EYOU_ServoModule_V143")
+    facts = dict(zip(texts(tree, "dl.facts dt"), texts(tree, "dl.facts dd"), strict=True))
+    assert "0x00001097" in facts["vendor"]
+    assert "4247" in facts["vendor"]
+    assert facts["described in"] == "eyou_servo_module.xml, line 23"
+    assert [row.split()[1] for row in texts(tree, "section[aria-labelledby=modes] > div tbody tr")]
+    body = (await web.get(f"{EYOU}.json")).json()
+    assert body["identity"]["product_code"] == 0x2406
+    assert body["device"]["type"] == "EYOU_ServoModule_V143"
+
+
+async def test_the_module_picker_recomputes_the_image(data_db):
+    default = await page(data_db, EYOU)
+    chosen = await page(data_db, f"{EYOU}?module=0%3D0x219800")
+    names = [texts(tree, "section[aria-labelledby=image] details td:nth-child(5)") for tree in (default, chosen)]
+    assert names[0] != names[1]
+    assert "with the chosen modules" in texts(chosen, "#image")[0]
+    wrong = await page(data_db, f"{EYOU}?module=0%3D0x1")
+    assert "does not fit slot 0" in texts(wrong, "[role=alert]")[0]
+
+
+async def test_drawings_hold_every_entry(data_db):
+    web = await client(data_db)
+    tree = html.fromstring((await web.get(EYOU)).text)
+    images = (await web.get(f"{EYOU}.json")).json()["process_image"]
+    drawn = [len(drawing.cssselect("g.entry")) for drawing in tree.cssselect("section[aria-labelledby=image] svg")]
+    assert drawn == [len(image["entries"]) for image in images if image["entries"]]
+
+
+async def test_objects_come_on_demand(data_db):
+    web = await client(data_db)
+    whole = html.fromstring((await web.get(f"{EYOU}/objects")).text)
+    assert whole.cssselect("html[lang]")
+    part = (await web.get(f"{EYOU}/objects", headers={"sec-fetch-dest": "empty"})).text
+    assert "<html" not in part
+    tree = html.fromstring(part)
+    declared = rows(
+        data_db,
+        "SELECT count(*) FROM device_objects WHERE vendor_id = 0x1097",
+    )[0][0]
+    assert len(tree.cssselect("details[data-object]")) == declared
+    (modes,) = [item for item in tree.cssselect("details") if item.get("data-object").startswith("0x6502")]
+    assert "256 (0x100)" in modes.text_content()
+
+
+async def test_compare_two_revisions(data_db):
+    tree = await page(data_db, "/-/esi/compare?a=0xe5c:0x0d080808:0x00100000&b=0xe5c:0x0d080808:0x00110000")
+    assert re.match(r"\d+ difference", texts(tree, "[role=status]")[0])
+    missing = await page(data_db, "/-/esi/compare?a=1:2:3&b=0xe5c:0x0d080808", 404)
+    assert "is not in the catalog" in texts(missing, "[role=alert]")[0]
+    assert texts(await page(data_db, "/-/esi/compare"), "h1") == ["Compare two descriptions"]
+
+
+async def test_scan_pasted_and_dropped(data_db):
+    web = await client(data_db)
+    for sent in ({"data": {"scan": SLAVES}}, {"files": {"file": ("slaves.txt", SLAVES.encode())}}):
+        tree = html.fromstring((await web.post("/-/esi/scan", **sent)).text)
+        assert texts(tree, "table.slaves td:nth-child(4)") == ["exact", "accepted", "none"]
+    image = bytearray(128)
+    image[16:24] = (0xE5C).to_bytes(4, "little") + (0x0D080808).to_bytes(4, "little")
+    image[24:28] = (0x00110000).to_bytes(4, "little")
+    dropped = {"file": ("dump.bin", bytes(image) + b"\xff\xff")}
+    tree = html.fromstring((await web.post("/-/esi/scan", files=dropped)).text)
+    assert "EEPROM image: exact" in texts(tree, "h2")
+    refused = await web.post("/-/esi/scan", data={"scan": "hello"})
+    assert (refused.status_code, "no scan is recognised" in refused.text) == (400, True)
+
+
+@pytest.mark.parametrize(
+    ("path", "status"),
+    [
+        ("/-/esi/device/0x1/0x2/0x3", 404),
+        ("/-/esi/device/zz/0x2/0x3", 400),
+        ("/-/esi/device/0x1097/0x2406/0x8f@0", 400),
+        ("/-/esi/device/0x1097/0x2406/0x8f@9", 404),
+        ("/-/esi/image/" + "0" * 64, 404),
+    ],
+)
+async def test_what_is_not_there(data_db, path, status):
+    assert (await (await client(data_db)).get(path)).status_code == status
+
+
+async def test_latest_visible_revision_by_name(data_db):
+    tree = await page(data_db, "/-/esi/device/0xe5c/0x0d080808/latest")
+    assert "0x00110000" in texts(tree, "dl.facts dd")[2]
+
+
+@pytest.fixture(scope="module")
+def hostile_db(tmp_path_factory) -> Path:
+    """Every name of a document is hostile."""
+    quoted = ATTRIBUTE.replace('"', "&quot;")
+    content = (
+        "<Sm StartAddress='#x1000' ControlByte='#x64'>Outputs</Sm>"
+        + pdo("RxPdo", "#x1600", 8, attributes='Sm="0"').replace("e1", HOSTILE + quoted)
+        + "<Mailbox><CoE><InitCmd><Transition>PS</Transition><Index>#x6060</Index><SubIndex>0</SubIndex>"
+        + f"<Data>09</Data><Comment>{HOSTILE}</Comment></InitCmd></CoE></Mailbox>"
+        + f"<Dc><OpMode><Name>{HOSTILE}{quoted}</Name><Desc>{HOSTILE}</Desc><AssignActivate>#x300</AssignActivate>"
+        + "</OpMode></Dc>"
+    )
+    text = esi(
+        device(content, type_text=HOSTILE, name=HOSTILE + quoted)
+        + device(content, type_text=HOSTILE, name=quoted, revision="#x2"),
+        vendor=f"<Id>#xE5C</Id><Name>{HOSTILE}{quoted}</Name>",
+    )
+    return catalog_of(tmp_path_factory.mktemp("hostile"), text)
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/-/esi/",
+        "/-/esi/?text=%3Cscript%3Ealert(1)%3C/script%3E&vendor=%22onmouseover=alert(1)%20x=%22",
+        "/-/esi/device/0xe5c/1/1",
+        "/-/esi/device/0xe5c/1/1/objects",
+        "/-/esi/compare?a=0xe5c:1:1&b=0xe5c:1:2",
+        "/-/esi/compare?a=%3Cscript%3Ealert(1)%3C/script%3E&b=1:1",
+        "/-/esi/?mode=%3Cscript%3Ealert(1)%3C/script%3E",
+    ],
+)
+async def test_what_vendors_write_stays_text(hostile_db, path):
+    response = await (await client(hostile_db)).get(path)
+    tree = html.fromstring(response.text)
+    assert [script.get("src") for script in tree.iter("script") if "src" not in script.attrib] == []
+    assert [e.tag for e in tree.iter() if any(str(name).lower().startswith("on") for name in e.attrib)] == []
+    assert "<script>alert" not in response.text
+
+
+async def test_no_page_asks_another_host(data_db):
+    web = await client(data_db)
+    for path in ("/-/esi/", EYOU, "/-/esi/scan", "/-/esi/compare"):
+        tree = html.fromstring((await web.get(path)).text)
+        for element in tree.iter():
+            for name in ("src", "href", "action", "data-src"):
+                address = element.attrib.get(name, "")
+                assert not re.match(r"(https?:)?//", address), address
+
+
+async def test_table_pages_show_hex_and_link_to_devices(data_db):
+    web = await client(data_db)
+    tree = html.fromstring((await web.get("/catalog/devices?product_code=0x2406")).text)
+    assert texts(tree, "td.col-product_code span") == ["0x00002406"]
+    assert tree.cssselect("td.col-product_code span")[0].get("title") == "9222"
+    assert tree.cssselect("td.col-type a")[0].get("href") == EYOU
+    entries = html.fromstring((await web.get("/catalog/device_pdo_entries?entry_index__gte=%23x60FF&_size=5")).text)
+    shown = texts(entries, "td.col-entry_index span")
+    assert shown
+    assert all(int(text, 16) >= 0x60FF for text in shown)
+
+
+async def test_images_are_shown(tmp_path):
+    picture = "424D" + "00" * 60
+    db = catalog_of(tmp_path, esi(device(f"<ImageData16x14>{picture}</ImageData16x14>")))
+    web = await client(db)
+    (image,) = html.fromstring((await web.get("/catalog/devices")).text).cssselect("td.col-image_sha256 img")
+    response = await web.get(image.get("src"))
+    assert (response.status_code, response.headers["content-type"]) == (200, "image/bmp")
+    assert response.content == bytes.fromhex(picture)
+
+
+@pytest.mark.parametrize(
+    ("query", "decimal"),
+    [
+        ("product_code=0x10", "product_code=16"),
+        ("a=1&entry_index__in=0x10,%23x11&b=0x1", "a=1&entry_index__in=16,17&b=0x1"),
+        ("product_code=16", None),
+        ("name=0x10", None),
+        ("product_code__contains=0x10", None),
+        ("product_code=0xzz", None),
+        ("", None),
+    ],
+)
+def test_hex_in_filters(query, decimal):
+    assert decimal_filters(query) == decimal
