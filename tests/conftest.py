@@ -1,6 +1,9 @@
 """Fixtures that several test files use. ``corpus`` names real files that are not part of the project."""
 
 import os
+import subprocess
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -43,6 +46,17 @@ def _ingested(path: Path, inputs: list[Path], jobs: int | None) -> Path:
 def data_db(tmp_path_factory: pytest.TempPathFactory, data: Path) -> Path:
     """A catalog of our example files; read it, do not change it."""
     return _ingested(tmp_path_factory.mktemp("data") / "data.db", [data], jobs=1)
+
+
+@pytest.fixture(scope="session")
+def served(data_db: Path) -> Iterator[str]:
+    """Address of ``esicatalog serve`` with our example files, started as people start it."""
+    command = [sys.executable, "-m", "esicatalog", "serve", "--db", str(data_db), "--port", "0"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    assert process.stdout is not None
+    yield process.stdout.readline().strip().removesuffix("/catalog")
+    process.terminate()
+    process.wait()
 
 
 @pytest.fixture(scope="session")

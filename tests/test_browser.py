@@ -1,10 +1,7 @@
 """The pages in a real browser: search, filter, pick modules, compare, paste a scan, by keyboard, small and large."""
 
 import shutil
-import subprocess
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
@@ -20,17 +17,6 @@ PAGES = ("/-/esi/", "/-/esi/?mode=CSV", EYOU, "/-/esi/scan", COMPARE)
 
 
 @pytest.fixture(scope="module")
-def address(data_db: Path) -> Iterator[str]:
-    """``esicatalog serve`` as people start it."""
-    command = [sys.executable, "-m", "esicatalog", "serve", "--db", str(data_db), "--port", "0"]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
-    assert process.stdout is not None
-    yield process.stdout.readline().strip().removesuffix("/catalog")
-    process.terminate()
-    process.wait()
-
-
-@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
     with sync_playwright() as playwright:
         # as root, as in containers, chromium starts without its sandbox only
@@ -40,12 +26,12 @@ def browser() -> Iterator[Browser]:
 
 
 @pytest.fixture
-def page(browser: Browser, address: str) -> Iterator[Page]:
+def page(browser: Browser, served: str) -> Iterator[Page]:
     """A page that fails the test when anything is asked of another host or a script breaks."""
-    context = browser.new_context(base_url=address, viewport={"width": 1280, "height": 900})
+    context = browser.new_context(base_url=served, viewport={"width": 1280, "height": 900})
     opened = context.new_page()
     problems: list[str] = []
-    opened.on("request", lambda request: request.url.startswith((address, "data:")) or problems.append(request.url))
+    opened.on("request", lambda request: request.url.startswith((served, "data:")) or problems.append(request.url))
     opened.on("pageerror", lambda error: problems.append(str(error)))
     yield opened
     context.close()
@@ -120,9 +106,9 @@ def test_by_keyboard_alone(page: Page):
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("path", PAGES)
-def test_accessibility(browser: Browser, address: str, path: str, scheme):
+def test_accessibility(browser: Browser, served: str, path: str, scheme):
     """axe-core finds nothing serious, in either scheme of colours."""
-    opened = browser.new_page(base_url=address, color_scheme=scheme)
+    opened = browser.new_page(base_url=served, color_scheme=scheme)
     opened.goto(path)
     violations = Axe().run(opened).response["violations"]
     serious = [
@@ -137,15 +123,15 @@ def test_accessibility(browser: Browser, address: str, path: str, scheme):
 
 @pytest.mark.parametrize("width", [1280, 400])
 @pytest.mark.parametrize("path", PAGES)
-def test_nothing_sticks_out(browser: Browser, address: str, path: str, width: int):
-    opened = browser.new_page(base_url=address, viewport={"width": width, "height": 900})
+def test_nothing_sticks_out(browser: Browser, served: str, path: str, width: int):
+    opened = browser.new_page(base_url=served, viewport={"width": width, "height": 900})
     opened.goto(path)
     assert opened.evaluate("document.documentElement.scrollWidth") <= width
     opened.close()
 
 
-def test_copy_button(browser: Browser, address: str):
-    context = browser.new_context(base_url=address, permissions=["clipboard-read", "clipboard-write"])
+def test_copy_button(browser: Browser, served: str):
+    context = browser.new_context(base_url=served, permissions=["clipboard-read", "clipboard-write"])
     opened = context.new_page()
     opened.goto(EYOU)
     opened.get_by_role("button", name="Copy 0x00002406").click()

@@ -82,3 +82,11 @@ def _table_prefix(datasette: Any) -> str:
 def menu_links(datasette: Any) -> list[dict[str, str]]:
     """The way from the tables to the pages."""
     return [{"href": datasette.urls.path("/-/esi/"), "label": "Devices"}]
+
+
+@hookimpl(optionalhook=True)  # type: ignore[untyped-decorator]
+def register_mcp_tools(datasette: Any, mcp: Any) -> None:
+    """Tools for assistants; datasette-mcp calls it where it is installed."""
+    from esicatalog.web.mcp_tools import register_tools
+
+    register_tools(datasette, mcp)
