@@ -38,6 +38,8 @@ async def test_home_lists_devices_with_counts(data_db):
     [
         ("text=servo", "4 devices"),
         ("mode=CSV&strict=1", "3 devices"),
+        ("strict=1", "5 devices"),
+        ("bits=8", "5 devices"),
         ("sync=sync1", "1 device"),
         ("vendor=0x1097", "1 device"),
         ("maps=0x6040:1&include-hidden=1", "2 devices"),

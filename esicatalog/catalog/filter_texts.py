@@ -7,7 +7,7 @@ from esicatalog.catalog.device_filter import IDENTIFICATIONS, MODES, PROTOCOLS, 
 from esicatalog.errors import InputError
 from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_modes, parse_number
 
-_TRUE, _FALSE = ("1", "true", "yes", "on"), ("0", "false", "no", "off")
+TRUE_WORDS, FALSE_WORDS = ("1", "true", "yes", "on"), ("0", "false", "no", "off")
 _MOST_LISTED = 100_000
 
 
@@ -22,10 +22,9 @@ class Parameter(NamedTuple):
 
 def parse_flag(text: str) -> bool:
     """A truth value. Raises :class:`InputError`."""
-    word = text.strip().lower()
-    if word not in (*_TRUE, *_FALSE):
+    if text not in (*TRUE_WORDS, *FALSE_WORDS):
         raise InputError(f"{text[:40]!r} is neither 1 nor 0")
-    return word in _TRUE
+    return text in TRUE_WORDS
 
 
 def _limit(text: str) -> int:
@@ -74,11 +73,18 @@ PARAMETERS: dict[str, Parameter] = {
 """All filters but ``vendor``, which is an id or a part of a name."""
 
 
+_SHARPEN = {"strict": "modes", "bits": "maps"}
+
+
 def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
-    """The filter that parameters mean; empty texts count as not given. Raises :class:`InputError`."""
+    """The filter that parameters mean; empty texts count as not given. Raises :class:`InputError`.
+
+    Parameters that only sharpen another one (strict of mode, bits of maps) count for nothing without it: a form sends
+    what is ticked.
+    """
     fields: dict[str, Any] = {}
     for name, values in texts.items():
-        given = [value for value in values if value.strip()]
+        given = [value for value in values if value]
         if name != "vendor" and name not in PARAMETERS:
             raise InputError(f"unknown filter {name[:40]!r}; there are vendor, {', '.join(PARAMETERS)}")
         if not given:
@@ -91,10 +97,15 @@ def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
         parameter = PARAMETERS[name]
         parsed = [_parsed(name, parameter, value) for value in given]
         fields[parameter.field] = tuple(parsed) if parameter.repeated else parsed[0]
+    for sharpening, needed in _SHARPEN.items():
+        if not fields.get(needed):
+            fields.pop(sharpening, None)
     return DeviceFilter(**fields)
 
 
 def _parsed(name: str, parameter: Parameter, text: str) -> Any:
+    if parameter.parse is not str and text != text.strip():
+        raise InputError(f"{name}: {text[:40]!r} has blanks around it")
     try:
         return parameter.parse(text)
     except InputError as error:

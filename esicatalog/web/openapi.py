@@ -1,9 +1,11 @@
 """The OpenAPI document of the JSON routes."""
 
+from collections.abc import Callable
 from typing import Any
 
+from esicatalog.catalog.filter_texts import FALSE_WORDS, PARAMETERS, TRUE_WORDS, Parameter, parse_flag
+from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_number
 from esicatalog.version import __version__
-from esicatalog.web.identify import MOST_IDENTITIES
 
 _DECIMAL_UINT32 = (
     "[0-9]{1,9}|[1-3][0-9]{9}|4[01][0-9]{8}|42[0-8][0-9]{7}|429[0-3][0-9]{6}|4294[0-8][0-9]{5}|42949[0-5][0-9]{4}|"
@@ -20,6 +22,25 @@ _HEX = {"type": ["string", "null"], "pattern": "^0x[0-9a-f]{8}$"}
 _MATCHES = ["exact", "accepted", "older", "newer", "product", "vendor", "none"]
 
 
+_MAPPED = {
+    "type": "string",
+    "pattern": "^(0x[0-9a-fA-F]{1,4}(:0x[0-9a-fA-F]{1,2})?)?$",
+    "examples": ["0x60FF", "0x6040:0"],
+}
+_BOUNDS = {"type": "string", "pattern": "^((<=|>=|=)?-?[0-9]{1,9})?$", "examples": ["<=8", ">=4", "100"]}
+_FLAG = {"type": "string", "enum": ["", *TRUE_WORDS, *FALSE_WORDS]}
+_IDENTITY_TEXT = {"type": "string", "pattern": "^(0x[0-9a-f]{1,8}:0x[0-9a-f]{1,8}(:0x[0-9a-f]{1,8})?)?$"}
+_OPTIONAL_NUMBER = {**_NUMBER, "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32})?$"}
+_VENDOR = {"type": "string", "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32}|[^0-9#\\s][\\s\\S]*)?$"}
+_BY_PARSER: dict[Callable[[str], Any], dict[str, Any]] = {
+    parse_number: _OPTIONAL_NUMBER,
+    parse_flag: _FLAG,
+    parse_bounds: _BOUNDS,
+    parse_mapped: _MAPPED,
+    parse_identity: _IDENTITY_TEXT,
+    str: {"type": "string"},
+}
+"""Schemas of filters by what reads their text."""
 _SCANS = (
     "^vendor,product,revision(\\n0x[0-9a-f]{1,8},0x[0-9a-f]{1,8},(0x[0-9a-f]{1,8})?)+\\n$",
     "^=== Master [0-9]{1,3}, Slave [0-9]{1,5} ===\\n",
@@ -78,7 +99,9 @@ _SCHEMAS = {
         {
             "vendor": {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER]},
             "product": {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER]},
-            "revision": {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER]},
+            "revision": {
+                "oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER, {"type": "null"}]
+            },
         },
         optional=("revision",),
     ),
@@ -97,6 +120,32 @@ _ERRORS = {
     "400": _answers("A number or the body cannot be read", _ref("Error")),
     "405": _answers("Another method than those listed", _ref("Error")),
 }
+
+
+def _filter_schema(parameter: Parameter) -> dict[str, Any]:
+    if parameter.choices:
+        return {"type": "string", "enum": ["", *parameter.choices]}
+    return _BY_PARSER.get(parameter.parse, {"type": "string", "pattern": "^[0-9]{0,4}$"})
+
+
+def _filters() -> list[dict[str, Any]]:
+    listed = [{"name": "vendor", "in": "query", "required": False, "schema": _VENDOR}]
+    for name, parameter in PARAMETERS.items():
+        schema = _filter_schema(parameter)
+        if parameter.repeated:
+            schema = _list(schema)
+        listed.append({"name": name, "in": "query", "required": False, "schema": schema})
+    return listed
+
+
+_IN_PATH = [
+    {"name": name, "in": "path", "required": True, "schema": {"type": "string", "pattern": pattern}}
+    for name, pattern in (
+        ("vendor", "^0x[0-9a-f]{1,8}$"),
+        ("product", "^0x[0-9a-f]{1,8}$"),
+        ("revision", "^(0x[0-9a-f]{1,8}|latest)$"),
+    )
+]
 
 
 def openapi_document(base_url: str) -> dict[str, Any]:
@@ -132,7 +181,7 @@ def openapi_document(base_url: str) -> dict[str, Any]:
                         "required": True,
                         "content": {
                             "application/json": {
-                                "schema": {**_list(_ref("Identity")), "maxItems": MOST_IDENTITIES},
+                                "schema": _list(_ref("Identity")),
                             },
                             "text/plain": {
                                 "schema": {"type": "string", "anyOf": [{"pattern": text} for text in _SCANS]},
@@ -143,6 +192,30 @@ def openapi_document(base_url: str) -> dict[str, Any]:
                     "responses": {
                         "200": _answers("One answer an identity or slave, in order", _list(_ref("Identification"))),
                         "413": _answers("The body is too large", _ref("Error")),
+                        **_ERRORS,
+                    },
+                },
+            },
+            "/-/esi/devices.json": {
+                "get": {
+                    "operationId": "findDevices",
+                    "summary": "Devices that fulfil all filters, each with its evidence",
+                    "parameters": _filters(),
+                    "responses": {
+                        "200": _answers("The devices", _list(_ref("Device"))),
+                        "404": _answers("The device to compare with is not there", _ref("Error")),
+                        **_ERRORS,
+                    },
+                },
+            },
+            "/-/esi/device/{vendor}/{product}/{revision}.json": {
+                "get": {
+                    "operationId": "showDevice",
+                    "summary": "Everything that the catalog knows of one device",
+                    "parameters": _IN_PATH,
+                    "responses": {
+                        "200": _answers("The device", {"type": "object", "required": ["identity", "device"]}),
+                        "404": _answers("There is no such device", _ref("Error")),
                         **_ERRORS,
                     },
                 },

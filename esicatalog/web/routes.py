@@ -15,7 +15,7 @@ from esicatalog.web.pages.objects import objects_page
 from esicatalog.web.pages.scan import scan_page
 from esicatalog.web.state import catalog_for
 
-_IDENTITY = r"(?P<vendor>[0-9A-Za-z#%]+)/(?P<product>[0-9A-Za-z#%]+)/(?P<revision>[0-9A-Za-z#%@]+?)"
+_IDENTITY = r"(?P<vendor>[^/]+)/(?P<product>[^/]+)/(?P<revision>[^/]+?)"
 _IMAGE_TYPES = ((b"BM", "image/bmp"), (b"\x89PNG", "image/png"), (b"GIF8", "image/gif"), (b"\xff\xd8", "image/jpeg"))
 _FOR_EVER = "public, max-age=31536000, immutable"
 """An image is addressed by the digest of its bytes."""
@@ -40,12 +40,12 @@ ROUTES: list[tuple[str, Any]] = [
     (r"^/-/esi/?$", page_route(home_page)),
     (r"^/-/esi/scan$", page_route(scan_page, post=True)),
     (r"^/-/esi/compare$", page_route(compare_page)),
+    (rf"^/-/esi/device/{_IDENTITY}\.json$", json_route({"GET": device_json})),
     (rf"^/-/esi/device/{_IDENTITY}$", page_route(device_page)),
     (rf"^/-/esi/device/{_IDENTITY}/objects$", page_route(objects_page)),
     (r"^/-/esi/image/(?P<sha256>[0-9a-f]{64})$", _image),
     (r"^/-/esi/identify\.json$", json_route({"GET": identify_one, "POST": identify_many})),
     (r"^/-/esi/devices\.json$", json_route({"GET": devices_json})),
-    (rf"^/-/esi/device/{_IDENTITY}\.json$", json_route({"GET": device_json})),
     (r"^/-/esi/openapi\.json$", json_route({"GET": _openapi})),
 ]
 """Regular expressions of paths, and Datasette views."""
