@@ -326,12 +326,18 @@ def _cell(text: str) -> str:
 def cli_reference() -> str:
     """The text of docs/cli.md: the help of every command."""
     lines = [f"<!-- {GENERATED}. -->", "# Commands", "", *_help_block(cli, None)]
-    context = click.Context(cli, info_name="esicatalog")
-    for name in cli.list_commands(context):
-        command = cli.get_command(context, name)
+    return "\n".join([*lines, *_commands(cli, click.Context(cli, info_name="esicatalog"), "##"), ""])
+
+
+def _commands(group: click.Group, context: click.Context, heading: str) -> Iterator[str]:
+    """The help of the commands of a group, those of groups in it below them."""
+    for name in group.list_commands(context):
+        command = group.get_command(context, name)
         assert command is not None
-        lines += ["", f"## {name}", "", *_help_block(command, context)]
-    return "\n".join([*lines, ""])
+        words = context.command_path.removeprefix("esicatalog").strip()
+        yield from ("", f"{heading} {words} {name}".replace("  ", " "), "", *_help_block(command, context))
+        if isinstance(command, click.Group):
+            yield from _commands(command, click.Context(command, info_name=name, parent=context), f"{heading}#")
 
 
 def _help_block(command: click.Command, parent: click.Context | None) -> list[str]:

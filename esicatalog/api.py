@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from esicatalog.catalog.check import CheckResult
     from esicatalog.catalog.description import DeviceDescription
     from esicatalog.catalog.device_filter import DeviceFilter
+    from esicatalog.catalog.document_parts import DocumentParts
     from esicatalog.catalog.identity import IdentityLookup
     from esicatalog.catalog.listing import Listing
     from esicatalog.catalog.results import FoundDevice, Identification
@@ -188,6 +189,13 @@ class Catalog:
         wanted = parse_identity(identity) if isinstance(identity, str) else identity
         with self._connection() as connection:
             return read_description(connection, self._identities(), wanted)
+
+    def document_parts(self, description: "DeviceDescription") -> "DocumentParts":
+        """Vendor and groups of the document that carries a description."""
+        from esicatalog.catalog.document_parts import document_parts
+
+        with self._connection() as connection:
+            return document_parts(connection, description.device_id)
 
     def content_hash(self) -> str | None:
         """SHA-256 of what the catalog holds, as the last ingest stored it; None while one is under way."""

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from lxml import html
-from snippets import device, esi, pdo, rows
+from snippets import device, esi, pdo, read, rows
 from test_identify import SLAVES, client
 from test_search import catalog_of
 
@@ -257,3 +257,46 @@ async def test_images_are_shown(tmp_path):
 )
 def test_hex_in_filters(query, decimal):
     assert decimal_filters(query) == decimal
+
+
+EXPORTS = ("igh", "soem", "cstruct", "sii", "esi")
+
+
+@pytest.mark.parametrize("target", EXPORTS)
+async def test_exports_are_offered_and_served(data_db, target):
+    web = await client(data_db)
+    tree = html.fromstring((await web.get(EYOU)).text)
+    (link,) = [
+        a.get("href")
+        for a in tree.cssselect("section[aria-labelledby=exports] a")
+        if f"/export/{target}" in a.get("href")
+    ]
+    response = await web.get(link)
+    assert response.status_code == 200, response.text
+    assert response.headers["content-disposition"].startswith('attachment; filename="EYOU_ServoModule_V143.')
+    assert response.content
+
+
+async def test_exports_take_choices_and_refuse_with_words(data_db):
+    web = await client(data_db)
+    chosen = await web.get(f"{EYOU}/export/igh?module=0%3D0x219800&cycle-ns=2000000&name=axis")
+    assert (chosen.status_code, "2000000" in chosen.text) == (200, True)
+    for query, words in (
+        ("module=0%3D0x1", "does not fit slot 0"),
+        ("pdo=zz", "zz"),
+        ("color=red", "unknown parameter"),
+    ):
+        refused = await web.get(f"{EYOU}/export/igh?{query}")
+        assert (refused.status_code, words in refused.json()["error"]) == (400, True)
+    assert (await web.get(f"{EYOU}/export/nothing")).status_code == 404
+    assert (await web.get("/-/esi/device/0x1/0x2/0x3/export/igh")).status_code == 404
+
+
+async def test_exported_esi_holds_vendor_and_group(data_db):
+    text = (await (await client(data_db)).get(f"{EYOU}/export/esi")).content
+    (info,) = read(text).document.infos
+    assert (info.vendor.vendor_id, info.groups[0].type, info.devices[0].type) == (
+        0x1097,
+        info.devices[0].group_type,
+        "EYOU_ServoModule_V143",
+    )

@@ -5,6 +5,7 @@ from typing import Any
 from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
+from esicatalog.web.exports import export_route
 from esicatalog.web.http import json_route, page_route
 from esicatalog.web.identify import identify_many, identify_one
 from esicatalog.web.openapi import openapi_document
@@ -42,6 +43,7 @@ ROUTES: list[tuple[str, Any]] = [
     (r"^/-/esi/compare$", page_route(compare_page)),
     (rf"^/-/esi/device/{_IDENTITY}\.json$", json_route({"GET": device_json})),
     (rf"^/-/esi/device/{_IDENTITY}$", page_route(device_page)),
+    (rf"^/-/esi/device/{_IDENTITY}/export/(?P<target>[a-z0-9]+)$", export_route),
     (rf"^/-/esi/device/{_IDENTITY}/objects$", page_route(objects_page)),
     (r"^/-/esi/image/(?P<sha256>[0-9a-f]{64})$", _image),
     (r"^/-/esi/identify\.json$", json_route({"GET": identify_one, "POST": identify_many})),

@@ -22,6 +22,7 @@ from esicatalog.model.slots import accepts, chosen_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import default_op_mode, sync_signals
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
+from esicatalog.web.exports import TARGETS
 from esicatalog.web.http import Page
 from esicatalog.web.links import device_path, identity_of_path
 
@@ -125,6 +126,8 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
         "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
         "identity": f"0x{found.vendor_id or 0:x}:0x{found.product_code or 0:x}:0x{found.revision_no or 0:x}",
+        "exports": [{"name": name, "label": target.label} for name, target in TARGETS.items()] if path else [],
+        "chosen": "&".join(f"module={slot}%3D0x{ident:X}" for slot, ident in choice.items()),
         "drawing_css": DRAWING_CSS,
     }
 

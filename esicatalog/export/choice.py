@@ -1,0 +1,58 @@
+"""What a user chooses: PDOs and their entries, modules, OpMode, cycle, names and the place on the bus."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from esicatalog.errors import InputError
+from esicatalog.identity import parse_mapped, parse_number
+
+DEFAULT_CYCLE_NS = 1_000_000
+_MAX_INDEX = 0xFFFF
+
+
+class PdoChoice(NamedTuple):
+    """A PDO to assign. ``entries`` are (index, subindex) in their new order, empty = all as described."""
+
+    pdo_index: int
+    entries: tuple[tuple[int, int], ...] = ()
+
+
+class Choice(NamedTuple):
+    """Everything that can be chosen for one device."""
+
+    pdos: tuple[PdoChoice, ...] = ()
+    """Empty = the default assignment; a SyncManager that none of them goes to keeps its default one."""
+    modules: Mapping[int, int] = {}
+    """ModuleIdent by slot number; other slots keep their default module."""
+    op_mode: str | None = None
+    """Name or position (from 0) of the OpMode; None = the default one."""
+    cycle_ns: int = DEFAULT_CYCLE_NS
+    """Bus cycle."""
+    name: str | None = None
+    """Prefix of all generated names; None = made from the device type."""
+    alias: int = 0
+    """Configured station alias; 0 = the position counts from the first slave."""
+    position: int = 0
+    """Ring position, or the number of slaves behind the one with the alias."""
+
+
+def parse_pdo_choice(text: str) -> tuple[PdoChoice, ...]:
+    """PDOs written ``0x1600,0x1A00``; with chosen entries ``0x1A00=0x6041+0x6064+0x60FE:1``.
+
+    Raises :class:`InputError`.
+    """
+    chosen = tuple(_parse_pdo(part) for part in text.split(","))
+    indices = [item.pdo_index for item in chosen]
+    for index in indices:
+        if indices.count(index) > 1:
+            raise InputError(f"PDO 0x{index:04X} is chosen twice")
+    return chosen
+
+
+def _parse_pdo(text: str) -> PdoChoice:
+    index, equals, entries = text.partition("=")
+    mapped = [parse_mapped(entry) for entry in entries.split("+")] if equals else []
+    return PdoChoice(
+        parse_number(index, "PDO index", _MAX_INDEX),
+        tuple((entry_index, subindex or 0) for entry_index, subindex in mapped),
+    )

@@ -1,0 +1,282 @@
+"""What all generators get: a device with everything chosen, every entry with its place, type and name."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+from esicatalog.errors import InputError
+from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.esi.records.dictionary import Dictionary
+from esicatalog.esi.records.module import Module
+from esicatalog.export.choice import Choice
+from esicatalog.export.clocks import Clocks, chosen_op_mode, clocks
+from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
+from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
+from esicatalog.export.names import IDENTIFIER, identifier
+from esicatalog.export.naming import entry_names
+from esicatalog.export.pdo_choice import ChosenPdos, apply_choice
+from esicatalog.export.subject import Subject
+from esicatalog.model.process_image import PlacedPdo, SmImage, process_image
+from esicatalog.model.slots import PluggedModule, chosen_modules, expand_module
+from esicatalog.model.sm_facts import sm_facts
+
+OUTPUT, INPUT = "output", "input"
+_DIRECTION_OF_USAGE = {"Outputs": OUTPUT, "Inputs": INPUT, "MBoxOut": OUTPUT, "MBoxIn": INPUT}
+_DIRECTION_OF_PDO = {"RxPdo": OUTPUT, "TxPdo": INPUT}
+_MAX_INDEX, _MAX_SUBINDEX, _UINT32_MAX = 0xFFFF, 0xFF, 0xFFFF_FFFF
+_MAX_SM_BITS = 0xFFFF * 8
+"""A SyncManager's length is a 16 bit number of bytes."""
+
+
+class MappedEntry(NamedTuple):
+    """An entry of the process image. Index 0 is a gap."""
+
+    entry_index: int
+    subindex: int
+    bit_length: int
+    bit_offset: int
+    """In its SyncManager."""
+    name: str
+    """As the vendor wrote it, empty when there is none."""
+    identifier: str
+    """Unique in the device; empty for a gap."""
+    value: ValueType
+
+    @property
+    def is_gap(self) -> bool:
+        """Whether only its length counts."""
+        return self.entry_index == 0
+
+    @property
+    def place(self) -> str:
+        """Index and subindex in words."""
+        return f"0x{self.entry_index:04X}:{self.subindex:02X}"
+
+
+class AssignedPdo(NamedTuple):
+    """A PDO of a SyncManager."""
+
+    pdo_index: int
+    name: str
+    direction: str
+    """RxPdo or TxPdo."""
+    fixed: bool
+    slot_number: int | None
+    entries: tuple[MappedEntry, ...]
+
+
+class SmConfiguration(NamedTuple):
+    """A SyncManager with what is assigned to it."""
+
+    number: int
+    usage: str
+    direction: str
+    """output (the master writes) or input."""
+    sync_manager: SyncManager | None
+    """None when PDOs name a SyncManager that the device does not describe."""
+    pdos: tuple[AssignedPdo, ...]
+    bit_size: int
+
+    @property
+    def byte_size(self) -> int:
+        """Length in bytes: all bits, rounded up once."""
+        return (self.bit_size + 7) // 8
+
+    @property
+    def is_described(self) -> bool:
+        """Whether all content of its PDOs is known; without PDOs there is none."""
+        return bool(self.pdos) and all(pdo.entries for pdo in self.pdos)
+
+    @property
+    def entries(self) -> Iterator[MappedEntry]:
+        """All entries that carry a value, in order."""
+        return (entry for pdo in self.pdos for entry in pdo.entries if not entry.is_gap)
+
+
+class Configuration(NamedTuple):
+    """A device with everything chosen."""
+
+    subject: Subject
+    choice: Choice
+    prefix: str
+    """Begins all generated names."""
+    plugged: tuple[PluggedModule, ...]
+    op_mode_position: int | None
+    clocks: Clocks | None
+    """None when the OpMode uses no distributed clocks."""
+    sync_managers: tuple[SmConfiguration, ...]
+    commands: tuple[StartCommand, ...]
+    axes: tuple[int, ...]
+    """CiA 402 axes, from 0."""
+    is_drive: bool
+    """Whether something may move: a CiA 402 axis, a SoE drive or a motion terminal (MDP 7xx)."""
+    remarks: tuple[str, ...]
+
+    @property
+    def op_mode(self) -> OpMode | None:
+        """The chosen OpMode."""
+        return self.subject.device.op_modes[self.op_mode_position] if self.op_mode_position is not None else None
+
+    def images(self, direction: str) -> tuple[SmConfiguration, ...]:
+        """SyncManagers with process data of one direction."""
+        return tuple(sm for sm in self.sync_managers if sm.direction == direction and sm.bit_size)
+
+
+def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
+    """The configuration of a device for a choice. Raises :class:`InputError` for what cannot be chosen so."""
+    choice = choice if choice is not None else Choice()
+    _check_numbers(choice)
+    device = subject.device
+    plugged = chosen_modules(device, subject.modules, choice.modules)
+    expanded = [expand_module(device, item) for item in plugged]
+    position, mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
+    op_mode = device.op_modes[position] if position is not None else None
+    objects = ObjectTable(_dictionaries((device, *(item.module for item in expanded))))
+    chosen = apply_choice(device, plugged, choice.pdos, objects)
+    images = process_image(chosen.device, chosen.plugged, op_mode, chosen.assignment)
+    found_clocks = clocks(op_mode, choice.cycle_ns)
+    commands, command_remarks = start_commands(device, plugged, expanded)
+    names = entry_names(device, expanded, images, objects)
+    remarks = [
+        *mode_remarks,
+        *chosen.remarks,
+        *_assignment_remarks(device, plugged, op_mode, chosen, images),
+        *(remark for image in images for remark in image.remarks),
+        *(found_clocks.remarks if found_clocks is not None else ()),
+        *command_remarks,
+        *cycle_remarks(commands, choice.cycle_ns),
+    ]
+    sync_managers = tuple(_sync_managers(device, images, names.identifiers, objects, remarks))
+    return Configuration(
+        subject,
+        choice,
+        checked_prefix(choice.name) if choice.name is not None else identifier(device.type, "device"),
+        tuple(plugged),
+        position,
+        found_clocks,
+        sync_managers,
+        commands,
+        names.axes,
+        names.is_drive,
+        tuple(dict.fromkeys(remarks)),
+    )
+
+
+def _check_numbers(choice: Choice) -> None:
+    if not 0 < choice.cycle_ns <= _UINT32_MAX:
+        raise InputError(f"a bus cycle of {choice.cycle_ns} ns cannot be; give 1 to {_UINT32_MAX} ns")
+    for what, number in (("alias", choice.alias), ("position", choice.position)):
+        if not 0 <= number <= _MAX_INDEX:
+            raise InputError(f"{what} {number} is no 16 bit number")
+
+
+def checked_prefix(name: str) -> str:
+    """A prefix of the user's own. Raises :class:`InputError` when no identifier can begin so."""
+    if IDENTIFIER.fullmatch(name) is None or "__" in name or identifier(name, "") != name.lower():
+        raise InputError(f"{name!r} cannot begin names: use letters, digits and single _, a letter first")
+    return name.lower()
+
+
+def _dictionaries(owners: Iterable[Device | Module]) -> Iterator[Dictionary]:
+    return (p.dictionary for owner in owners for p in owner.profiles if p.dictionary is not None)
+
+
+def _assignment_remarks(
+    device: Device,
+    plugged: Sequence[PluggedModule],
+    op_mode: OpMode | None,
+    chosen: ChosenPdos,
+    images: Sequence[SmImage],
+) -> Iterator[str]:
+    """What the chosen assignment asks of the device beyond its default one."""
+    mailbox = device.mailbox
+    if chosen.assignment is None or (mailbox is not None and mailbox.coe_pdo_assign):
+        return
+    default = {image.sm: _indices(image) for image in process_image(device, plugged, op_mode)}
+    changed = [f"SM{image.sm}" for image in images if _indices(image) != default.get(image.sm)]
+    if changed:
+        yield (
+            f"the PDOs of {', '.join(changed)} are not the default ones, and the device does not declare PdoAssign: "
+            "it may keep its default assignment, and then no offset here is right"
+        )
+
+
+def _indices(image: SmImage) -> list[int | None]:
+    return [placed.pdo.pdo_index for placed in image.pdos]
+
+
+def _sync_managers(
+    device: Device,
+    images: Sequence[SmImage],
+    identifiers: dict[tuple[int, int, int], str],
+    objects: ObjectTable,
+    remarks: list[str],
+) -> Iterator[SmConfiguration]:
+    by_number = {image.sm: image for image in images}
+    for number in sorted({*range(len(device.sync_managers)), *by_number}):
+        described = device.sync_managers[number] if 0 <= number < len(device.sync_managers) else None
+        image = by_number.get(number)
+        placed_pdos = image.pdos if image is not None else ()
+        if number < 0:
+            raise InputError(f"PDOs are assigned to SM{number}, which cannot be")
+        if described is None:
+            remarks.append(f"PDOs name SM{number}, which the device does not describe")
+        pdos = tuple(
+            _assigned_pdo(placed, [identifiers.get((number, at, n), "") for n in range(len(placed.entries))], objects)
+            for at, placed in enumerate(placed_pdos)
+        )
+        direction = _direction(number, described, pdos, remarks)
+        yield SmConfiguration(
+            number,
+            described.usage or "" if described is not None else "",
+            direction,
+            described,
+            pdos,
+            image.bit_size if image is not None else 0,
+        )
+
+
+def _direction(number: int, described: SyncManager | None, pdos: Sequence[AssignedPdo], remarks: list[str]) -> str:
+    """Direction of a SyncManager: by its ControlByte, else by its usage, else by its PDOs."""
+    by_control = sm_facts(described).transfer_direction if described is not None else None
+    by_usage = _DIRECTION_OF_USAGE.get(described.usage or "") if described is not None else None
+    by_pdos = {_DIRECTION_OF_PDO[pdo.direction] for pdo in pdos}
+    direction = by_control or by_usage or next(iter(sorted(by_pdos)), INPUT)
+    if (by_pdos | {by_usage or direction}) != {direction}:
+        remarks.append(
+            f"SM{number} is described in both directions (usage, ControlByte and PDOs differ); "
+            f"{direction} is taken, check it on the device"
+        )
+    return direction
+
+
+def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: ObjectTable) -> AssignedPdo:
+    pdo = placed.pdo
+    name = " ".join((display_text(pdo.names) or "").split())
+    if pdo.pdo_index is None or not 0 < pdo.pdo_index <= _MAX_INDEX:
+        named = f"{placed.direction} {name or pdo.ref or 'without name'!r}"
+        raise InputError(f"{named} is assigned and has no index; its content is not described, take a newer file")
+    entries = []
+    for item, entry_identifier in zip(placed.entries, identifiers, strict=True):
+        index, subindex, bit_length = item.entry.entry_index or 0, item.entry.subindex or 0, item.entry.bit_length or 0
+        if bit_length <= 0:
+            continue
+        if bit_length > _MAX_SM_BITS:
+            raise InputError(f"PDO 0x{pdo.pdo_index:04X} has an entry of {bit_length} bits; no SyncManager holds that")
+        if not 0 <= index <= _MAX_INDEX or not 0 <= subindex <= _MAX_SUBINDEX:
+            raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:X}:{subindex:X}, which is no object")
+        text = " ".join((display_text(item.entry.names) or "").split())
+        value = value_type(objects.base_type(item.entry), bit_length)
+        entries.append(
+            MappedEntry(
+                index,
+                subindex if index else 0,
+                bit_length,
+                item.bit_offset,
+                text if index else "",
+                entry_identifier,
+                value,
+            )
+        )
+    return AssignedPdo(pdo.pdo_index, name, placed.direction, bool(pdo.fixed), placed.slot_number, tuple(entries))

@@ -1,0 +1,71 @@
+"""Values of entries: which type they have, by the entry and by the object dictionary, and what generators call it."""
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
+from esicatalog.esi.records.pdo import Entry
+from esicatalog.model.base_types import BaseType
+from esicatalog.model.dictionary import ObjectEntry, resolve_base, resolve_object, type_table
+
+CONTAINER_BITS = (8, 16, 32, 64)
+_REAL_BITS = (32, 64)
+_BYTE_KINDS = ("string", "octets", "unicode", "time", "guid", "domain")
+
+
+class ValueType(NamedTuple):
+    """How a value is kept in a program. ``kind`` is int, uint, real or bytes.
+
+    ``container_bits`` is the width of the variable that takes it, 0 for bytes.
+    """
+
+    kind: str
+    bit_length: int
+    container_bits: int
+
+    @property
+    def fills_container(self) -> bool:
+        """Whether the value is exactly as wide as its variable."""
+        return self.bit_length == self.container_bits
+
+
+def value_type(base: BaseType | None, bit_length: int) -> ValueType:
+    """The type of a value of ``bit_length`` bits; the length of the entry counts, not that of its type."""
+    if base is not None and base.kind == "real" and bit_length in _REAL_BITS:
+        return ValueType("real", bit_length, bit_length)
+    if bit_length > CONTAINER_BITS[-1] or (base is not None and base.kind in _BYTE_KINDS and bit_length % 8 == 0):
+        return ValueType("bytes", bit_length, 0)
+    container_bits = next(bits for bits in CONTAINER_BITS if bits >= bit_length)
+    return ValueType("int" if base is not None and base.signed else "uint", bit_length, container_bits)
+
+
+class ObjectTable:
+    """Objects of several dictionaries by index; of two with the same index the first counts."""
+
+    def __init__(self, dictionaries: Iterable[Dictionary]) -> None:
+        self._objects: dict[int, tuple[Object, Mapping[str, DataType]]] = {}
+        self._types: list[Mapping[str, DataType]] = []
+        for dictionary in dictionaries:
+            types = type_table(dictionary.data_types)
+            self._types.append(types)
+            for declared in dictionary.objects:
+                if declared.object_index is not None:
+                    self._objects.setdefault(declared.object_index, (declared, types))
+        self._resolved: dict[int, dict[int, ObjectEntry]] = {}
+
+    def entry(self, index: int, subindex: int) -> ObjectEntry | None:
+        """The resolved entry of an object, None when no dictionary declares it."""
+        if index not in self._resolved:
+            found = self._objects.get(index)
+            resolved = resolve_object(*found).entries if found is not None else ()
+            self._resolved[index] = {item.subindex: item for item in resolved}
+        return self._resolved[index].get(subindex)
+
+    def base_type(self, entry: Entry) -> BaseType | None:
+        """Base type of a mapped entry: by its DataType, else by its object."""
+        for types in self._types or [{}]:
+            base = resolve_base(entry.data_type, types)
+            if base is not None:
+                return base
+        declared = self.entry(entry.entry_index, entry.subindex or 0) if entry.entry_index else None
+        return resolve_base(declared.base_type, {}) if declared is not None else None

@@ -1,0 +1,89 @@
+"""What the configuration files of programs on top of IgH EtherLab have in common.
+
+Such a program configures the SyncManagers that its file lists, sends SDOs before SAFE-OP, and finds entries by index
+and subindex alone.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from esicatalog.errors import InputError
+from esicatalog.export.configuration import Configuration, MappedEntry, SmConfiguration
+from esicatalog.export.igh_limits import check_limits
+from esicatalog.export.init_cmds import StartCommand
+
+_SDO_TRANSITIONS = ("IP", "PS")
+
+
+class Listed(NamedTuple):
+    """What a file can say of a device, and remarks about the rest."""
+
+    sync_managers: tuple[SmConfiguration, ...]
+    sdos: tuple[StartCommand, ...]
+    repeated: frozenset[str]
+    """Identifiers of entries with the index and subindex of an earlier one, which the program cannot reach."""
+    remarks: tuple[str, ...]
+
+
+def listed(configuration: Configuration, program: str) -> Listed:
+    """The part of a device that goes into the file of a program.
+
+    Raises :class:`InputError` for devices without process data, which need no entry there, for PDOs without described
+    entries and for what IgH cannot hold.
+    """
+    check_limits(configuration)
+    if not any(sm.is_described for sm in configuration.sync_managers):
+        if any(sm.pdos for sm in configuration.sync_managers):
+            raise InputError(f"{program} needs the entries of all PDOs, and the description leaves some out")
+        raise InputError(f"the device exchanges no process data: {program} has nothing to configure")
+    repeated = list(_repeated(configuration))
+    remarks = [*_left_out_sync_managers(configuration), *_left_out_commands(configuration, program)]
+    remarks += [
+        f"{entry.place} {entry.name} is mapped again: {program} finds entries by index and subindex, and reaches the "
+        "first one only"
+        for entry in repeated
+    ]
+    return Listed(
+        tuple(sm for sm in configuration.sync_managers if sm.is_described or _is_mailbox(sm)),
+        tuple(command for command in configuration.commands if _why_left_out(command) is None),
+        frozenset(entry.identifier for entry in repeated),
+        tuple(remarks),
+    )
+
+
+def _is_mailbox(sm: SmConfiguration) -> bool:
+    return sm.usage.startswith("MBox") and not sm.pdos
+
+
+def _left_out_sync_managers(configuration: Configuration) -> Iterator[str]:
+    """Listed without its PDOs, a SyncManager would get an empty assignment."""
+    for sm in configuration.sync_managers:
+        if sm.pdos and not sm.is_described:
+            yield f"SM{sm.number} is left out: the entries of its PDOs are not described"
+
+
+def _left_out_commands(configuration: Configuration, program: str) -> Iterator[str]:
+    for command in configuration.commands:
+        why = _why_left_out(command)
+        if why is not None:
+            yield f"{command.transition} {command.place} {command.comment}".rstrip() + f" is left out: {program} {why}"
+
+
+def _why_left_out(command: StartCommand) -> str | None:
+    if command.protocol != "CoE":
+        return "cannot send SoE commands"
+    if command.writes_pdo_configuration:
+        return "writes PDO assignment and mapping itself"
+    if command.transition not in _SDO_TRANSITIONS:
+        return "sends commands before SAFE-OP only"
+    return None
+
+
+def _repeated(configuration: Configuration) -> Iterator[MappedEntry]:
+    known: set[tuple[int, int]] = set()
+    for sm in configuration.sync_managers:
+        for entry in sm.entries:
+            place = (entry.entry_index, entry.subindex)
+            if place in known:
+                yield entry
+            known.add(place)

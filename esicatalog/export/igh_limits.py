@@ -1,0 +1,41 @@
+"""What the structures of IgH EtherLab can hold (ecrt.h 1.5 and 1.6), for all that is built on that master."""
+
+from collections.abc import Iterator
+
+from esicatalog.errors import InputError
+from esicatalog.export.configuration import Configuration
+
+MAX_SYNC_MANAGERS = 16
+"""EC_MAX_SYNC_MANAGERS."""
+MAX_BIT_LENGTH = 255
+"""``bit_length`` of ec_pdo_entry_info_t is a uint8_t."""
+_PIECE_BITS = 248
+"""Whole bytes, so that what follows a piece stays where it is."""
+
+
+def pieces(bit_length: int) -> Iterator[int]:
+    """Lengths of the entries that stand for one entry of this length: one unless it is too long."""
+    while bit_length > MAX_BIT_LENGTH:
+        yield _PIECE_BITS
+        bit_length -= _PIECE_BITS
+    yield bit_length
+
+
+def check_limits(configuration: Configuration) -> None:
+    """Raise :class:`InputError` for what the master's structures cannot hold."""
+    mailbox = configuration.subject.device.mailbox
+    writes_mapping = mailbox is not None and bool(mailbox.coe_pdo_config)
+    seen: set[int] = set()
+    for sm in configuration.sync_managers:
+        if sm.pdos and not 0 <= sm.number < MAX_SYNC_MANAGERS:
+            raise InputError(f"PDOs are assigned to SM{sm.number}; IgH knows SM0 to SM{MAX_SYNC_MANAGERS - 1}")
+        for pdo in sm.pdos:
+            if pdo.pdo_index in seen:
+                raise InputError(f"PDO 0x{pdo.pdo_index:04X} is assigned twice; IgH tells PDOs apart by their index")
+            seen.add(pdo.pdo_index)
+            long = next((entry for entry in pdo.entries if entry.bit_length > MAX_BIT_LENGTH), None)
+            if long is not None and writes_mapping and sm.is_described:
+                raise InputError(
+                    f"entry {long.place} of PDO 0x{pdo.pdo_index:04X} has {long.bit_length} bits; IgH and CoE mappings "
+                    f"hold at most {MAX_BIT_LENGTH}: choose other PDOs"
+                )

@@ -1,0 +1,162 @@
+"""What an IgH header configures before the master is activated, and the commands that are left to the application."""
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+from esicatalog.esi.records.device import Device
+from esicatalog.export.c_text import c_bytes, comment_text
+from esicatalog.export.clocks import Clocks
+from esicatalog.export.configuration import Configuration
+from esicatalog.export.headings import op_mode_words
+from esicatalog.export.init_cmds import TRANSITIONS, StartCommand
+
+_SDO_TRANSITIONS = ("IP", "PS")
+_IDN_STATES = {"IP": "EC_AL_STATE_PREOP", "PS": "EC_AL_STATE_PREOP", "SO": "EC_AL_STATE_SAFEOP"}
+"""At which transitions the master writes IDNs itself, and the state in which it does. SDOs it writes in PREOP only."""
+_TIMEOUTS = (
+    ("preop_timeout_ms", (("INIT", "PREOP"),)),
+    ("safeop_op_timeout_ms", (("PREOP", "SAFEOP"), ("SAFEOP", "OP"))),
+    ("back_to_init_timeout_ms", (("PREOP", "INIT"), ("SAFEOP", "INIT"), ("OP", "INIT"), ("SAFEOP", "PREOP"))),
+    ("back_to_safeop_timeout_ms", (("OP", "SAFEOP"),)),
+)
+_OFF_BEAT = (
+    "The master looks for the first SYNC0 in steps of SYNC0 cycle + SYNC1 delay, which is no multiple of the bus cycle "
+    "here: measure where SYNC0 lies in the cycle."
+)
+
+
+class SentCommand(NamedTuple):
+    """A command with the call that sends ``data``; without a call it stands there as a comment only."""
+
+    words: str
+    call: str | None = None
+    data: str = ""
+
+
+class StateTimeout(NamedTuple):
+    """Longest time for a change of the AL state."""
+
+    before: str
+    after: str
+    timeout_ms: int
+
+
+class LaterCommands(NamedTuple):
+    """Commands of one transition that the application sends at run time."""
+
+    transition: str
+    commands: tuple[SentCommand, ...]
+
+
+class DcCode(NamedTuple):
+    """Parameters of ecrt_slave_config_dc(), as C expressions."""
+
+    words: str
+    assign_activate: str
+    sync0_cycle: str
+    sync0_shift: str
+    sync1_delay: str
+    divisor: int
+    """Of the bus cycle; 1 when any will do."""
+    note: str = ""
+
+
+class Startup(NamedTuple):
+    """What is configured beside the PDOs."""
+
+    watchdog: tuple[int, int] | None
+    """Divider (register 0x0400) and intervals (0x0420), 0 = not written."""
+    timeouts: tuple[StateTimeout, ...]
+    commands: tuple[SentCommand, ...]
+    later: tuple[LaterCommands, ...]
+    dc: DcCode | None
+
+
+def startup(configuration: Configuration) -> Startup:
+    """The start-up of a device: its own commands and those of its modules, clocks, timeouts, watchdog."""
+    at_start = [command for command in configuration.commands if _is_sent_by_master(command)]
+    later = [command for command in configuration.commands if not _is_sent_by_master(command)]
+    return Startup(
+        watchdog(configuration.subject.device),
+        tuple(_timeouts(configuration.subject.device)),
+        tuple(_sent(command, _config_call) for command in at_start),
+        tuple(
+            LaterCommands(transition, tuple(_sent(command, _run_time_call) for command in commands))
+            for transition in TRANSITIONS
+            if (commands := [command for command in later if command.transition == transition])
+        ),
+        _dc(configuration),
+    )
+
+
+def _is_sent_by_master(command: StartCommand) -> bool:
+    return command.transition in (_IDN_STATES if command.protocol == "SoE" else _SDO_TRANSITIONS)
+
+
+def watchdog(device: Device) -> tuple[int, int] | None:
+    """Divider and intervals for ecrt_slave_config_watchdog(), 0 for one that is not to be written."""
+    divider, intervals = ((value or 0) & 0xFFFF for value in (device.esc_reg0400, device.esc_reg0420))
+    return (divider, intervals) if divider or intervals else None
+
+
+def _timeouts(device: Device) -> Iterator[StateTimeout]:
+    for field, changes in _TIMEOUTS:
+        timeout_ms = getattr(device, field)
+        if timeout_ms is not None and timeout_ms > 0:
+            for before, after in changes:
+                yield StateTimeout(before, after, timeout_ms)
+
+
+def _sent(command: StartCommand, call: Callable[[StartCommand], str]) -> SentCommand:
+    words = f"{command.transition} {command.place} {command.comment}".rstrip()
+    why = _left_out(command)
+    if why is not None:
+        return SentCommand(comment_text(f"{words}: left out, {why}"))
+    return SentCommand(comment_text(words), call(command), c_bytes(command.data))
+
+
+def _left_out(command: StartCommand) -> str | None:
+    if command.writes_pdo_configuration:
+        return "ecrt_slave_config_pdos() writes PDO assignment and mapping"
+    if command.complete_access and command.subindex:
+        return f"IgH sends complete access from subindex 0 only, and this begins at {command.subindex}"
+    return None
+
+
+def _config_call(command: StartCommand) -> str:
+    index, what = f"0x{command.object_index:04x}", "data, sizeof(data)"
+    if command.protocol == "SoE":
+        return f"ecrt_slave_config_idn(sc, {command.channel}, {index}, {_IDN_STATES[command.transition]}, {what})"
+    if command.complete_access:
+        return f"ecrt_slave_config_complete_sdo(sc, {index}, {what})"
+    return f"ecrt_slave_config_sdo(sc, {index}, 0x{command.subindex:02x}, {what})"
+
+
+def _run_time_call(command: StartCommand) -> str:
+    index, where, what = f"0x{command.object_index:04x}", "master, slave_position", "data, sizeof(data)"
+    if command.protocol == "SoE":
+        return f"ecrt_master_write_idn({where}, {command.channel}, {index}, {what}, &error_code)"
+    if command.complete_access:
+        return f"ecrt_master_sdo_download_complete({where}, {index}, {what}, &abort_code)"
+    return f"ecrt_master_sdo_download({where}, {index}, 0x{command.subindex:02x}, {what}, &abort_code)"
+
+
+def _dc(configuration: Configuration) -> DcCode | None:
+    found = configuration.clocks
+    if found is None:
+        return None
+    return DcCode(
+        comment_text(op_mode_words(configuration)),
+        f"0x{found.assign_activate:04x}",
+        found.sync0_cycle.expression("CYCLE_NS"),
+        f"({found.sync0_shift_ns})" if found.sync0_shift_ns < 0 else str(found.sync0_shift_ns),
+        found.sync1_delay.expression("CYCLE_NS"),
+        found.divisor,
+        off_beat(found, configuration.choice.cycle_ns),
+    )
+
+
+def off_beat(found: Clocks, cycle_ns: int) -> str:
+    """A warning where the master does not find a first SYNC0 at a fixed place of the bus cycle, else empty."""
+    step = found.sync0_cycle.plus(found.sync1_delay).in_ns(cycle_ns)
+    return _OFF_BEAT if found.sync1_delay.ns and step % cycle_ns else ""

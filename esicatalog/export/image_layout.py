@@ -1,0 +1,84 @@
+"""The process image that an application of SOEM sees in one direction.
+
+Its SyncManagers lie one after the other, each in whole bytes.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from esicatalog.export.c_access import byte_count, whole_bytes
+from esicatalog.export.configuration import Configuration, MappedEntry
+from esicatalog.export.names import unique_names
+
+_BITS_OF_BYTE = 8
+
+
+class Member(NamedTuple):
+    """A member of the structure: one value, or bytes with what fills no bytes itself."""
+
+    name: str
+    byte_offset: int
+    byte_count: int
+    entry: MappedEntry | None
+
+
+class ImageLayout(NamedTuple):
+    """Values of one direction by their place in the image."""
+
+    direction: str
+    byte_size: int
+    bit_size: int
+    members: tuple[Member, ...]
+    others: tuple[MappedEntry, ...]
+    """Values that are no members: they begin or end inside a byte, or have a width that no type has."""
+    remarks: tuple[str, ...]
+
+    @property
+    def starts_inside_byte(self) -> bool:
+        """Whether SOEM may let the image begin at any bit: it packs images that do not fill a byte."""
+        return self.bit_size < _BITS_OF_BYTE
+
+
+def image_layout(configuration: Configuration, direction: str) -> ImageLayout:
+    """The image of one direction; without members when nothing is exchanged."""
+    entries, byte_size, bit_size = [], 0, 0
+    images = configuration.images(direction)
+    for sm in images:
+        for entry in sm.entries:
+            entries.append(entry._replace(bit_offset=entry.bit_offset + byte_size * _BITS_OF_BYTE))
+        byte_size += sm.byte_size
+        bit_size += sm.bit_size
+    needed = -(-bit_size // _BITS_OF_BYTE)
+    remarks = []
+    if byte_size != needed:
+        remarks.append(
+            f"the {direction}s take {byte_size} bytes in {len(images)} SyncManagers, and SOEM maps only the {needed} "
+            "that the sum of their bits needs: what lies behind is not exchanged"
+        )
+    return ImageLayout(
+        direction,
+        byte_size,
+        bit_size,
+        tuple(_members(entries, byte_size)),
+        tuple(entry for entry in entries if not _is_member(entry)),
+        tuple(remarks),
+    )
+
+
+def _is_member(entry: MappedEntry) -> bool:
+    return whole_bytes(entry) and (entry.value.kind == "bytes" or entry.value.fills_container)
+
+
+def _members(entries: Sequence[MappedEntry], byte_size: int) -> Iterator[Member]:
+    """Members for whole values, and arrays of bytes for what lies between them."""
+    whole = {entry.bit_offset // _BITS_OF_BYTE: entry for entry in entries if _is_member(entry)}
+    gaps = []
+    at = 0
+    for start in (*sorted(whole), byte_size):
+        if start > at:
+            gaps.append((at, start - at))
+        at = start + (byte_count(whole[start]) if start in whole else 0)
+    names = unique_names([(f"bytes_{start}",) for start, _ in gaps], [entry.identifier for entry in entries])
+    members = [Member(name, start, count, None) for (start, count), name in zip(gaps, names, strict=True)]
+    members += [Member(entry.identifier, start, byte_count(entry), entry) for start, entry in whole.items()]
+    yield from sorted(members, key=lambda member: member.byte_offset)

@@ -1,0 +1,158 @@
+"""Start-up commands of a device and its plugged modules, in the order in which they are due."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+from esicatalog.esi.numbers import decode_hex_binary
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
+
+TRANSITIONS = ("IP", "PS", "SO", "SP", "OP", "OS")
+"""In the order of a start; the last three lead back."""
+PDO_ASSIGNMENT = range(0x1C10, 0x1C30)
+PDO_MAPPINGS = (range(0x1600, 0x1800), range(0x1A00, 0x1C00))
+MODULE_IDENT_LIST = 0xF030
+_CYCLE_IDNS = (1, 2)
+"""S-0-0001 control unit cycle time and S-0-0002 communication cycle time, in microseconds (IEC 61800-7-204)."""
+_INTERPOLATION_TIME = (0x60C2, 1)
+"""Interpolation time period value, in milliseconds with the usual index of -3 (IEC 61800-7-201)."""
+_WITHOUT_GENERATOR = ("AoE", "EoE")
+
+
+class StartCommand(NamedTuple):
+    """One command at one transition. ``object_index`` is the index (CoE) or the IDN (SoE)."""
+
+    transition: str
+    protocol: str
+    object_index: int
+    subindex: int
+    data: bytes
+    complete_access: bool = False
+    channel: int = 0
+    comment: str = ""
+
+    @property
+    def writes_pdo_configuration(self) -> bool:
+        """Whether it writes a PDO assignment or mapping, which masters write themselves."""
+        return self.protocol == "CoE" and (
+            self.object_index in PDO_ASSIGNMENT or any(self.object_index in mappings for mappings in PDO_MAPPINGS)
+        )
+
+    @property
+    def place(self) -> str:
+        """What is written, in words."""
+        if self.protocol == "SoE":
+            kind, number = "P" if self.object_index & 0x8000 else "S", self.object_index & 0x0FFF
+            return f"{kind}-{self.object_index >> 12 & 7}-{number:04}"
+        return (
+            f"0x{self.object_index:04X}" if self.complete_access else f"0x{self.object_index:04X}:{self.subindex:02X}"
+        )
+
+
+def start_commands(
+    device: Device, plugged: Sequence[PluggedModule], expanded: Sequence[ExpandedModule]
+) -> tuple[tuple[StartCommand, ...], tuple[str, ...]]:
+    """All commands by transition, those of the device before those of its modules, and remarks about odd ones."""
+    remarks: list[str] = []
+    commands = list(_module_list(device, plugged))
+    of_modules = [(f"module in slot {item.slot_number}", item.module.mailbox) for item in expanded]
+    replaced = {
+        (command.object_index, command.subindex or 0)
+        for _, mailbox in of_modules
+        for command in (mailbox.coe_init_cmds if mailbox is not None else ())
+    }
+    for owner, mailbox in (("device", device.mailbox), *of_modules):
+        for protocol, command in _init_cmds(mailbox):
+            place = (command.object_index, command.subindex or 0)
+            if owner == "device" and command.overwritten_by_module and place in replaced:
+                continue
+            commands.extend(_at_transitions(owner, protocol, command, remarks))
+    return tuple(sorted(commands, key=lambda command: TRANSITIONS.index(command.transition))), tuple(remarks)
+
+
+def _init_cmds(mailbox: Mailbox | None) -> Iterator[tuple[str, InitCmd]]:
+    if mailbox is not None:
+        for protocol, commands in (
+            ("CoE", mailbox.coe_init_cmds),
+            ("SoE", mailbox.soe_init_cmds),
+            ("AoE", mailbox.aoe_init_cmds),
+            ("EoE", mailbox.eoe_init_cmds),
+        ):
+            for command in commands:
+                yield protocol, command
+
+
+def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[str]) -> Iterator[StartCommand]:
+    index = command.idn if protocol == "SoE" else command.object_index
+    if protocol in _WITHOUT_GENERATOR:
+        remarks.append(f"{protocol} InitCmd of the {owner} is left out: it is no parameter of the device")
+        return
+    data = decode_hex_binary(command.data)
+    if index is None or not 0 <= index <= 0xFFFF or not 0 <= (command.subindex or 0) <= 0xFF:
+        remarks.append(f"{protocol} InitCmd of the {owner} is left out: its index cannot be used")
+        return
+    for transition in command.transitions:
+        found = StartCommand(
+            transition.strip().upper(),
+            protocol,
+            index,
+            command.subindex or 0,
+            data or b"",
+            bool(command.complete_access),
+            command.channel or 0,
+            " ".join((command.comment or "").split()),
+        )
+        if found.transition not in TRANSITIONS:
+            remarks.append(f"InitCmd {found.place} of the {owner} is left out: transition {transition!r} is unknown")
+        elif not data:
+            remarks.append(f"InitCmd {found.place} of the {owner} is left out: its data are missing or not hex")
+        else:
+            yield found
+
+
+def _module_list(device: Device, plugged: Iterable[PluggedModule]) -> Iterator[StartCommand]:
+    """The idents of the plugged modules, 0 for an empty slot, where the device wants to be told (0xF030)."""
+    if not device.download_module_ident_list:
+        return
+    idents = {item.slot_number: item.module.module_ident or 0 for item in plugged}
+    count = min(max(idents, default=-1) + 1, 255)
+    if not count:
+        return
+    transition = (device.download_module_list_transition or "PS").upper()
+    transition = transition if transition in TRANSITIONS else "PS"
+    values = [idents.get(number, 0).to_bytes(4, "little") for number, _, _ in numbered_slots(device)][:count]
+    data = count.to_bytes(2, "little") + b"".join(values)
+    whole = StartCommand(transition, "CoE", MODULE_IDENT_LIST, 0, data, True, comment="Configured module ident list")
+    has_complete_access = device.mailbox is not None and device.mailbox.coe_complete_access
+    yield from (whole,) if has_complete_access else single_accesses(whole)
+
+
+def single_accesses(command: StartCommand) -> Iterator[StartCommand]:
+    """A write of the whole module ident list (0xF030) as one write for each subindex, with the number of them last."""
+    values = [command.data[start : start + 4] for start in range(2, len(command.data), 4)]
+    single = command._replace(complete_access=False)
+    yield single._replace(data=b"\0")
+    for subindex, value in enumerate(values, 1):
+        yield single._replace(subindex=subindex, data=value, comment=f"Slot {subindex - 1}")
+    yield single._replace(data=command.data[:1])
+
+
+def cycle_remarks(commands: Iterable[StartCommand], cycle_ns: int) -> Iterator[str]:
+    """Commands that write a cycle time other than the bus cycle: vendors' examples, to be adapted."""
+    for command in commands:
+        written_ns = _written_cycle_ns(command)
+        if written_ns is not None and written_ns != cycle_ns:
+            yield (
+                f"InitCmd {command.place} {command.comment} writes {written_ns} ns, the bus cycle is {cycle_ns} ns: "
+                "adapt one of them"
+            )
+
+
+def _written_cycle_ns(command: StartCommand) -> int | None:
+    value = int.from_bytes(command.data, "little")
+    if command.protocol == "SoE" and command.object_index in _CYCLE_IDNS:
+        return value * 1_000
+    if command.protocol == "CoE" and (command.object_index, command.subindex) == _INTERPOLATION_TIME:
+        return value * 1_000_000
+    return None

@@ -1,0 +1,233 @@
+"""ethercat-conf.xml for the generic driver of LinuxCNC-Ethercat (documentation: configuration-reference.md)."""
+
+import re
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from esicatalog.errors import InputError
+from esicatalog.export.c_access import on_byte
+from esicatalog.export.c_text import comment_text, wrapped
+from esicatalog.export.clocks import Clocks, Time
+from esicatalog.export.configuration import OUTPUT, Configuration, MappedEntry, SmConfiguration
+from esicatalog.export.headings import heading_lines, op_mode_words
+from esicatalog.export.igh_files import Listed, listed
+from esicatalog.export.igh_limits import pieces
+from esicatalog.export.igh_startup import off_beat, watchdog
+from esicatalog.export.init_cmds import StartCommand
+from esicatalog.export.rendering import render
+
+PROGRAM = "LinuxCNC-Ethercat"
+_MAX_NAME = 47
+"""HAL_NAME_LEN of LinuxCNC 2.9, for the whole name of a pin."""
+_PIN_START = "lcec.0."
+_MAX_SLAVE_NAME = 15
+_NAMES_OF_SLAVE = (
+    "slave-online",
+    "slave-oper",
+    *(f"slave-state-{state}" for state in ("init", "preop", "safeop", "op")),
+)
+"""Pins that every slave has."""
+_MAX_PINS = 256
+"""LCEC_MAX_PDO_REG_COUNT."""
+_PIN_BITS = 32
+_SIGNED_BITS = (8, 16, 32)
+_INT32_MAX = 0x7FFF_FFFF
+_DATA_OF_LINE = 16
+_HYPHENS = re.compile("-(?=-)")
+
+
+class Pin(NamedTuple):
+    """A HAL pin, whole or as part of an entry."""
+
+    name: str
+    type: str
+    bit_length: int
+
+
+class EntryElement(NamedTuple):
+    """A pdoEntry: with one pin, with parts, or without a pin."""
+
+    entry_index: str
+    subindex: str
+    bit_length: int
+    pin: Pin | None
+    parts: tuple[Pin, ...]
+    comment: str
+
+
+class PdoElement(NamedTuple):
+    """A pdo with its entries."""
+
+    pdo_index: str
+    comment: str
+    entries: tuple[EntryElement, ...]
+
+
+class SmElement(NamedTuple):
+    """A syncManager with its PDOs."""
+
+    number: int
+    direction: str
+    comment: str
+    pdos: tuple[PdoElement, ...]
+
+
+class SdoElement(NamedTuple):
+    """An sdoConfig; its data in several lines."""
+
+    object_index: str
+    subindex: str
+    comment: str
+    data: tuple[str, ...]
+
+
+class DcElement(NamedTuple):
+    """A dcConf."""
+
+    comment: str
+    assign_activate: str
+    sync0_cycle: str
+    sync0_shift: int
+    sync1_cycle: str | None
+
+
+class _Pins:
+    """Names for the pins of a slave, and how many may still follow."""
+
+    def __init__(self, slave_name: str) -> None:
+        self._limit = _MAX_NAME - len(f"{_PIN_START}{slave_name}.")
+        self._taken = set(_NAMES_OF_SLAVE)
+        self._free = _MAX_PINS
+
+    def take(self, identifier: str, types: Iterable[tuple[str, str, int]]) -> tuple[Pin, ...]:
+        """Pins for one entry, of (suffix, type, length) each; none when there is no room for all of them."""
+        wanted = list(types)
+        if len(wanted) > self._free:
+            return ()
+        self._free -= len(wanted)
+        plain, room = identifier.strip("_").replace("_", "-"), self._limit - max(len(suffix) for suffix, _, _ in wanted)
+        name, number = plain[:room].rstrip("-"), 0
+        while any(f"{name}{suffix}" in self._taken for suffix, _, _ in wanted):
+            number += 1
+            name = f"{plain[: room - len(str(number)) - 1].rstrip('-')}-{number}"
+        pins = tuple(Pin(f"{name}{suffix}", kind, length) for suffix, kind, length in wanted)
+        self._taken.update(pin.name for pin in pins)
+        return pins
+
+
+def linuxcnc_configuration(configuration: Configuration) -> str:
+    """The file for a bus with this device. Raises :class:`InputError` for what the driver cannot configure."""
+    if configuration.choice.alias:
+        raise InputError(f"{PROGRAM} finds slaves by their ring position: give no alias")
+    found = listed(configuration, PROGRAM)
+    remarks = [*configuration.remarks, *found.remarks]
+    slave_name = configuration.prefix[:_MAX_SLAVE_NAME].strip("_").replace("_", "-")
+    pins = _Pins(slave_name)
+    sync_managers = [_sync_manager(sm, found, pins, remarks) for sm in found.sync_managers]
+    sdos = [element for command in found.sdos for element in _sdo(command, remarks)]
+    clocks = configuration.clocks
+    dc = _dc(configuration, clocks) if clocks is not None else None
+    if clocks is not None and (note := off_beat(clocks, configuration.choice.cycle_ns)):
+        remarks.append(note)
+    heading = heading_lines(configuration._replace(remarks=tuple(remarks)), f"{PROGRAM} configuration")
+    return render(
+        "linuxcnc.xml.j2",
+        configuration=configuration,
+        heading=[_comment(line) for line in wrapped(heading)],
+        slave_name=slave_name,
+        dc=dc,
+        watchdog=watchdog(configuration.subject.device),
+        sdos=sdos,
+        sync_managers=sync_managers,
+    )
+
+
+def _comment(text: str) -> str:
+    """The text as it may stand in a comment: without two hyphens in a row, and none at its end."""
+    shown = _HYPHENS.sub("- ", comment_text(text))
+    return f"{shown} " if shown.endswith("-") else shown
+
+
+def _sync_manager(sm: SmConfiguration, found: Listed, pins: _Pins, remarks: list[str]) -> SmElement:
+    pdos = (
+        PdoElement(
+            f"{pdo.pdo_index:04x}",
+            _comment(pdo.name),
+            tuple(element for entry in pdo.entries for element in _entry(entry, sm, found, pins, remarks)),
+        )
+        for pdo in sm.pdos
+    )
+    return SmElement(sm.number, "out" if sm.direction == OUTPUT else "in", _comment(sm.usage), tuple(pdos))
+
+
+def _entry(
+    entry: MappedEntry, sm: SmConfiguration, found: Listed, pins: _Pins, remarks: list[str]
+) -> Iterator[EntryElement]:
+    """One element for an entry; several for one that is longer than IgH can say."""
+    if entry.entry_index == 0xFFFF or entry.subindex == 0xFF:
+        raise InputError(f"{PROGRAM} cannot map {entry.place}: its parser refuses this index or subindex")
+    place, comment = (f"{entry.entry_index:04x}", f"{entry.subindex:02x}"), _comment(entry.name or "gap")
+    if not entry.is_gap and entry.identifier not in found.repeated:
+        types = _types(entry)
+        taken = pins.take(entry.identifier, types) if types else ()
+        if taken:
+            is_whole = len(taken) == 1
+            if sm.direction != OUTPUT and taken[0].type == "s32" and entry.bit_length not in _SIGNED_BITS:
+                remarks.append(
+                    f"{entry.place} {entry.name}: {PROGRAM} reads {entry.bit_length} bits without their sign"
+                )
+            yield EntryElement(
+                *place, entry.bit_length, taken[0] if is_whole else None, () if is_whole else taken, comment
+            )
+            return
+        why = f"{PROGRAM} registers {_MAX_PINS} at most" if types else "no HAL type takes it at its place"
+        remarks.append(f"{entry.place} {entry.name} has no pin: {why}")
+    for length in pieces(entry.bit_length):
+        yield EntryElement(*place, length, None, (), comment)
+
+
+def _types(entry: MappedEntry) -> list[tuple[str, str, int]]:
+    """Suffix, HAL type and length of the pins of an entry."""
+    value, length = entry.value, entry.bit_length
+    if value.kind == "bytes" or (value.kind == "real" and not on_byte(entry)):
+        return []
+    if value.kind == "real":
+        return [("", "float-ieee" if length == 32 else "float-double-ieee", length)]
+    if length > _PIN_BITS:
+        return [("-lo", "u32", _PIN_BITS), ("-hi", "u32", length - _PIN_BITS)]
+    return [("", "bit" if length == 1 else "s32" if value.kind == "int" else "u32", length)]
+
+
+def _sdo(command: StartCommand, remarks: list[str]) -> Iterator[SdoElement]:
+    words = f"{command.transition} {command.place} {command.comment}".rstrip()
+    if command.object_index == 0xFFFF or command.subindex == 0xFF:
+        remarks.append(f"{words} is left out: the parser of {PROGRAM} refuses this index or subindex")
+    elif command.complete_access and command.subindex:
+        remarks.append(f"{words} is left out: {PROGRAM} sends complete access from subindex 0 only")
+    else:
+        lines = (
+            command.data[start : start + _DATA_OF_LINE].hex(" ") for start in range(0, len(command.data), _DATA_OF_LINE)
+        )
+        subindex = "complete" if command.complete_access else f"{command.subindex:02x}"
+        yield SdoElement(f"{command.object_index:04x}", subindex, _comment(words), tuple(lines))
+
+
+def _dc(configuration: Configuration, found: Clocks) -> DcElement:
+    cycle_ns = configuration.choice.cycle_ns
+    return DcElement(
+        _comment(op_mode_words(configuration)),
+        f"{found.assign_activate:x}",
+        _time(found.sync0_cycle, cycle_ns),
+        found.sync0_shift_ns,
+        _time(found.sync1_delay, cycle_ns) if found.signals.sync1 else None,
+    )
+
+
+def _time(time: Time, cycle_ns: int) -> str:
+    """A multiple of appTimePeriod, or nanoseconds."""
+    in_ns = int(time.in_ns(cycle_ns))
+    if in_ns > _INT32_MAX:
+        raise InputError(f"{PROGRAM} cannot read a time of {in_ns} ns")
+    if time.cycles and time.cycles.denominator == 1 and not time.ns:
+        return f"*{time.cycles}"
+    return str(in_ns)

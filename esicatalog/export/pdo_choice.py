@@ -1,0 +1,197 @@
+"""From the chosen PDOs and entries to an assignment that the device allows."""
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple, TypeVar
+
+import msgspec
+
+from esicatalog.errors import InputError
+from esicatalog.esi.records.common import Name
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.export.choice import PdoChoice
+from esicatalog.export.entry_types import ObjectTable
+from esicatalog.model.pdo_facts import symmetric_exclusions
+from esicatalog.model.process_image import Assignment
+from esicatalog.model.slots import PluggedModule, expand_module
+
+_USAGE_OF_DIRECTION = {"RxPdo": "Outputs", "TxPdo": "Inputs"}
+_MAPPABLE_IN = {"RxPdo": "R", "TxPdo": "T"}
+_FIELDS = {"RxPdo": "rx_pdos", "TxPdo": "tx_pdos"}
+
+Owner = TypeVar("Owner", Device, Module)
+
+
+class ChosenPdos(NamedTuple):
+    """Device and modules with the chosen entries in their PDOs, and the assignment to them."""
+
+    device: Device
+    plugged: tuple[PluggedModule, ...]
+    assignment: Assignment | None
+    remarks: tuple[str, ...] = ()
+
+
+class _Available(NamedTuple):
+    """A PDO that can be assigned; ``position`` counts among those of its direction in the device or module."""
+
+    direction: str
+    position: int
+    pdo: Pdo
+    plugged: PluggedModule | None
+
+
+def apply_choice(
+    device: Device, plugged: Sequence[PluggedModule], chosen: Sequence[PdoChoice], objects: ObjectTable
+) -> ChosenPdos:
+    """Check the chosen PDOs against the description and turn them into an assignment.
+
+    Raises :class:`InputError` for a PDO that does not exist, is virtual, is excluded by another one, may not go to
+    its SyncManager, or whose entries cannot be chosen so.
+    """
+    if not chosen:
+        return ChosenPdos(device, tuple(plugged), None)
+    available = _available(device, plugged)
+    picked = [(_find(available, item), item) for item in chosen]
+    assignment: dict[int, dict[int, int]] = {}
+    remarks: list[str] = []
+    for found, item in picked:
+        number = _sync_manager(device, found)
+        assignment.setdefault(number, {})[item.pdo_index] = found.pdo.os_fac or 1
+    _check_exclusions(available, assignment)
+    for found, item in picked:
+        if item.entries:
+            entries = _chosen_entries(device, found, item, objects)
+            if _places(entries) == _places(found.pdo.entries):
+                continue
+            device, plugged = _with_entries(device, plugged, found, entries)
+            remarks.append(
+                f"PDO 0x{item.pdo_index:04X}: {len(entries)} entries are chosen, {len(found.pdo.entries)} are "
+                "described; the master writes the mapping at start"
+            )
+    return ChosenPdos(device, tuple(plugged), assignment, tuple(remarks))
+
+
+def _available(device: Device, plugged: Iterable[PluggedModule]) -> list[_Available]:
+    of_modules = [
+        _Available(direction, position, pdo, item)
+        for item in plugged
+        for direction, pdos in _pdos(expand_module(device, item).module)
+        for position, pdo in enumerate(pdos)
+    ]
+    replaced = {item.pdo.pdo_index for item in of_modules}
+    own = [
+        _Available(direction, position, pdo, None)
+        for direction, pdos in _pdos(device)
+        for position, pdo in enumerate(pdos)
+        if not (pdo.overwritten_by_module and pdo.pdo_index in replaced)
+    ]
+    return own + of_modules
+
+
+def _pdos(owner: Device | Module) -> tuple[tuple[str, tuple[Pdo, ...]], ...]:
+    return ("RxPdo", owner.rx_pdos), ("TxPdo", owner.tx_pdos)
+
+
+def _find(available: Iterable[_Available], wanted: PdoChoice) -> _Available:
+    for item in available:
+        if item.pdo.pdo_index == wanted.pdo_index:
+            if item.pdo.virtual:
+                raise InputError(f"PDO 0x{wanted.pdo_index:04X} is virtual: described, not transported")
+            return item
+    known = ", ".join(f"0x{item.pdo.pdo_index:04X}" for item in available if item.pdo.pdo_index is not None)
+    raise InputError(f"PDO 0x{wanted.pdo_index:04X} is not described; the PDOs are {known or 'none'}")
+
+
+def _sync_manager(device: Device, found: _Available) -> int:
+    """Its own SyncManager, else the first one for process data of its direction that it may go to."""
+    pdo, usage = found.pdo, _USAGE_OF_DIRECTION[found.direction]
+    if pdo.sm is not None:
+        return pdo.sm
+    numbers = [number for number, sm in enumerate(device.sync_managers) if sm.usage == usage]
+    for number in numbers:
+        if number not in pdo.excluded_sms:
+            if device.sync_managers[number].fixed_assignment:
+                raise InputError(
+                    f"the assignment of SM{number} is fixed: PDO 0x{pdo.pdo_index or 0:04X} cannot be chosen"
+                )
+            return number
+    why = f"may not go to SM{numbers[0]}" if numbers else f"has no SyncManager: the device has none for {usage}"
+    raise InputError(f"PDO 0x{pdo.pdo_index or 0:04X} {why}")
+
+
+def _check_exclusions(available: Iterable[_Available], assignment: Assignment) -> None:
+    """Chosen PDOs among themselves, and against mandatory ones of the same SyncManager, which are assigned too."""
+    exclusions = symmetric_exclusions(item.pdo for item in available)
+    chosen = {index for indices in assignment.values() for index in indices}
+    mandatory = {
+        item.pdo.pdo_index
+        for item in available
+        if item.pdo.mandatory and not item.pdo.virtual and item.pdo.sm in assignment
+    }
+    for index in sorted(chosen):
+        for rival in exclusions.get(index, ()):
+            if rival in chosen:
+                raise InputError(f"PDO 0x{index:04X} and PDO 0x{rival:04X} exclude each other; choose one of them")
+            if rival in mandatory:
+                raise InputError(
+                    f"PDO 0x{index:04X} and PDO 0x{rival:04X} exclude each other, and 0x{rival:04X} is mandatory"
+                )
+
+
+def _chosen_entries(device: Device, found: _Available, wanted: PdoChoice, objects: ObjectTable) -> tuple[Entry, ...]:
+    """The chosen entries in their order: those of the PDO, and objects that the dictionary lets into it."""
+    mailbox = device.mailbox
+    if found.pdo.fixed or mailbox is None or not mailbox.coe_pdo_config:
+        why = "is Fixed" if found.pdo.fixed else "cannot be changed: the device does not declare PdoConfig"
+        raise InputError(f"entries of PDO 0x{wanted.pdo_index:04X} cannot be chosen: its mapping {why}")
+    own = {(entry.entry_index, entry.subindex or 0): entry for entry in found.pdo.entries if entry.entry_index}
+    return tuple(
+        own.get((index, subindex)) or _mapped_object(found, wanted, index, subindex, objects)
+        for index, subindex in wanted.entries
+    )
+
+
+def _mapped_object(found: _Available, wanted: PdoChoice, index: int, subindex: int, objects: ObjectTable) -> Entry:
+    declared = objects.entry(index, subindex)
+    letter = _MAPPABLE_IN[found.direction]
+    if declared is None or not declared.bit_size or letter not in (declared.pdo_mapping or ""):
+        raise InputError(
+            f"0x{index:04X}:{subindex:02X} is no entry of PDO 0x{wanted.pdo_index:04X}, "
+            f"and no dictionary declares it mappable ({letter}) with a size"
+        )
+    return Entry(
+        entry_index=index,
+        subindex=subindex,
+        bit_length=declared.bit_size,
+        names=(Name(text=declared.name or ""),),
+        data_type=declared.base_type,
+    )
+
+
+def _places(entries: Iterable[Entry]) -> list[tuple[int | None, int, int | None]]:
+    return [(entry.entry_index, entry.subindex or 0, entry.bit_length) for entry in entries]
+
+
+def _with_entries(
+    device: Device, plugged: Sequence[PluggedModule], found: _Available, entries: tuple[Entry, ...]
+) -> tuple[Device, tuple[PluggedModule, ...]]:
+    """Device and modules with other entries in one PDO. Indices of a module are those of its slot already."""
+    field = _FIELDS[found.direction]
+    if found.plugged is None:
+        return _replaced(device, field, found.position, entries), tuple(plugged)
+    unshifted = tuple(
+        msgspec.structs.replace(entry, depend_on_slot=None, depend_on_slot_group=None) for entry in entries
+    )
+    return device, tuple(
+        item._replace(module=_replaced(item.module, field, found.position, unshifted))
+        if item.slot_number == found.plugged.slot_number
+        else item
+        for item in plugged
+    )
+
+
+def _replaced(owner: Owner, field: str, position: int, entries: tuple[Entry, ...]) -> Owner:
+    pdos = list(getattr(owner, field))
+    pdos[position] = msgspec.structs.replace(pdos[position], entries=entries)
+    return msgspec.structs.replace(owner, **{field: tuple(pdos)})

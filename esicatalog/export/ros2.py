@@ -1,0 +1,213 @@
+"""Slave file for ethercat_driver_ros2, which its generic plugins load (documentation: Generic EtherCAT Slave).
+
+The driver writes every output in every cycle: the command interface, or ``default`` while that is missing or NaN. So
+each output has a default, and each value that the driver cannot place has ``mask: 0``, which leaves its bits alone.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from esicatalog.errors import InputError
+from esicatalog.export.c_access import on_byte
+from esicatalog.export.c_text import comment_text, wrapped
+from esicatalog.export.configuration import INPUT, OUTPUT, Configuration, MappedEntry, SmConfiguration
+from esicatalog.export.headings import heading_lines, op_mode_words
+from esicatalog.export.igh_files import Listed, listed
+from esicatalog.export.igh_limits import pieces
+from esicatalog.export.init_cmds import MODULE_IDENT_LIST, StartCommand, single_accesses
+from esicatalog.export.names import unique_names
+from esicatalog.export.rendering import render
+
+PROGRAM = "ethercat_driver_ros2"
+_INTERFACES = {
+    "controlword": "control_word",
+    "statusword": "status_word",
+    "modes_of_operation": "mode_of_operation",
+    "modes_of_operation_display": "mode_of_operation",
+    "target_position": "position",
+    "target_velocity": "velocity",
+    "target_torque": "effort",
+    "position_actual_value": "position",
+    "velocity_actual_value": "velocity",
+    "torque_actual_value": "effort",
+}
+"""Names that ros2_control and the controllers of the driver use, by those of CiA 402."""
+_MODE = "mode_of_operation"
+_HELD_BY = {0x6061, 0x6064}
+"""Mapped, they let the CiA 402 plugin hold the actual position."""
+_NOT_PLAIN = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null"))
+_BITS_OF_BYTE = 8
+_SDO_TYPES = {1: "uint8", 2: "uint16", 4: "int32", 8: "int64"}
+"""By length; the driver reads values as 32 bit signed integers."""
+
+
+class Row(NamedTuple):
+    """One line of a list, and what it means."""
+
+    text: str
+    comment: str
+
+
+class PdoRows(NamedTuple):
+    """A PDO with its channels."""
+
+    pdo_index: str
+    comment: str
+    channels: tuple[Row, ...]
+
+
+class Side(NamedTuple):
+    """How the driver calls things of one direction."""
+
+    key: str
+    interface: str
+
+
+class PdoList(NamedTuple):
+    """All PDOs of one direction."""
+
+    side: Side
+    pdos: tuple[PdoRows, ...]
+
+
+_SIDES = {OUTPUT: Side("rpdo", "command_interface"), INPUT: Side("tpdo", "state_interface")}
+
+
+def ros2_slave(configuration: Configuration) -> str:
+    """The file for one device. Raises :class:`InputError` for what the driver cannot configure."""
+    found = listed(configuration, PROGRAM)
+    remarks = [*configuration.remarks, *found.remarks, *_dc_remarks(configuration), *_drive_remarks(configuration)]
+    lists = [_pdo_list(configuration, found, direction, remarks) for direction in (OUTPUT, INPUT)]
+    sdos = [row for command in found.sdos for row in _sdo(command, remarks)]
+    heading = heading_lines(configuration._replace(remarks=tuple(remarks)), f"{PROGRAM} slave configuration")
+    return render(
+        "ros2.yaml.j2",
+        configuration=configuration,
+        heading=[comment_text(line) for line in wrapped(heading)],
+        op_mode=comment_text(op_mode_words(configuration)),
+        sdos=sdos,
+        lists=[item for item in lists if item.pdos],
+        sync_managers=[_sync_manager(sm) for sm in found.sync_managers],
+    )
+
+
+def _pdo_list(configuration: Configuration, found: Listed, direction: str, remarks: list[str]) -> PdoList:
+    side = _SIDES[direction]
+    sync_managers = [sm for sm in found.sync_managers if sm.is_described and sm.direction == direction]
+    if len(sync_managers) > 1:
+        numbers = ", ".join(f"SM{sm.number}" for sm in sync_managers)
+        raise InputError(
+            f"{numbers} have PDOs; {PROGRAM} assigns every {side.key} to each SyncManager of the direction"
+        )
+    reached = []
+    for entry in (entry for sm in sync_managers for entry in sm.entries if entry.identifier not in found.repeated):
+        if _value(entry, side):
+            reached.append(entry)
+        else:
+            remarks.append(f"{entry.place} {entry.name} has no interface: {PROGRAM} has no type for it at its place")
+    names = unique_names([_interface(configuration, entry.identifier) for entry in reached])
+    interfaces = {entry.identifier: name for entry, name in zip(reached, names, strict=True)}
+    modes = {
+        (sdo.object_index, sdo.subindex): int.from_bytes(sdo.data, "little", signed=True)
+        for sdo in found.sdos
+        if not sdo.complete_access
+    }
+    pdos = (
+        PdoRows(
+            f"0x{pdo.pdo_index:04x}",
+            comment_text(pdo.name),
+            tuple(row for entry in pdo.entries for row in _channels(entry, side, interfaces, modes)),
+        )
+        for sm in sync_managers
+        for pdo in sm.pdos
+    )
+    return PdoList(side, tuple(pdos))
+
+
+def _interface(configuration: Configuration, identifier: str) -> tuple[str, ...]:
+    stem, separator, axis = identifier.partition("_axis")
+    if not configuration.is_drive or stem not in _INTERFACES or (separator and not axis.isdecimal()):
+        return (identifier,)
+    return (f"{_INTERFACES[stem]}{separator}{axis}", identifier)
+
+
+def _channels(
+    entry: MappedEntry, side: Side, interfaces: Mapping[str, str], modes: Mapping[tuple[int, int], int]
+) -> Iterator[Row]:
+    """One row for an entry; several for one that is longer than IgH can say."""
+    place, comment = f"index: 0x{entry.entry_index:04x}, sub_index: {entry.subindex}", comment_text(entry.name or "gap")
+    name = interfaces.get(entry.identifier)
+    default = 0
+    if name is not None and name.startswith(_MODE):
+        # The cyclic value must not undo the mode that a start-up command sets.
+        default = modes.get((entry.entry_index, entry.subindex), 0)
+    ending = f", default: {default}" if side.key == "rpdo" else ""
+    if name is None:
+        for length in pieces(entry.bit_length):
+            yield Row(f"{place}, type: bit{length}, mask: 0{ending}", comment)
+        return
+    written = f'"{name}"' if name in _NOT_PLAIN else name
+    yield Row(f"{place}, {_value(entry, side)}, {side.interface}: {written}{ending}", comment)
+
+
+def _value(entry: MappedEntry, side: Side) -> str:
+    """Type, mask and factor for a value that the driver can read and write, else empty."""
+    value, bit = entry.value, entry.bit_offset % _BITS_OF_BYTE
+    if on_byte(entry) and value.kind != "bytes" and value.fills_container:
+        return f"type: {value.kind}{value.bit_length}"
+    if bit + entry.bit_length > _BITS_OF_BYTE or value.kind not in ("int", "uint"):
+        return ""
+    mask, scale = ((1 << entry.bit_length) - 1) << bit, 1 << bit
+    if entry.bit_length == 1:
+        return f"type: bool, mask: {mask}"
+    factor = f", factor: {scale if side.key == 'rpdo' else 1 / scale}" if bit else ""
+    return f"type: bit{entry.bit_length}, mask: {mask}{factor}"
+
+
+def _sdo(command: StartCommand, remarks: list[str]) -> Iterator[Row]:
+    if command.complete_access and command.object_index == MODULE_IDENT_LIST and not command.subindex:
+        for single in single_accesses(command):
+            yield from _sdo(single, remarks)
+        return
+    size = len(command.data)
+    value = int.from_bytes(command.data, "little", signed=size > 2)
+    comment = f"{command.transition} {command.place} {command.comment}".rstrip()
+    if command.complete_access or size not in _SDO_TYPES or not -(1 << 31) <= value < 1 << 31:
+        remarks.append(f"{comment} is left out: {PROGRAM} sends integers that fit 32 bits, one subindex at a time")
+        return
+    place = f"index: 0x{command.object_index:04x}, sub_index: {command.subindex}"
+    yield Row(f"{place}, type: {_SDO_TYPES[size]}, value: {value}", comment_text(comment))
+
+
+def _sync_manager(sm: SmConfiguration) -> Row:
+    pdos = _SIDES[sm.direction].key if sm.is_described else "~"
+    return Row(f"index: {sm.number}, type: {sm.direction}, pdo: {pdos}", comment_text(sm.usage))
+
+
+def _dc_remarks(configuration: Configuration) -> Iterable[str]:
+    found, cycle_ns = configuration.clocks, configuration.choice.cycle_ns
+    if found is None or not (found.signals.sync0 or found.signals.sync1):
+        return
+    sync0 = found.sync0_cycle.in_ns(cycle_ns)
+    if sync0 == cycle_ns and not found.sync0_shift_ns and not found.signals.sync1:
+        return
+    shift = f" with a shift of {found.sync0_shift_ns} ns" if found.sync0_shift_ns else ""
+    sync1 = f" and SYNC1 {found.sync1_delay.in_ns(cycle_ns)} ns behind it" if found.signals.sync1 else ""
+    yield (
+        f"the OpMode asks for SYNC0 every {sync0} ns{shift}{sync1}; {PROGRAM} always sets SYNC0 to its own period with "
+        "a shift of its own, and SYNC1 to no delay"
+    )
+
+
+def _drive_remarks(configuration: Configuration) -> Iterable[str]:
+    device = configuration.subject.device
+    if device.esc_reg0400 or device.esc_reg0420:
+        yield f"watchdog registers 0x0400 and 0x0420 are left out: {PROGRAM} cannot set them"
+    if not configuration.axes:
+        return
+    yield "the plugin EcCiA402Drive switches the drive on by itself where it does not know auto_state_transitions"
+    if not _HELD_BY <= {entry.entry_index for sm in configuration.images(INPUT) for entry in sm.entries}:
+        yield (
+            "EcCiA402Drive holds the actual position only when 0x6061 and 0x6064 are mapped, and here one of them is "
+            "not: its target position is 0 until one is commanded"
+        )

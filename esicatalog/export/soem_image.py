@@ -1,0 +1,88 @@
+"""The process image of one direction as a packed C structure, with accessors for what is no member of it."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from esicatalog.export.c_access import Function, Place, c_type, read_bits, read_long, write_bits, write_long
+from esicatalog.export.c_text import comment_text
+from esicatalog.export.configuration import OUTPUT, Configuration, MappedEntry
+from esicatalog.export.image_layout import ImageLayout, Member, image_layout
+
+
+class MemberCode(NamedTuple):
+    """A member of the structure."""
+
+    declaration: str
+    name: str
+    byte_offset: int
+    comment: str
+
+
+class ImageCode(NamedTuple):
+    """The structure of one direction."""
+
+    direction: str
+    type_name: str
+    byte_size: int
+    members: tuple[MemberCode, ...]
+    accessors: tuple[Function, ...]
+    remarks: tuple[str, ...]
+
+    @property
+    def needs_bits(self) -> bool:
+        """Whether an accessor needs the helpers for values that do not fill bytes."""
+        return bool(self.accessors)
+
+
+def image_code(configuration: Configuration, direction: str) -> ImageCode:
+    """The structure of one direction; without members when nothing is exchanged."""
+    layout = image_layout(configuration, direction)
+    type_name = f"{configuration.prefix}_{direction}s_t"
+    return ImageCode(
+        direction,
+        type_name,
+        layout.byte_size,
+        tuple(map(_member, layout.members)),
+        tuple(
+            function
+            for entry in layout.others
+            for function in _accessors(configuration.prefix, type_name, layout, entry)
+        ),
+        layout.remarks,
+    )
+
+
+def _member(member: Member) -> MemberCode:
+    entry = member.entry
+    if entry is None or entry.value.kind == "bytes":
+        declaration = f"uint8_t {member.name}[{member.byte_count}];"
+    else:
+        declaration = f"{c_type(entry)} {member.name};"
+    comment = _words(entry) if entry is not None else "values that do not fill bytes, and gaps"
+    return MemberCode(declaration, member.name, member.byte_offset, comment)
+
+
+def _words(entry: MappedEntry) -> str:
+    return comment_text(f"{entry.place} {entry.name}".rstrip())
+
+
+def _accessors(prefix: str, type_name: str, layout: ImageLayout, entry: MappedEntry) -> Iterator[Function]:
+    is_output = layout.direction == OUTPUT
+    const = "" if is_output else "const "
+    image, cast = f"{const}{type_name} *image", f"({const}uint8_t *) image"
+    bit = str(entry.bit_offset)
+    if layout.starts_inside_byte:
+        image, cast, bit = f"{const}uint8_t *image, uint8_t start_bit", "image", f"start_bit + {bit}"
+    place = Place(cast, bit)
+    comment = _words(entry)
+    is_long = entry.value.kind == "bytes"
+    if is_output:
+        value = "const uint8_t *value" if is_long else f"{c_type(entry)} value"
+        head = f"static inline void {prefix}_set_{entry.identifier}({image}, {value})"
+        yield Function(comment, head, write_long(entry, place) if is_long else write_bits(entry, place))
+    elif is_long:
+        head = f"static inline void {prefix}_get_{entry.identifier}({image}, uint8_t *value)"
+        yield Function(comment, head, read_long(entry, place))
+    else:
+        head = f"static inline {c_type(entry)} {prefix}_get_{entry.identifier}({image})"
+        yield Function(comment, head, read_bits(entry, place))

@@ -1,0 +1,127 @@
+"""What a generator is about: one device description with the modules it can carry, and where it comes from."""
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple, Self
+
+from esicatalog.catalog.results import DeviceSource, FoundDevice
+from esicatalog.errors import InputError
+from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.document import Document
+from esicatalog.esi.records.module import Module
+from esicatalog.identity import Identity
+from esicatalog.model.slots import reachable_modules
+
+
+class Subject(NamedTuple):
+    """A device description. ``origin`` names the documents that carry it, with the line of the Device element."""
+
+    vendor_id: int
+    vendor: str | None
+    product_code: int
+    revision_no: int
+    device: Device
+    modules: tuple[Module, ...] = ()
+    origin: tuple[str, ...] = ()
+    substitution: str | None = None
+    """Why this description stands for a device of another revision, in words; None when it is exact."""
+
+    @property
+    def identity(self) -> Identity:
+        """Vendor, product and revision of the description."""
+        return Identity(self.vendor_id, self.product_code, self.revision_no)
+
+    @property
+    def title(self) -> str:
+        """Type and name of the device."""
+        parts = (self.device.type, display_text(self.device.names))
+        return ", ".join(dict.fromkeys(" ".join(part.split()) for part in parts if part and part.strip()))
+
+    def standing_in(self, reason: str) -> Self:
+        """The same description, accepted for another revision."""
+        return self._replace(substitution=reason)
+
+
+def subject_of_description(
+    found: FoundDevice, sources: Iterable[DeviceSource], device: Device, modules: Iterable[Module]
+) -> Subject:
+    """The subject of a description in the catalog. Raises :class:`InputError` when it has no identity."""
+    origin = tuple(f"{source.member}, line {source.line}" for source in sources)
+    return _subject(found.vendor_id, found.vendor, device, tuple(modules), origin)
+
+
+def subjects_of_document(document: Document, file_name: str) -> list[Subject]:
+    """The devices of one ESI document that have an identity, in document order."""
+    found = []
+    for info, lines, referenced in zip(document.infos, document.device_lines, document.referenced_modules, strict=True):
+        vendor_id = info.vendor.vendor_id if info.vendor is not None else None
+        vendor = display_text(info.vendor.names) if info.vendor is not None else None
+        for device, line in zip(info.devices, lines, strict=True):
+            if vendor_id is None or device.product_code is None or device.revision_no is None:
+                continue
+            modules = tuple(reachable_modules(device, (*info.modules, *referenced)))
+            found.append(_subject(vendor_id, vendor, device, modules, (f"{file_name}, line {line}",)))
+    return found
+
+
+def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_name: str) -> Subject:
+    """The device that ``identity`` names, or the only one.
+
+    Without a revision the latest is meant that no other one of the document hides; a variant counts the descriptions
+    of the same identity in document order. Raises :class:`InputError` with the list of the devices when none or
+    several fit.
+    """
+    if not subjects:
+        raise InputError(f"{file_name}: no device with vendor, product code and revision is described")
+    fitting = [subject for subject in subjects if identity is None or _fits(subject, identity)]
+    if identity is not None and identity.revision_no is None and fitting:
+        latest = max(subject.revision_no for subject in _visible(fitting) or fitting)
+        fitting = [subject for subject in fitting if subject.revision_no == latest]
+    if identity is not None and identity.variant is not None:
+        fitting = fitting[identity.variant - 1 : identity.variant]
+    if len(fitting) == 1:
+        return fitting[0]
+    listed = ", ".join(f"{subject.identity} ({subject.device.type}; {subject.origin[0]})" for subject in subjects)
+    if identity is None:
+        raise InputError(f"{file_name} describes {len(subjects)} devices; name one of: {listed}")
+    if fitting:
+        raise InputError(
+            f"{file_name} describes {identity} {len(fitting)} times; append @1 to @{len(fitting)}: "
+            + ", ".join(subject.origin[0] for subject in fitting)
+        )
+    raise InputError(f"{file_name} does not describe {identity}; it describes: {listed}")
+
+
+def _subject(
+    vendor_id: int | None, vendor: str | None, device: Device, modules: tuple[Module, ...], origin: tuple[str, ...]
+) -> Subject:
+    if vendor_id is None or device.product_code is None or device.revision_no is None:
+        raise InputError(
+            f"{device.type or 'the device'} has no {_missing(vendor_id, device)}; a master cannot be configured for it"
+        )
+    return Subject(vendor_id, vendor, device.product_code, device.revision_no, device, modules, origin)
+
+
+def _missing(vendor_id: int | None, device: Device) -> str:
+    given = {"vendor id": vendor_id, "product code": device.product_code, "revision": device.revision_no}
+    return " and no ".join(name for name, value in given.items() if value is None)
+
+
+def _fits(subject: Subject, identity: Identity) -> bool:
+    return (
+        subject.vendor_id == identity.vendor_id
+        and subject.product_code == identity.product_code
+        and identity.revision_no in (None, subject.revision_no)
+    )
+
+
+def _visible(subjects: Iterable[Subject]) -> list[Subject]:
+    """Those of one product that none of them hides (HideType)."""
+    given = list(subjects)
+    hidden = {
+        item.revision_no
+        for subject in given
+        for item in subject.device.hide_types
+        if item.product_code in (None, subject.product_code) and item.revision_no != subject.revision_no
+    }
+    return [subject for subject in given if subject.revision_no not in hidden]

@@ -1,0 +1,120 @@
+"""What the device page generates: one address a target, the options of the command as parameters."""
+
+import asyncio
+import re
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from datasette.utils.asgi import Response
+
+from esicatalog.api import Catalog
+from esicatalog.catalog.description import DeviceDescription
+from esicatalog.catalog.results import json_bytes
+from esicatalog.errors import EsiCatalogError, InputError, NotFound
+from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, parse_pdo_choice
+from esicatalog.export.configuration import Configuration, configure
+from esicatalog.export.cstruct import cstruct_of_configuration
+from esicatalog.export.esi import DescribedDevice, export_esi
+from esicatalog.export.igh import igh_header
+from esicatalog.export.sii import sii_image
+from esicatalog.export.sii_limits import check_image
+from esicatalog.export.soem import soem_header
+from esicatalog.export.subject import subject_of_description
+from esicatalog.identity import parse_number, parse_plugged
+from esicatalog.sii.encode import encode_sii
+from esicatalog.web.links import identity_of_path
+from esicatalog.web.state import catalog_for
+
+_LARGEST_CYCLE_NS = 10**10
+_PARAMETERS = ("pdo", "module", "op-mode", "cycle-ns", "name", "alias", "position")
+
+Generate = Callable[[Catalog, DeviceDescription, Choice], str | bytes]
+
+
+class Target(NamedTuple):
+    """A target: what it is called, the ending of its file, its media type, and what makes it."""
+
+    label: str
+    ending: str
+    media_type: str
+    generate: Generate
+
+
+def _configured(generate: Callable[[Configuration], str]) -> Generate:
+    def run(catalog: Catalog, description: DeviceDescription, choice: Choice) -> str:
+        subject = subject_of_description(
+            description.found, description.sources, description.device, description.modules
+        )
+        return generate(configure(subject, choice))
+
+    return run
+
+
+def _esi(catalog: Catalog, description: DeviceDescription, choice: Choice) -> bytes:
+    parts = catalog.document_parts(description)
+    return export_esi(parts.vendor, parts.groups, [DescribedDevice(description.device, description.modules)])
+
+
+def _sii(catalog: Catalog, description: DeviceDescription, choice: Choice) -> bytes:
+    parts = catalog.document_parts(description)
+    device = description.device
+    image = sii_image(description.found.vendor_id, parts.group(device.group_type), device)
+    return encode_sii(check_image(image, image.header.byte_size))
+
+
+_C = "text/x-c; charset=utf-8"
+TARGETS: dict[str, Target] = {
+    "igh": Target("IgH C header", "h", _C, _configured(igh_header)),
+    "soem": Target("SOEM C header", "h", _C, _configured(soem_header)),
+    "cstruct": Target("ethercat cstruct", "c", _C, _configured(cstruct_of_configuration)),
+    "sii": Target("EEPROM image", "bin", "application/octet-stream", _sii),
+    "esi": Target("ESI XML", "xml", "application/xml", _esi),
+}
+"""By name in the address and on the command line."""
+
+
+async def export_route(request: Any, datasette: Any) -> Response:
+    """``/-/esi/device/V/P/R/export/TARGET``: the generated file; errors are JSON."""
+    catalog = await catalog_for(datasette, request.actor)
+    try:
+        return await asyncio.to_thread(_generated, request, catalog)
+    except EsiCatalogError as error:
+        status = 404 if isinstance(error, NotFound) else 400
+        return Response(json_bytes({"error": str(error)}), status, {}, "application/json; charset=utf-8")
+
+
+def _generated(request: Any, catalog: Catalog) -> Response:
+    target = TARGETS.get(request.url_vars["target"])
+    if target is None:
+        raise NotFound(f"no such export; there are {', '.join(TARGETS)}")
+    identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
+    description = catalog.device(identity)
+    made = target.generate(catalog, description, _choice(request))
+    data = made.encode() if isinstance(made, str) else made
+    stem = re.sub(r"[^A-Za-z0-9]+", "_", description.found.type or "device").strip("_") or "device"
+    headers = {
+        "Content-Disposition": f'attachment; filename="{stem}.{target.ending}"',
+        "X-Content-Type-Options": "nosniff",
+    }
+    return Response(data, 200, headers, target.media_type)
+
+
+def _choice(request: Any) -> Choice:
+    unknown = sorted(set(request.args) - set(_PARAMETERS))
+    if unknown:
+        raise InputError(f"unknown parameter {unknown[0][:40]!r}; there are {', '.join(_PARAMETERS)}")
+    pdo = request.args.get("pdo")
+
+    def number(name: str, default: int, limit: int) -> int:
+        text = request.args.get(name)
+        return parse_number(text, name, limit) if text else default
+
+    return Choice(
+        pdos=parse_pdo_choice(pdo) if pdo else (),
+        modules=dict(parse_plugged(text) for text in request.args.getlist("module") if not text.endswith("=")),
+        op_mode=request.args.get("op-mode") or None,
+        cycle_ns=number("cycle-ns", DEFAULT_CYCLE_NS, _LARGEST_CYCLE_NS),
+        name=request.args.get("name") or None,
+        alias=number("alias", 0, 0xFFFF),
+        position=number("position", 0, 0xFFFF),
+    )

@@ -1,0 +1,180 @@
+"""``esicatalog export``: where the device comes from, exact matches only, one line for every error."""
+
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from snippets import device, esi, write
+
+from esicatalog import Catalog
+from esicatalog.cli.export import command
+
+
+def run(*words: object, db: Path | None = None, stdin: str | None = None):
+    arguments = [str(word) for word in words] + (["--db", str(db)] if db is not None else [])
+    return CliRunner().invoke(command, arguments, catch_exceptions=False, input=stdin)
+
+
+def error_line(result, exit_code: int) -> str:
+    assert result.exit_code == exit_code
+    assert result.stdout == ""
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("esicatalog: ")
+    return line
+
+
+@pytest.mark.parametrize("target", ["igh", "cstruct", "soem"])
+def test_the_catalog_and_the_file_give_the_same(data, data_db, target):
+    from_catalog = run(target, "0x4321:0xe2:1", db=data_db)
+    from_file = run(target, "--esi", data / "l6n_drive.xml")
+    assert from_catalog.exit_code == 0
+    assert from_catalog.stdout == from_file.stdout
+    assert "target" in from_file.stdout.lower()
+
+
+def test_without_revision_the_latest_visible_one_is_meant(data_db):
+    assert "revision 0x00110000" in run("igh", "0xE5C:0x0D080808", db=data_db).stdout
+
+
+def test_options_reach_the_header(data, tmp_path):
+    target = tmp_path / "drive.h"
+    words = ("--pdo", "0x1601,0x1A01", "--op-mode", "DC", "--cycle-ns", 500_000, "--name", "left", "--alias", 7)
+    result = run("igh", "--esi", data / "l6n_drive.xml", *words, "--position", 1, "-o", target)
+    assert (result.exit_code, result.stdout) == (0, "")
+    text = target.read_text()
+    for words in (
+        "#define LEFT_ALIAS 7",
+        "#define LEFT_POSITION 1",
+        "#define CYCLE_NS 500000",
+        "{0x60ff, 0x00, 32}",
+        "left_config_dc",
+    ):
+        assert words in text
+
+
+def test_modules_are_plugged(data):
+    result = run("igh", "--esi", data / "two_axis_modular_drive.xml", "--module", "1=0x10900")
+    assert "target_velocity_axis1" in result.stdout
+
+
+def test_versions_of_soem(data):
+    file = data / "l6n_drive.xml"
+    assert "ec_SDOwrite(slave" in run("soem", "--esi", file, "--soem", "1.4").stdout
+    assert "ecx_SDOwrite(context" in run("soem", "--esi", file, "--soem", "2").stdout
+    assert run("soem", "--esi", file, "--soem", "3").exit_code == 2
+
+
+def test_another_revision_is_refused_and_can_be_accepted(data_db):
+    line = error_line(run("igh", "0x4321:0xe2:7", db=data_db), 1)
+    assert "--accept-revision takes 0x00004321:0x000000e2:0x00000001" in line
+    accepted = run("igh", "0x4321:0xe2:7", "--accept-revision", db=data_db)
+    assert accepted.exit_code == 0
+    assert "NOT EXACT, accepted on request: asked for 0x00004321:0x000000e2:0x00000007" in accepted.stdout
+    (line,) = accepted.stderr.splitlines()
+    assert "asked for 0x00004321:0x000000e2:0x00000007, described is 0x00004321:0x000000e2:0x00000001" in line
+
+
+def test_what_is_not_there(data_db, tmp_path):
+    assert "product 0x000000e3" in error_line(run("igh", "0x4321:0xe3:1", "--accept-revision", db=data_db), 1)
+    assert "0x00004321:0x000000e3" in error_line(run("igh", "0x4321:0xe3", db=data_db), 1)
+    assert "vendor 0x00000009" in error_line(run("igh", "9:9:9", "--accept-revision", db=data_db), 1)
+
+
+def test_wrong_usage_is_one_line(data, data_db, tmp_path):
+    drive = data / "l6n_drive.xml"
+    not_esi = write(tmp_path, {"eni.xml": "<EtherCATConfig/>"}) / "eni.xml"
+    for words, message in (
+        (("igh",), "say which device"),
+        (("igh", "--esi", tmp_path / "missing.xml"), "no such file"),
+        (("igh", "--esi", not_esi), "EtherCATConfig"),
+        (("igh", "--esi", data / "io_terminal_8di_8do.xml"), "describes 2 devices; name one of"),
+        (("igh", "0x1:0x2", "--esi", drive), "does not describe"),
+        (("igh", "--esi", drive, "--pdo", "0x1600,0x1601"), "exclude each other"),
+        (("igh", "--esi", drive, "--pdo", "x"), "is not a number"),
+        (("igh", "--esi", drive, "--op-mode", "none"), "does not exist"),
+        (("igh", "--esi", drive, "--module", "0=1"), "the device has no slots"),
+        (("igh", "--esi", drive, "--cycle-ns", 0), "bus cycle"),
+        (("igh", "--esi", drive, "--name", "a b"), "cannot begin names"),
+        (("igh", "--esi", drive, "-o", tmp_path / "no" / "where.h"), "No such file"),
+        (("igh", "--esi", drive, "--scan", "-"), "neither IDENTITY nor --esi"),
+        (("cstruct", "--sii", tmp_path / "missing.bin"), "No such file"),
+        (("cstruct", "--sii", drive, "--esi", drive), "neither IDENTITY nor --esi"),
+        (("igh", "0x4321"), "is not VENDOR:PRODUCT"),
+    ):
+        assert message in error_line(run(*words), 2)
+
+
+def test_an_image_that_is_none_is_one_line(tmp_path):
+    write(tmp_path, {"empty.bin": b"\xff" * 2048})
+    assert "empty EEPROM" in error_line(run("cstruct", "--sii", tmp_path / "empty.bin"), 2)
+
+
+def test_devices_without_identity_are_refused(tmp_path):
+    write(tmp_path, {"cap.xml": esi(device("", product="", type_text="End cap"))})
+    assert "no device with vendor, product code and revision" in error_line(
+        run("igh", "--esi", tmp_path / "cap.xml"), 2
+    )
+
+
+def test_a_real_image_on_the_command_line(corpus):
+    dump = corpus / "sii" / "ethercrab-rs+ethercrab" / "dumps__Term 5 (EL2004).bin"
+    printed = corpus / "igh" / "ethercrab-rs+ethercrab~dumps__Term 5 (EL2004).bin.cstruct.h"
+    if not dump.is_file():
+        pytest.skip(f"no EEPROM dump at {dump}")
+    assert run("cstruct", "--sii", dump).stdout_bytes == printed.read_bytes()
+    assert "slave_4_syncs" in run("cstruct", "--sii", dump, "--position", 4).stdout
+
+
+BUS = """
+vendor,product,revision
+0x4321,0xe2,1
+0xE5C,0x0D080808,0x00110000
+0x4321,0xe2,1
+0x99,1,1
+"""
+
+
+def test_a_bus_from_a_listing(data_db, tmp_path):
+    listing = write(tmp_path, {"bus.csv": BUS}) / "bus.csv"
+    result = run("igh", "--scan", listing, db=data_db)
+    assert result.exit_code == 0
+    assert "position 3: slave (0x00000099:0x00000001:0x00000001) is unknown and left out" in result.stdout
+    for name in ("L6N_0_POSITION 0", "ECX_D808_1_POSITION 1", "L6N_2_POSITION 2"):
+        assert f"#define {name}\n" in result.stdout
+    assert result.stdout == run("igh", "--scan", "-", db=data_db, stdin=BUS).stdout
+    assert "#ifndef LINE_H" in run("igh", "--scan", listing, "--name", "line", db=data_db).stdout
+
+
+def test_a_bus_with_other_revisions_is_refused(data_db):
+    listing = BUS.replace("0x4321,0xe2,1\n0xE5C", "0x4321,0xe2,9\n0xE5C")
+    line = error_line(run("igh", "--scan", "-", db=data_db, stdin=listing), 1)
+    assert "position 0: 0x00004321:0x000000e2:0x00000009" in line
+    accepted = run("igh", "--scan", "-", "--accept-revision", db=data_db, stdin=listing)
+    assert accepted.exit_code == 0
+    assert "NOT EXACT, accepted on request" in accepted.stdout
+    assert len(accepted.stderr.splitlines()) == 1
+
+
+def test_choices_for_one_device_do_not_fit_a_bus(data_db):
+    assert "one device at a time" in error_line(run("igh", "--scan", "-", "--op-mode", "DC", db=data_db, stdin=BUS), 2)
+
+
+@pytest.mark.corpus
+def test_a_real_bus_as_igh_prints_it(corpus, corpus_db):
+    listing = corpus / "cli" / "linuxcnc-ethercat+linuxcnc-ethercat" / "tests__configgen__canned__scenario1__slaves.txt"
+    if not listing.is_file():
+        pytest.skip(f"no listing at {listing}")
+    result = run("igh", "--scan", listing, "--accept-revision", db=corpus_db)
+    assert result.exit_code == 0, result.stderr
+    assert "_POSITION 0\n" in result.stdout
+
+
+def test_variants_are_told_apart(tmp_path):
+    two = (esi(device("", name="A")), esi(device("<Sm>Outputs</Sm>", name="B")))
+    folder = write(tmp_path / "in", {f"{number}.xml": text for number, text in enumerate(two)})
+    db = tmp_path / "c.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([folder], jobs=1)
+    first, second = (run("igh", f"0xE5C:1:1@{variant}", db=db).stdout for variant in (1, 2))
+    assert first != second
+    assert "no variant 3" in error_line(run("igh", "0xE5C:1:1@3", db=db), 1)

@@ -1,0 +1,417 @@
+"""What is chosen and what follows: PDOs, entries, modules, OpModes, clocks, start-up commands, names."""
+
+import pytest
+from snippets import device, dictionary, esi, pdo, read
+
+from esicatalog.errors import InputError
+from esicatalog.esi.reader import read_esi
+from esicatalog.export.choice import Choice, PdoChoice, parse_pdo_choice
+from esicatalog.export.configuration import INPUT, OUTPUT, Configuration, configure
+from esicatalog.export.subject import Subject, choose_subject, subjects_of_document
+from esicatalog.identity import Identity
+
+SMS = (
+    '<Sm ControlByte="#x26">MBoxOut</Sm><Sm ControlByte="#x22">MBoxIn</Sm><Sm ControlByte="#x64">Outputs</Sm>'
+    '<Sm ControlByte="#x20">Inputs</Sm>'
+)
+COE = '<Mailbox><CoE PdoAssign="1" PdoConfig="1"/></Mailbox>'
+
+
+def subject(content: str, module_text: str = "") -> Subject:
+    (found,) = subjects_of_document(read(esi(device(content), module_text)).document, "x.xml")
+    return found
+
+
+def configured(content: str, module_text: str = "", **choice) -> Configuration:
+    return configure(subject(content, module_text), Choice(**choice))
+
+
+def pdos(found: Configuration) -> dict[int, list[int]]:
+    """PDO indices by SyncManager."""
+    return {sm.number: [item.pdo_index for item in sm.pdos] for sm in found.sync_managers if sm.pdos}
+
+
+def entry(index: str, bits: int, name: str = "", subindex: int = 0, data_type: str = "") -> str:
+    kind = f"<DataType>{data_type}</DataType>" if data_type else ""
+    named = f"<Name>{name}</Name>" if name else ""
+    return f"<Entry><Index>{index}</Index><SubIndex>{subindex}</SubIndex><BitLen>{bits}</BitLen>{named}{kind}</Entry>"
+
+
+def rx(index: str, *entries: str, attributes: str = 'Sm="2"', name: str = "R", extra: str = "") -> str:
+    return f"<RxPdo {attributes}><Index>{index}</Index><Name>{name}</Name>{extra}{''.join(entries)}</RxPdo>"
+
+
+PDOS = (
+    pdo("RxPdo", "#x1600", 16, attributes='Sm="2"', extra="<Exclude>#x1601</Exclude>")
+    + pdo("RxPdo", "#x1601", 8)
+    + pdo("RxPdo", "#x1602", 32)
+    + pdo("TxPdo", "#x1A00", 16, attributes='Sm="3"')
+    + pdo("TxPdo", "#x1A01", 8, attributes='Virtual="1"')
+    + pdo("TxPdo", "#x1A02", 8, extra="<ExcludedSm>3</ExcludedSm>")
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "chosen"),
+    [
+        ("0x1600", (PdoChoice(0x1600),)),
+        ("#x1600, 6656", (PdoChoice(0x1600), PdoChoice(0x1A00))),
+        ("0x1A00=0x6041+0x60FE:1", (PdoChoice(0x1A00, ((0x6041, 0), (0x60FE, 1))),)),
+    ],
+)
+def test_pdos_as_people_write_them(text, chosen):
+    assert parse_pdo_choice(text) == chosen
+
+
+@pytest.mark.parametrize("text", ["", "0x1600,", "0x11600", "0x1600,0x1600", "0x1600=", "0x1600=0x6041+", "x"])
+def test_pdos_that_cannot_be_read(text):
+    with pytest.raises(InputError):
+        parse_pdo_choice(text)
+
+
+def test_without_a_choice_the_default_assignment_counts():
+    assert pdos(configured(SMS + PDOS + COE)) == {2: [0x1600], 3: [0x1A00]}
+
+
+def test_chosen_pdos_go_to_the_sync_manager_of_their_direction_and_others_keep_theirs():
+    found = configured(SMS + PDOS + COE, pdos=parse_pdo_choice("0x1602,0x1601"))
+    assert pdos(found) == {2: [0x1602, 0x1601], 3: [0x1A00]}
+    assert [entry.bit_offset for sm in found.images(OUTPUT) for entry in sm.entries] == [0, 32]
+    assert found.remarks == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("0x1600,0x1601", "exclude each other"),
+        ("0x1601,0x1600", "exclude each other"),
+        ("0x1605", "is not described; the PDOs are 0x1600, 0x1601"),
+        ("0x1A01", "is virtual"),
+        ("0x1A02", "may not go to SM3"),
+        ("0x1602=0x7000:9", "no dictionary declares it mappable"),
+    ],
+)
+def test_pdos_that_the_device_does_not_allow(text, message):
+    with pytest.raises(InputError, match=message) as raised:
+        configured(SMS + PDOS + COE, pdos=parse_pdo_choice(text))
+    assert "\n" not in str(raised.value)
+
+
+def test_a_mandatory_pdo_is_assigned_too_and_cannot_be_excluded():
+    mandatory = pdo("RxPdo", "#x1600", 16, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1601</Exclude>")
+    content = SMS + mandatory + pdo("RxPdo", "#x1601", 8) + pdo("RxPdo", "#x1602", 8) + COE
+    found = configured(content, pdos=parse_pdo_choice("0x1602"))
+    assert pdos(found) == {2: [0x1600, 0x1602]}
+    assert any("0x1600 is mandatory" in remark for remark in found.remarks)
+    with pytest.raises(InputError, match="0x1600 is mandatory"):
+        configured(content, pdos=parse_pdo_choice("0x1601"))
+
+
+def test_a_device_that_does_not_declare_pdo_assign_is_named():
+    content = SMS + PDOS
+    assert configured(content, pdos=parse_pdo_choice("0x1600")).remarks == ()
+    (remark,) = configured(content, pdos=parse_pdo_choice("0x1602")).remarks
+    assert remark.startswith("the PDOs of SM2 are not the default ones, and the device does not declare PdoAssign")
+
+
+def test_chosen_entries_come_in_their_order():
+    found = configured(
+        SMS + pdo("RxPdo", "#x1600", 8, 16, 32, attributes='Sm="2"') + COE,
+        pdos=[PdoChoice(0x1600, ((0x7000, 3), (0x7000, 1)))],
+    )
+    (image,) = found.images(OUTPUT)
+    assert [(e.subindex, e.bit_length, e.bit_offset) for e in image.entries] == [(3, 32, 0), (1, 8, 32)]
+    assert any("2 entries are chosen, 3 are described" in remark for remark in found.remarks)
+
+
+def test_objects_that_the_dictionary_lets_in_can_be_chosen():
+    mappable = "<Flags><PdoMapping>T</PdoMapping></Flags>"
+    objects = "".join(
+        f"<Object><Index>{index}</Index><Name>{name}</Name><Type>DINT</Type><BitSize>32</BitSize>{flags}</Object>"
+        for index, name, flags in (("#x606C", "Velocity actual value", mappable), ("#x6081", "Profile velocity", ""))
+    )
+    profile = dictionary("<DataType><Name>DINT</Name><BitSize>32</BitSize></DataType>", objects)
+    content = profile + SMS + pdo("TxPdo", "#x1A00", 16, attributes='Sm="3"') + COE
+    found = configured(content, pdos=parse_pdo_choice("0x1A00=0x7000:1+0x606C"))
+    (image,) = found.images(INPUT)
+    velocity = list(image.entries)[1]
+    assert (velocity.identifier, velocity.bit_offset, velocity.value.kind) == ("velocity_actual_value", 16, "int")
+    for refused in ("0x1A00=0x6081", "0x1A00=0x607A"):
+        with pytest.raises(InputError, match="no dictionary declares it mappable"):
+            configured(content, pdos=parse_pdo_choice(refused))
+
+
+@pytest.mark.parametrize(
+    ("attributes", "mailbox", "message"),
+    [('Sm="2" Fixed="1"', COE, "is Fixed"), ('Sm="2"', "", "does not declare PdoConfig")],
+)
+def test_entries_of_a_pdo_that_cannot_be_changed(attributes, mailbox, message):
+    with pytest.raises(InputError, match=message):
+        configured(
+            SMS + pdo("RxPdo", "#x1600", 8, 16, attributes=attributes) + mailbox,
+            pdos=parse_pdo_choice("0x1600=0x7000:2"),
+        )
+
+
+def modular(data) -> Subject:
+    (found,) = subjects_of_document(
+        read_esi(data / "two_axis_modular_drive.xml").document, "two_axis_modular_drive.xml"
+    )
+    return found
+
+
+def test_modules_are_plugged_and_their_axes_named(data):
+    """data/two_axis_modular_drive.xml: CSV (0x10900) in slot 1 writes 0x6860 = 9 at PS."""
+    found = configure(modular(data), Choice(modules={1: 0x10900}))
+    names = [entry.identifier for sm in found.images(OUTPUT) for entry in sm.entries]
+    assert names[0] == "controlword"
+    assert "controlword_axis1" in names
+    assert "target_velocity_axis1" in names
+    assert found.axes == (0, 1)
+    written = {(c.object_index, c.subindex): c.data for c in found.commands}
+    assert written[(0x6060, 0)] == b"\x08"
+    assert written[(0x6860, 0)] == b"\x09"
+    assert written[(0xF030, 0)] == b"\x02\0" + (0x10800).to_bytes(4, "little") + (0x10900).to_bytes(4, "little")
+
+
+def test_a_module_that_does_not_fit(data):
+    with pytest.raises(InputError, match="does not fit slot 1"):
+        configure(modular(data), Choice(modules={1: 0x1}))
+
+
+def test_cia402_names_need_evidence():
+    word = entry("#x6040", 16, "Channel 5", data_type="UINT")
+    drive = configured(SMS + rx("#x1600", word))
+    assert [e.identifier for sm in drive.images(OUTPUT) for e in sm.entries] == ["controlword"]
+    assert drive.is_drive
+    terminal = configured(SMS + rx("#x1600", entry("#x6040", 1, "Channel 5", 1)))
+    assert [e.identifier for sm in terminal.images(OUTPUT) for e in sm.entries] == ["channel_5"]
+    assert not terminal.is_drive
+
+
+def test_names_come_from_entry_pdo_dictionary_and_place():
+    objects = "<Object><Index>#x2000</Index><Name>Ramp</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+    profile = dictionary("<DataType><Name>UINT</Name><BitSize>16</BitSize></DataType>", objects).replace("402", "5001")
+    content = (
+        profile
+        + SMS
+        + rx("#x1600", entry("#x7000", 1, "Output", 1), entry("#x2000", 16), entry("#x3000", 8), name="Channel 1")
+        + rx("#x1601", entry("#x7010", 1, "Output", 1), name="Channel 2")
+    )
+    names = [e.identifier for sm in configured(content).images(OUTPUT) for e in sm.entries]
+    assert names == ["channel_1_output", "ramp", "entry_3000_00", "channel_2_output"]
+
+
+@pytest.mark.parametrize(
+    ("data_type", "bits", "kind", "container"),
+    [
+        ("UINT", 16, "uint", 16),
+        ("INT", 16, "int", 16),
+        ("INT", 12, "int", 16),
+        ("REAL", 32, "real", 32),
+        ("REAL", 16, "uint", 16),
+        ("LREAL", 64, "real", 64),
+        ("BOOL", 1, "uint", 8),
+        ("STRING(4)", 32, "bytes", 0),
+        ("ARRAY [0..30] OF BYTE", 248, "bytes", 0),
+        ("", 24, "uint", 32),
+        ("UDINT", 72, "bytes", 0),
+    ],
+)
+def test_types_of_values(data_type, bits, kind, container):
+    found = configured(SMS + rx("#x1600", entry("#x7000", bits, "v", data_type=data_type)))
+    ((value,),) = ([e.value for e in sm.entries] for sm in found.images(OUTPUT))
+    assert (value.kind, value.bit_length, value.container_bits) == (kind, bits, container)
+
+
+def dc(*modes: tuple[str, str]) -> str:
+    return "<Dc>" + "".join(f"<OpMode><Name>{name}</Name>{times}</OpMode>" for name, times in modes) + "</Dc>"
+
+
+def times(activate: str, sync0: str = "", sync1: str = "", shift0: str = "", shift1: str = "") -> str:
+    parts = [f"<AssignActivate>{activate}</AssignActivate>"]
+    parts += [f"<CycleTimeSync0 {sync0}</CycleTimeSync0>"] if sync0 else []
+    parts += [f"<ShiftTimeSync0>{shift0}</ShiftTimeSync0>"] if shift0 else []
+    parts += [f"<CycleTimeSync1 {sync1}</CycleTimeSync1>"] if sync1 else []
+    parts += [f"<ShiftTimeSync1>{shift1}</ShiftTimeSync1>"] if shift1 else []
+    return "".join(parts)
+
+
+FACTOR_1 = 'Factor="1">0'
+
+
+@pytest.mark.parametrize(
+    ("mode", "cycle_ns", "sync0_ns", "delay_ns"),
+    [
+        (times("#x300", FACTOR_1), 1_000_000, 1_000_000, 0),
+        (times("#x300", 'Factor="2">0'), 1_000_000, 2_000_000, 0),
+        (times("#x300", ">250000"), 1_000_000, 250_000, 0),
+        (times("#x300"), 500_000, 500_000, 0),
+        # Register 0x09A4 = SYNC1 period - SYNC0 period + ShiftTimeSync1.
+        (times("#x700", FACTOR_1, FACTOR_1, shift1="20000"), 1_000_000, 1_000_000, 20_000),
+        (times("#x700", FACTOR_1, 'Factor="2">0'), 1_000_000, 1_000_000, 1_000_000),
+        (times("#x730", 'Factor="-8">0', 'Factor="-1">0'), 1_000_000, 125_000, 875_000),
+        (times("#x700", ">100000", ">300000", shift1="5"), 1_000_000, 100_000, 200_005),
+        (times("#x700", FACTOR_1, FACTOR_1, shift1="-1000"), 1_000_000, 1_000_000, 999_000),
+        # The bits decide, not the times: SYNC1 needs 0x0400.
+        (times("#x300", FACTOR_1, 'Factor="2">0', shift1="20000"), 1_000_000, 1_000_000, 0),
+        (times("#x630", FACTOR_1, FACTOR_1), 1_000_000, 0, 0),
+        (times("#x100", FACTOR_1), 1_000_000, 1_000_000, 0),
+    ],
+)
+def test_times_of_the_signals(mode, cycle_ns, sync0_ns, delay_ns):
+    found = configured(SMS + dc(("m", mode)), cycle_ns=cycle_ns).clocks
+    assert found is not None
+    assert found.sync0_cycle.in_ns(cycle_ns) == sync0_ns
+    assert found.sync1_delay.in_ns(cycle_ns) == delay_ns
+
+
+def test_without_assign_activate_there_are_no_clocks():
+    assert configured(SMS + dc(("free", times("0", FACTOR_1)))).clocks is None
+    assert configured(SMS).clocks is None
+
+
+def test_a_cycle_that_cannot_be_divided_is_refused():
+    content = SMS + dc(("os", times("#x730", 'Factor="-3">0', 'Factor="-1">0')))
+    with pytest.raises(InputError, match="divides the bus cycle by 3; 1000000 ns is no multiple"):
+        configured(content)
+    assert configured(content, cycle_ns=3_000_000).clocks.sync0_cycle.in_ns(3_000_000) == 1_000_000
+
+
+MODES = SMS + dc(("free", times("0")), ("DC", times("#x300", FACTOR_1)), ("DC", times("#x700", FACTOR_1, FACTOR_1)))
+
+
+@pytest.mark.parametrize(("wanted", "position"), [(None, 0), ("free", 0), ("2", 2), ("1", 1)])
+def test_op_modes_by_name_and_position(wanted, position):
+    assert configured(MODES, op_mode=wanted).op_mode_position == position
+
+
+@pytest.mark.parametrize(
+    ("wanted", "message"), [("DC", "exists at positions 1, 2"), ("3", "does not exist"), ("x", "0 'free', 1 'DC'")]
+)
+def test_op_modes_that_are_not_one(wanted, message):
+    with pytest.raises(InputError, match=message):
+        configured(MODES, op_mode=wanted)
+
+
+def test_a_plugged_module_chooses_the_op_mode():
+    slots = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">1</ModuleIdent></Slot></Slots>'
+    module = "<Module><Type ModuleIdent='1'>M</Type><Name>M</Name><DcOpModeName>DC</DcOpModeName></Module>"
+    found = configured(MODES + slots, module)
+    assert found.op_mode_position == 1
+    assert any("a plugged module asks for it" in remark for remark in found.remarks)
+    assert configured(MODES + slots, module, op_mode="free").op_mode_position == 0
+
+
+def init_cmd(transitions: str, index: str, data: str, extra: str = "") -> str:
+    marks = "".join(f"<Transition>{name}</Transition>" for name in transitions.split())
+    return f"<InitCmd {extra}>{marks}<Index>{index}</Index><SubIndex>1</SubIndex><Data>{data}</Data></InitCmd>"
+
+
+def test_commands_by_transition():
+    commands = init_cmd("SO", "#x2001", "01") + init_cmd("PS IP", "#x2002", "0200") + init_cmd("XX", "#x2003", "03")
+    found = configured(SMS + f"<Mailbox><CoE>{commands}{init_cmd('PS', '#x2004', '')}</CoE></Mailbox>")
+    assert [(c.transition, c.object_index, c.data) for c in found.commands] == [
+        ("IP", 0x2002, b"\x02\x00"),
+        ("PS", 0x2002, b"\x02\x00"),
+        ("SO", 0x2001, b"\x01"),
+    ]
+    assert sorted(remark.split(":")[0] for remark in found.remarks) == ["InitCmd 0x2003", "InitCmd 0x2004"]
+
+
+def test_a_command_marked_overwritten_by_module_yields_to_the_module():
+    slots = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">1</ModuleIdent></Slot></Slots>'
+    own = init_cmd("PS", "#x6060", "08", 'OverwrittenByModule="1"') + init_cmd("PS", "#x6061", "01")
+    module = (
+        "<Module><Type ModuleIdent='1'>M</Type><Name>M</Name>"
+        f"<Mailbox><CoE>{init_cmd('PS', '#x6060', '09')}</CoE></Mailbox></Module>"
+    )
+    found = configured(SMS + f"<Mailbox><CoE>{own}</CoE></Mailbox>" + slots, module)
+    assert [(c.object_index, c.data) for c in found.commands] == [(0x6061, b"\x01"), (0x6060, b"\x09")]
+
+
+def test_cycle_times_that_commands_write_are_compared_with_the_bus_cycle():
+    content = SMS + f"<Mailbox><CoE>{init_cmd('PS', '#x60C2', '02')}</CoE></Mailbox>"
+    (remark,) = configured(content).remarks
+    assert "writes 2000000 ns, the bus cycle is 1000000 ns" in remark
+    assert configured(content, cycle_ns=2_000_000).remarks == ()
+
+
+def test_an_empty_default_module_list_downloads_nothing():
+    slots = '<Slots DownloadModuleIdentList="1"><Slot MinInstances="0" MaxInstances="2"><ModuleIdent>1</ModuleIdent>'
+    assert configured(SMS + f"{slots}</Slot></Slots>").commands == ()
+
+
+def test_module_idents_one_by_one_without_complete_access():
+    slots = (
+        '<Slots DownloadModuleIdentList="1" DownloadModuleListTransition="IP">'
+        '<Slot MinInstances="0" MaxInstances="3"><ModuleIdent>#x10</ModuleIdent></Slot></Slots>'
+    )
+    module = "<Module><Type ModuleIdent='#x10'>M</Type><Name>M</Name></Module>"
+    found = configured(SMS + slots, module, modules={1: 0x10})
+    assert [(c.transition, c.subindex, c.data.hex()) for c in found.commands] == [
+        ("IP", 0, "00"),
+        ("IP", 1, "00000000"),
+        ("IP", 2, "10000000"),
+        ("IP", 0, "02"),
+    ]
+
+
+def test_the_control_byte_decides_the_direction():
+    mixed = '<Sm ControlByte="#x64">Inputs</Sm>' + pdo("TxPdo", "#x1A00", 8, attributes='Sm="0"')
+    found = configured(mixed)
+    assert [sm.direction for sm in found.sync_managers] == [OUTPUT]
+    assert any("in both directions" in remark for remark in found.remarks)
+    assert [sm.direction for sm in configured("<Sm>Inputs</Sm><Sm>Outputs</Sm>").sync_managers] == [INPUT, OUTPUT]
+
+
+@pytest.mark.parametrize(
+    ("choice", "message"),
+    [
+        ({"cycle_ns": 0}, "bus cycle"),
+        ({"alias": 70_000}, "alias 70000"),
+        ({"position": -1}, "position -1"),
+        ({"name": "1x"}, "cannot begin names"),
+        ({"name": "a__b"}, "cannot begin names"),
+        ({"name": "int"}, "cannot begin names"),
+        ({"name": "a;b"}, "cannot begin names"),
+    ],
+)
+def test_numbers_and_names_that_cannot_be(choice, message):
+    with pytest.raises(InputError, match=message):
+        configured(SMS, **choice)
+
+
+def test_subjects_of_a_document_are_chosen_by_identity():
+    hides = "<HideType RevisionNo='#x3'/>"
+    text = esi(device("", revision="#x1") + device(hides, revision="#x2") + device("", revision="#x3") + device("", ""))
+    subjects = subjects_of_document(read(text).document, "x.xml")
+    assert [item.revision_no for item in subjects] == [1, 2, 3]
+    assert choose_subject(subjects, Identity(0xE5C, 1, 3), "x.xml").revision_no == 3
+    assert choose_subject(subjects, Identity(0xE5C, 1), "x.xml").revision_no == 2, "revision 3 is hidden"
+    with pytest.raises(InputError, match="describes 3 devices; name one of: 0x00000e5c:0x00000001:0x00000001"):
+        choose_subject(subjects, None, "x.xml")
+    with pytest.raises(InputError, match="does not describe"):
+        choose_subject(subjects, Identity(0xE5C, 9), "x.xml")
+
+
+def test_an_identity_that_is_described_twice_needs_a_variant():
+    subjects = subjects_of_document(read(esi(device("", name="A") + device("", name="B"))).document, "x.xml")
+    with pytest.raises(InputError, match="2 times; append @1 to @2"):
+        choose_subject(subjects, Identity(0xE5C, 1, 1), "x.xml")
+    assert choose_subject(subjects, Identity(0xE5C, 1, 1, 2), "x.xml").device.names[0].text == "B"
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (pdo("RxPdo", "#x1600", 8, attributes='Sm="-1"'), "SM-1"),
+        (rx("#x1600", entry("#x7000", 1_000_000_000)), "1000000000 bits"),
+        (rx("#x11600", entry("#x7000", 8)), "has no index"),
+        (rx("#x1600", entry("#x17000", 8)), "is no object"),
+        (rx("#x1600", entry("#x7000", 8, subindex=300)), "is no object"),
+    ],
+)
+def test_numbers_of_the_file_that_no_master_can_take(content, message):
+    with pytest.raises(InputError, match=message):
+        configured(SMS + content)

@@ -1,0 +1,284 @@
+"""ethercat-conf.xml for the generic driver of LinuxCNC-Ethercat, read as its lcec_conf reads it."""
+
+import re
+from xml.etree import ElementTree
+
+import pytest
+from snippets import pdo
+from test_export_compile import configurations
+from test_export_configuration import COE, FACTOR_1, SMS, configured, dc, entry, init_cmd, rx, times
+from test_export_igh import HOSTILE, l6n
+
+from esicatalog.errors import InputError
+from esicatalog.export.linuxcnc import linuxcnc_configuration
+
+HEX2, HEX4, HEX8 = (re.compile(f"[0-9a-f]{{{count}}}") for count in (2, 4, 8))
+DECIMAL, TIME = re.compile("-?[0-9]+"), re.compile(r"(\*[1-9][0-9]*|[0-9]+)")
+HAL_TYPES = re.compile("bit|s32|u32|float-ieee|float-double-ieee")
+ANY = re.compile(".+")
+ALLOWED = {
+    "masters": ({}, {"master"}),
+    "master": ({"idx": DECIMAL, "appTimePeriod": DECIMAL, "refClockSyncCycles": DECIMAL}, {"slave"}),
+    "slave": (
+        {"idx": DECIMAL, "type": re.compile("generic"), "vid": HEX8, "pid": HEX8, "configPdos": ANY, "name": ANY},
+        {"dcConf", "watchdog", "sdoConfig", "syncManager"},
+    ),
+    "dcConf": (
+        {
+            "assignActivate": re.compile("[0-9a-f]{1,4}"),
+            "sync0Cycle": TIME,
+            "sync0Shift": DECIMAL,
+            "sync1Cycle": TIME,
+            "sync1Shift": DECIMAL,
+        },
+        set(),
+    ),
+    "watchdog": ({"divider": DECIMAL, "intervals": DECIMAL}, set()),
+    "sdoConfig": ({"idx": HEX4, "subIdx": re.compile("[0-9a-f]{2}|complete")}, {"sdoDataRaw"}),
+    "sdoDataRaw": ({"data": re.compile("[0-9a-f]{2}( [0-9a-f]{2})*")}, set()),
+    "syncManager": ({"idx": DECIMAL, "dir": re.compile("in|out")}, {"pdo"}),
+    "pdo": ({"idx": HEX4}, {"pdoEntry"}),
+    "pdoEntry": (
+        {
+            "idx": HEX4,
+            "subIdx": HEX2,
+            "bitLen": DECIMAL,
+            "halPin": ANY,
+            "halType": re.compile(HAL_TYPES.pattern + "|complex"),
+        },
+        {"complexEntry"},
+    ),
+    "complexEntry": ({"bitLen": DECIMAL, "halPin": ANY, "halType": HAL_TYPES}, set()),
+}
+OPTIONAL = {"sync1Cycle", "sync1Shift", "halPin", "halType"}
+HAL_NAME_LEN = 47
+
+
+def check(element: ElementTree.Element) -> None:
+    attributes, children = ALLOWED[element.tag]
+    assert element.keys() == [name for name in attributes if name in element.keys()], (
+        "lcec_conf wants type before others"
+    )
+    assert set(attributes) - set(element.keys()) <= OPTIONAL
+    for name, value in element.items():
+        assert attributes[name].fullmatch(value), (name, value)
+    for child in element:
+        assert child.tag in children
+        check(child)
+
+
+def slave_in(text: str) -> ElementTree.Element:
+    """The slave, after checking every attribute and the limits of the parser and of HAL."""
+    root = ElementTree.fromstring(text.encode())
+    assert root.tag == "masters"
+    check(root)
+    (slave,) = root.iter("slave")
+    pins = [element.get("halPin") for element in slave.iter() if element.get("halPin")]
+    assert len(pins) == len(set(pins)) <= 256
+    assert all(len(f"lcec.0.{slave.get('name')}.{pin}") <= HAL_NAME_LEN for pin in pins)
+    for element in slave.iter("pdoEntry"):
+        bits, kind = int(element.get("bitLen", "0")), element.get("halType")
+        assert 0 < bits <= 255
+        assert (kind == "complex") == bool(len(element))
+        assert (element.get("halPin") is None) == (kind in (None, "complex"))
+        assert kind not in ("u32", "s32", "bit") or bits <= 32
+        assert sum(int(part.get("bitLen", "0")) for part in element) == (bits if kind == "complex" else 0)
+    return slave
+
+
+def slave_of(content: str, **choice) -> ElementTree.Element:
+    return slave_in(linuxcnc_configuration(configured(content, name="d", **choice)))
+
+
+def pins_of(slave: ElementTree.Element) -> list[tuple[str | None, str | None, str | None]]:
+    return [
+        (element.get("halPin"), element.get("halType"), element.get("bitLen"))
+        for element in slave.iter()
+        if element.tag in ("pdoEntry", "complexEntry")
+    ]
+
+
+def test_the_l6n_drive(data):
+    text = linuxcnc_configuration(l6n(data, op_mode="DC", position=3, cycle_ns=500_000))
+    root = ElementTree.fromstring(text.encode())
+    assert root[0].attrib == {"idx": "0", "appTimePeriod": "500000", "refClockSyncCycles": "1"}
+    slave = slave_in(text)
+    assert slave.attrib == {
+        "idx": "3",
+        "type": "generic",
+        "vid": "00004321",
+        "pid": "000000e2",
+        "configPdos": "true",
+        "name": "l6n",
+    }
+    assert [(element.tag, element.attrib) for element in slave][:3] == [
+        ("dcConf", {"assignActivate": "300", "sync0Cycle": "*1", "sync0Shift": "0"}),
+        ("sdoConfig", {"idx": "6060", "subIdx": "00"}),
+        ("syncManager", {"idx": "0", "dir": "out"}),
+    ]
+    (outputs,) = (sm for sm in slave.iter("syncManager") if sm.get("idx") == "2")
+    assert [element.attrib for element in outputs.iter("pdoEntry")] == [
+        {"idx": "6040", "subIdx": "00", "bitLen": "16", "halPin": "controlword", "halType": "u32"},
+        {"idx": "607a", "subIdx": "00", "bitLen": "32", "halPin": "target-position", "halType": "s32"},
+        {"idx": "60b8", "subIdx": "00", "bitLen": "16", "halPin": "touch-probe-function", "halType": "u32"},
+    ]
+    assert "its target must be set to its actual position" in " ".join(text.split())
+
+
+def test_without_clocks_nothing_is_synchronized(data):
+    text = linuxcnc_configuration(l6n(data))
+    assert 'refClockSyncCycles="0"' in text
+    assert "dcConf" not in text
+
+
+TYPES = SMS + rx(
+    "#x1600",
+    entry("#x7000", 1, "flag", 1, "BOOL"),
+    entry("#0", 7),
+    entry("#x7000", 16, "word", 2, "INT"),
+    entry("#x7000", 32, "real", 3, "REAL"),
+    entry("#x7000", 64, "long real", 4, "LREAL"),
+    entry("#x7000", 64, "counter", 5, "ULINT"),
+    entry("#x7000", 24, "three bytes", 6, "INT24"),
+    entry("#x7000", 80, "text", 7, "STRING(10)"),
+    entry("#x7000", 4, "nibble", 8, "BIT4"),
+    entry("#x7000", 32, "shifted real", 9, "REAL"),
+    entry("#x7000", 16, "word", 2, "INT"),
+)
+
+
+def test_types_of_pins():
+    text = linuxcnc_configuration(configured(TYPES, name="d"))
+    assert pins_of(slave_in(text)) == [
+        ("flag", "bit", "1"),
+        (None, None, "7"),
+        ("word", "s32", "16"),
+        ("real", "float-ieee", "32"),
+        ("long-real", "float-double-ieee", "64"),
+        (None, "complex", "64"),
+        ("counter-lo", "u32", "32"),
+        ("counter-hi", "u32", "32"),
+        ("three-bytes", "s32", "24"),
+        (None, None, "80"),
+        ("nibble", "u32", "4"),
+        (None, None, "32"),
+        (None, None, "16"),
+    ]
+    words = " ".join(text.split())
+    assert "0x7000:07 text has no pin: no HAL type takes it at its place" in words
+    assert "0x7000:09 shifted real has no pin" in words
+    assert "0x7000:02 word is mapped again" in words
+    assert "without their sign" not in words
+    inputs = TYPES.replace("RxPdo", "TxPdo").replace("#x1600", "#x1A00").replace('Sm="2"', 'Sm="3"')
+    assert "0x7000:06 three bytes: LinuxCNC-Ethercat reads 24 bits without their sign" in " ".join(
+        linuxcnc_configuration(configured(inputs)).split()
+    )
+
+
+def test_long_names_fit_the_names_of_hal():
+    name = "a very long name of an entry that goes on and on"
+    entries = [entry("#x7000", 64, name, number, "ULINT") for number in range(1, 4)]
+    slave = slave_of(SMS + rx("#x1600", *entries))
+    found = linuxcnc_configuration(configured(SMS + rx("#x1600", *entries), name="a_prefix_that_is_long_itself"))
+    assert slave_in(found).get("name") == "a-prefix-that-i"
+    pins = [pin for pin, _, _ in pins_of(slave) if pin is not None]
+    assert [pin[-3:] for pin in pins] == ["-lo", "-hi"] * 3
+
+
+def test_more_entries_than_pins():
+    slave = slave_of(
+        SMS
+        + pdo("RxPdo", "#x1600", *[1] * 254, attributes='Sm="2"')
+        + rx("#x1601", *(entry("#x7001", 8, f"x{number}", number) for number in range(1, 5)))
+    )
+    pins = [pin for pin, _, _ in pins_of(slave)]
+    assert (len(pins), pins[-3:]) == (258, ["x2", None, None])
+
+
+def test_long_entries_are_cut_as_igh_needs_it():
+    slave = slave_of(SMS + rx("#x1600", entry("#x7000", 600, "block", 1)))
+    assert [length for _, _, length in pins_of(slave)] == ["248", "248", "104"]
+
+
+@pytest.mark.parametrize(
+    ("mode", "attributes"),
+    [
+        (times("#x300", 'Factor="2">0', shift0="-5000"), {"sync0Cycle": "*2", "sync0Shift": "-5000"}),
+        (
+            times("#x700", FACTOR_1, FACTOR_1, shift1="20000"),
+            {"sync0Cycle": "*1", "sync0Shift": "0", "sync1Cycle": "20000", "sync1Shift": "0"},
+        ),
+        (
+            times("#x700", 'Factor="-8">0', 'Factor="-1">0'),
+            {"sync0Cycle": "125000", "sync0Shift": "0", "sync1Cycle": "875000", "sync1Shift": "0"},
+        ),
+    ],
+)
+def test_the_clocks(mode, attributes):
+    slave = slave_of(SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + dc(("m", mode)))
+    found = dict(slave[0].attrib)
+    assert found.pop("assignActivate") in ("300", "700")
+    assert found == attributes
+
+
+def test_commands():
+    coe = "".join(
+        (
+            init_cmd("IP", "#x2001", "0102030405060708090A0B0C0D0E0F1011"),
+            init_cmd("PS", "#xF800", "0A00", 'CompleteAccess="1"').replace("<SubIndex>1<", "<SubIndex>0<"),
+            init_cmd("PS", "#x2002", "01", 'CompleteAccess="1"'),
+            init_cmd("SO", "#x2003", "01"),
+        )
+    )
+    soe = "<SoE><InitCmd><Transition>PS</Transition><IDN>32</IDN><Data>0B00</Data></InitCmd></SoE>"
+    content = SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + f"<Mailbox><CoE>{coe}</CoE>{soe}</Mailbox>"
+    text = linuxcnc_configuration(configured(content + "<ESC><Reg0400>2498</Reg0400></ESC>"))
+    slave = slave_in(text)
+    assert [
+        (sdo.get("idx"), sdo.get("subIdx"), [line.get("data") for line in sdo]) for sdo in slave.iter("sdoConfig")
+    ] == [
+        ("2001", "01", ["01 02 03 04 05 06 07 08 09 0a 0b 0c 0d 0e 0f 10", "11"]),
+        ("f800", "complete", ["0a 00"]),
+    ]
+    words = " ".join(text.split())
+    for place in ("PS 0x2002", "SO 0x2003:01", "PS S-0-0032"):
+        assert f"{place} is left out" in words
+    assert [element.attrib for element in slave.iter("watchdog")] == [{"divider": "2498", "intervals": "0"}]
+
+
+@pytest.mark.parametrize(
+    ("content", "choice", "message"),
+    [
+        (SMS, {}, "exchanges no process data"),
+        (SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"'), {"alias": 7}, "give no alias"),
+        (SMS + rx("#x1600", entry("#x7000", 8, "x", 255)), {}, "cannot map 0x7000:FF"),
+    ],
+)
+def test_what_the_driver_cannot_configure_is_refused(content, choice, message):
+    with pytest.raises(InputError, match=message):
+        linuxcnc_configuration(configured(content, **choice))
+
+
+@pytest.mark.parametrize("name", [*HOSTILE, "-- x --", "---", "x --&gt; &lt;slave/&gt;", "]]&gt;", "&amp;amp;"])
+def test_names_of_a_vendor_break_nothing(name):
+    entries = [entry("#x7000", 3 if number % 2 else 8, name, number) for number in range(1, 5)]
+    command = init_cmd("PS", "#x2000", "01").replace("</InitCmd>", f"<Comment>{name}</Comment></InitCmd>")
+    content = SMS + rx("#x1600", *entries, name=name) + dc((name, times("#x320", FACTOR_1)))
+    slave = slave_of(content + COE.replace('"1"/>', f'"1">{command}</CoE>'))
+    assert [element.get("subIdx") for element in slave.iter("pdoEntry")] == ["01", "02", "03", "04"]
+
+
+@pytest.mark.corpus
+def test_files_of_the_whole_corpus(corpus):
+    refused = 0
+    for found in configurations(corpus):
+        try:
+            text = linuxcnc_configuration(found)
+        except InputError:
+            refused += 1
+            continue
+        slave = slave_in(text)
+        for sm in slave.iter("syncManager"):
+            (described,) = (item for item in found.sync_managers if str(item.number) == sm.get("idx"))
+            assert sum(int(element.get("bitLen", "0")) for element in sm.iter("pdoEntry")) == described.bit_size
+    assert refused < 50

@@ -1,0 +1,309 @@
+"""Slave files for ethercat_driver_ros2: keys as its documentation lists them, values where the driver puts them."""
+
+import math
+import re
+
+import pytest
+import yaml
+from snippets import pdo
+from test_export_compile import configurations
+from test_export_configuration import COE, FACTOR_1, SMS, configured, dc, entry, init_cmd, rx, times
+from test_export_igh import HOSTILE, as_little_endian, l6n
+
+from esicatalog.errors import InputError
+from esicatalog.export.choice import parse_pdo_choice
+from esicatalog.export.ros2 import ros2_slave
+
+KEYS = {
+    "vendor_id": int,
+    "product_id": int,
+    "assign_activate": int,
+    "auto_fault_reset": bool,
+    "auto_state_transitions": bool,
+    "sdo": list,
+    "rpdo": list,
+    "tpdo": list,
+    "sm": list,
+}
+TYPES = re.compile(r"bool|u?int(8|16|32|64)|real(32|64)|bit([1-9]|[1-9][0-9]|1[0-9][0-9]|2[0-4][0-9]|25[0-5])")
+
+
+def bits_of(kind: str) -> int:
+    return 1 if kind == "bool" else int(re.sub(r"\D", "", kind))
+
+
+def loaded(text: str) -> dict:
+    """The file, after checking every key and value against what the driver reads."""
+    found = yaml.load(text, Loader=yaml.CSafeLoader)
+    assert all(isinstance(value, KEYS[key]) for key, value in found.items())
+    for sdo in found.get("sdo", ()):
+        assert sdo.keys() == {"index", "sub_index", "type", "value"}
+        assert -(2**31) <= sdo["value"] < 2**31
+    interfaces = []
+    for key, interface in (("rpdo", "command_interface"), ("tpdo", "state_interface")):
+        for item in found.get(key, ()):
+            assert item.keys() == {"index", "channels"}
+            for channel in item["channels"]:
+                assert TYPES.fullmatch(channel["type"])
+                allowed = {"index", "sub_index", "type", "mask", "factor", interface}
+                assert channel.keys() <= (allowed | {"default"} if key == "rpdo" else allowed)
+                assert key == "tpdo" or not math.isnan(channel["default"])
+                assert 0 <= channel.get("mask", 0) <= 0xFF
+                assert isinstance(channel.get(interface, ""), str)
+                interfaces += [(interface, channel[interface])] if interface in channel else []
+    assert len(set(interfaces)) == len(interfaces)
+    for sm in found["sm"]:
+        assert sm.keys() == {"index", "type", "pdo"}
+        assert sm["type"] in ("output", "input")
+        assert sm["pdo"] in ("rpdo", "tpdo", None)
+    return found
+
+
+def slave_of(content: str, **choice) -> dict:
+    return loaded(ros2_slave(configured(content, name="d", **choice)))
+
+
+def written(found: dict, commands: dict[str, float]) -> bytes:
+    """The output image after one cycle, as the driver makes it (ec_pdo_single_interface_channel_manager.cpp)."""
+    channels = [channel for item in found["rpdo"] for channel in item["channels"]]
+    image = bytearray(-(-sum(bits_of(channel["type"]) for channel in channels) // 8) + 8)
+    at = 0
+    for channel in channels:
+        kind, mask, start = channel["type"], channel.get("mask", 255), at // 8
+        at += bits_of(kind)
+        if channel["index"] == 0:
+            continue
+        value = commands.get(channel.get("command_interface", ""), math.nan)
+        value = channel["default"] if math.isnan(value) else channel.get("factor", 1) * value
+        if kind == "bool":
+            image[start] = image[start] & ~mask | (mask if value else 0)
+        elif kind.startswith("bit"):
+            image[start] = image[start] & ~mask | int(value) & mask
+        else:
+            size = bits_of(kind) // 8
+            image[start : start + size] = int(value).to_bytes(size, "little", signed=not kind.startswith("u"))
+    return bytes(image[:-8])
+
+
+def read(found: dict, image: bytes) -> dict[str, float]:
+    values, at = {}, 0
+    for channel in (channel for item in found["tpdo"] for channel in item["channels"]):
+        kind, start = channel["type"], at // 8
+        at += bits_of(kind)
+        if "state_interface" in channel:
+            if kind == "bool":
+                value = 1 if image[start] & channel["mask"] else 0
+            elif kind.startswith("bit"):
+                value = image[start] & channel["mask"]
+            else:
+                size = bits_of(kind) // 8
+                value = int.from_bytes(image[start : start + size], "little", signed=not kind.startswith("u"))
+            values[channel["state_interface"]] = channel.get("factor", 1) * value
+    return values
+
+
+def test_the_l6n_drive(data):
+    found = loaded(ros2_slave(l6n(data, pdos=parse_pdo_choice("0x1601,0x1A01"), op_mode="DC")))
+    assert found == {
+        "vendor_id": 0x4321,
+        "product_id": 0xE2,
+        "assign_activate": 0x300,
+        "auto_fault_reset": False,
+        "auto_state_transitions": False,
+        "sdo": [{"index": 0x6060, "sub_index": 0, "type": "uint8", "value": 8}],
+        "rpdo": [
+            {
+                "index": 0x1601,
+                "channels": [
+                    {
+                        "index": 0x6040,
+                        "sub_index": 0,
+                        "type": "uint16",
+                        "command_interface": "control_word",
+                        "default": 0,
+                    },
+                    {"index": 0x60FF, "sub_index": 0, "type": "int32", "command_interface": "velocity", "default": 0},
+                    {
+                        "index": 0x6060,
+                        "sub_index": 0,
+                        "type": "int8",
+                        "command_interface": "mode_of_operation",
+                        "default": 8,
+                    },
+                ],
+            }
+        ],
+        "tpdo": [
+            {
+                "index": 0x1A01,
+                "channels": [
+                    {"index": 0x6041, "sub_index": 0, "type": "uint16", "state_interface": "status_word"},
+                    {"index": 0x606C, "sub_index": 0, "type": "int32", "state_interface": "velocity"},
+                ],
+            }
+        ],
+        "sm": [
+            {"index": 0, "type": "output", "pdo": None},
+            {"index": 1, "type": "input", "pdo": None},
+            {"index": 2, "type": "output", "pdo": "rpdo"},
+            {"index": 3, "type": "input", "pdo": "tpdo"},
+        ],
+    }
+
+
+def test_what_the_drive_plugin_needs_is_told(data):
+    text = " ".join(ros2_slave(l6n(data, pdos=parse_pdo_choice("0x1601,0x1A01"))).replace("#", "").split())
+    assert "EcCiA402Drive switches the drive on by itself where it does not know auto_state_transitions" in text
+    assert "holds the actual position only when 0x6061 and 0x6064 are mapped" in text
+    assert "0x6061 and 0x6064" not in ros2_slave(l6n(data))
+    assert '<param name="position">5</param>' in ros2_slave(l6n(data, position=5))
+
+
+def test_other_devices_have_no_keys_of_drives():
+    assert not slave_of(SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')).keys() & {
+        "auto_fault_reset",
+        "auto_state_transitions",
+        "assign_activate",
+    }
+
+
+MIXED = SMS + rx(
+    "#x1600",
+    entry("#x7000", 1, "flag", 1, "BOOL"),
+    entry("#x7000", 3, "level", 2, "BIT3"),
+    entry("#x7000", 6, "across", 3),
+    entry("#0", 6),
+    entry("#x7000", 16, "whole", 4, "INT"),
+    entry("#x7000", 24, "three bytes", 5, "INT24"),
+    entry("#x7000", 16, "whole", 4, "INT"),
+    entry("#x7000", 8, "last", 6, "USINT"),
+)
+
+
+def test_outputs_lie_where_the_driver_writes_them():
+    text = ros2_slave(configured(MIXED))
+    found = loaded(text)
+    image = written(found, {"flag": 1, "level": 5, "whole": -2, "last": 200})
+    assert image == as_little_endian((1, 1), (5, 3), (0, 6), (0, 6), (-2, 16), (0, 24), (0, 16), (200, 8))
+    assert written(found, {"level": 2}) == as_little_endian((0, 1), (2, 3), (0, 76))
+    words = " ".join(text.replace("#", "").split())
+    for place in ("0x7000:03 across", "0x7000:05 three bytes"):
+        assert f"{place} has no interface: ethercat_driver_ros2 has no type for it at its place" in words
+    assert "0x7000:04 whole is mapped again: ethercat_driver_ros2 finds entries by index and subindex" in words
+
+
+def test_inputs_lie_where_the_driver_reads_them():
+    found = slave_of(MIXED.replace("RxPdo", "TxPdo").replace("#x1600", "#x1A00").replace('Sm="2"', 'Sm="3"'))
+    image = as_little_endian((1, 1), (5, 3), (63, 6), (63, 6), (-2, 16), (-1, 24), (7, 16), (200, 8))
+    assert read(found, image) == {"flag": 1, "level": 5, "whole": -2, "last": 200}
+
+
+def test_floating_point():
+    reals = rx("#x1600", entry("#x7000", 32, "a", 1, "REAL"), entry("#x7000", 64, "b", 2, "LREAL"))
+    channels = slave_of(SMS + reals)["rpdo"][0]["channels"]
+    assert [channel["type"] for channel in channels] == ["real32", "real64"]
+
+
+def test_long_entries_are_cut_as_igh_needs_it():
+    channels = slave_of(SMS + rx("#x1600", entry("#x7000", 600, "block", 1)))["rpdo"][0]["channels"]
+    assert [(channel["type"], channel["mask"]) for channel in channels] == [("bit248", 0), ("bit248", 0), ("bit104", 0)]
+
+
+def test_commands():
+    coe = "".join(
+        (
+            init_cmd("IP", "#x2001", "FF"),
+            init_cmd("PS", "#x2002", "FEFFFFFF"),
+            init_cmd("PS", "#x2003", "0102030405060708"),
+            init_cmd("PS", "#x2004", "FFFFFFFFFFFFFFFF"),
+            init_cmd("PS", "#x2005", "010203"),
+            init_cmd("PS", "#x1C12", "01"),
+            init_cmd("SO", "#x2006", "01"),
+        )
+    )
+    text = ros2_slave(
+        configured(SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + f"<Mailbox><CoE>{coe}</CoE></Mailbox>")
+    )
+    assert [(sdo["index"], sdo["type"], sdo["value"]) for sdo in loaded(text)["sdo"]] == [
+        (0x2001, "uint8", 255),
+        (0x2002, "int32", -2),
+        (0x2004, "int64", -1),
+    ]
+    words = " ".join(text.replace("#", "").split())
+    for place in ("PS 0x2003:01", "PS 0x2005:01", "PS 0x1C12:01", "SO 0x2006:01"):
+        assert f"{place} is left out" in words
+
+
+def test_the_list_of_modules_is_written_one_by_one(data):
+    from esicatalog.esi.reader import read_esi
+    from esicatalog.export.configuration import configure
+    from esicatalog.export.subject import subjects_of_document
+
+    (subject,) = subjects_of_document(read_esi(data / "two_axis_modular_drive.xml").document, "x.xml")
+    found = loaded(ros2_slave(configure(subject)))
+    assert [(sdo["sub_index"], sdo["value"]) for sdo in found["sdo"] if sdo["index"] == 0xF030] == [
+        (0, 0),
+        (1, 0x10800),
+        (2, 0x10800),
+        (0, 2),
+    ]
+    assert "position_axis1" in {channel.get("command_interface") for channel in found["rpdo"][1]["channels"]}
+
+
+@pytest.mark.parametrize(
+    ("mode", "words"),
+    [
+        (times("#x300", FACTOR_1), None),
+        (times("#x300", FACTOR_1, shift0="5000"), "SYNC0 every 1000000 ns with a shift of 5000 ns;"),
+        (times("#x300", 'Factor="2">0'), "SYNC0 every 2000000 ns;"),
+        (times("#x700", FACTOR_1, FACTOR_1, shift1="20000"), "SYNC0 every 1000000 ns and SYNC1 20000 ns behind it;"),
+    ],
+)
+def test_clocks_that_the_driver_sets_otherwise(mode, words):
+    text = ros2_slave(configured(SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + dc(("m", mode))))
+    assert ("the OpMode asks for" in text) == (words is not None)
+    assert words is None or words in " ".join(text.replace("#", "").split())
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (SMS, "exchanges no process data"),
+        (SMS + rx("#x1600"), "needs the entries of all PDOs"),
+        (
+            "<Sm>Outputs</Sm><Sm>Outputs</Sm>"
+            + pdo("RxPdo", "#x1600", 8, attributes='Sm="0"')
+            + pdo("RxPdo", "#x1601", 8, attributes='Sm="1"'),
+            "SM0, SM1 have PDOs; ethercat_driver_ros2 assigns every rpdo to each SyncManager of the direction",
+        ),
+    ],
+)
+def test_what_the_driver_cannot_configure_is_refused(content, message):
+    with pytest.raises(InputError, match=message):
+        ros2_slave(configured(content))
+
+
+@pytest.mark.parametrize("name", [*HOSTILE, "on", "null", "a: b # c", "x} y"])
+def test_names_of_a_vendor_break_nothing(name):
+    entries = [entry("#x7000", 3 if number % 2 else 8, name, number) for number in range(1, 5)]
+    command = init_cmd("PS", "#x2000", "01").replace("</InitCmd>", f"<Comment>{name}</Comment></InitCmd>")
+    content = SMS + rx("#x1600", *entries, name=name) + dc((name, times("#x320", FACTOR_1)))
+    found = slave_of(content + COE.replace('"1"/>', f'"1">{command}</CoE>'))
+    assert [channel["sub_index"] for channel in found["rpdo"][0]["channels"]] == [1, 2, 3, 4]
+    assert found["assign_activate"] == 0x320
+
+
+@pytest.mark.corpus
+def test_files_of_the_whole_corpus(corpus):
+    refused = 0
+    for found in configurations(corpus):
+        try:
+            text = ros2_slave(found)
+        except InputError:
+            refused += 1
+            continue
+        slave = loaded(text)
+        for key, usage in (("rpdo", "output"), ("tpdo", "input")):
+            bits = sum(bits_of(channel["type"]) for item in slave.get(key, ()) for channel in item["channels"])
+            assert bits == sum(sm.bit_size for sm in found.images(usage) if sm.is_described)
+    assert refused < 200
