@@ -8,7 +8,7 @@ DB ?= catalog.db
 PORT ?= 8001
 CORPUS ?= $(or $(ESICATALOG_CORPUS),../shared/corpus)
 
-.PHONY: install serve test test-datasette-1 lint test-corpus bench docs screenshot clean
+.PHONY: install serve test test-datasette-1 lint test-corpus bench docs screenshots clean
 
 install: $(VENV)/installed
 
@@ -50,6 +50,9 @@ bench: install
 
 docs: install
 	$(BIN)/python docs/generate.py
+
+screenshots: install
+	$(BIN)/python docs/screenshots.py
 
 clean:
 	rm -rf $(VENV) $(VENV)-datasette-1 dist build .pytest_cache .mypy_cache .ruff_cache

@@ -300,3 +300,18 @@ async def test_exported_esi_holds_vendor_and_group(data_db):
         info.devices[0].group_type,
         "EYOU_ServoModule_V143",
     )
+
+
+async def test_start_up_values_and_findings(tmp_path):
+    """Data 0x0102 as sent is 0x0201; a finding belongs to the device in whose lines it lies."""
+    command = (
+        "<Mailbox><CoE><InitCmd><Transition>PS</Transition><Index>#x2000</Index><SubIndex>1</SubIndex>"
+        "<Data>0102</Data></InitCmd></CoE></Mailbox>"
+    )
+    first, second = device(command), device("<Unknown>1</Unknown>", revision="#x2")
+    db = catalog_of(tmp_path, esi(f"{first}\n{second}"))
+    one_page = await page(db, "/-/esi/device/0xe5c/1/1")
+    assert "513 (0x201)" in texts(one_page, "section[aria-labelledby=commands] td")
+    assert texts(one_page, "section[aria-labelledby=findings] td") == []
+    other = await page(db, "/-/esi/device/0xe5c/1/2")
+    assert any("Unknown" in text for text in texts(other, "section[aria-labelledby=findings] td"))

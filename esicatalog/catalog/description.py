@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 import msgspec
 import sqlalchemy as sa
 
+from esicatalog.catalog import schema
 from esicatalog.catalog.devices import find_device
 from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.reader import RecordReader
@@ -20,6 +21,20 @@ from esicatalog.model.derivation import derive
 from esicatalog.model.process_image import SmImage, process_image
 from esicatalog.model.slots import chosen_modules
 from esicatalog.model.sync import default_op_mode
+
+_MOST_FINDINGS = 200
+_NO_LINE = 1 << 31
+"""Beyond the last line of any document."""
+
+
+class SourceFinding(NamedTuple):
+    """What was noticed between the beginning of the Device element and that of the next device or module."""
+
+    rule: str
+    severity: str
+    message: str
+    line: int
+    member: str
 
 
 class DeviceDescription(NamedTuple):
@@ -37,6 +52,7 @@ class DeviceDescription(NamedTuple):
     """Other devices whose default process image has the same layout."""
     variant_count: int
     """How many descriptions of this identity there are."""
+    findings: tuple[SourceFinding, ...]
 
     @property
     def default_op_mode(self) -> OpMode | None:
@@ -66,7 +82,33 @@ def read_description(connection: sa.Connection, lookup: IdentityLookup, identity
         revisions_of(connection, found.vendor_id, found.product_code),
         same_layout(connection, number),
         variant_count,
+        _findings(connection, number),
     )
+
+
+def _findings(connection: sa.Connection, device_id: int) -> tuple[SourceFinding, ...]:
+    findings, placed, sources = schema.findings.c, schema.device_sources.c, schema.sources.c
+    later, modules = schema.device_sources.alias(), schema.module_sources.c
+    next_device = sa.select(sa.func.min(later.c.line)).where(
+        later.c.source_id == placed.source_id, later.c.line > placed.line
+    )
+    next_module = sa.select(sa.func.min(modules.line)).where(
+        modules.source_id == placed.source_id, modules.line > placed.line
+    )
+    query = (
+        sa.select(findings.rule, findings.severity, findings.message, findings.line, sources.member)
+        .join(schema.device_sources, placed.source_id == findings.source_id)
+        .join(schema.sources, sources.id == findings.source_id)
+        .where(
+            placed.device_id == device_id,
+            findings.line >= placed.line,
+            findings.line < sa.func.coalesce(next_device.scalar_subquery(), sa.literal(_NO_LINE)),
+            findings.line < sa.func.coalesce(next_module.scalar_subquery(), sa.literal(_NO_LINE)),
+        )
+        .order_by(sources.member, findings.line)
+        .limit(_MOST_FINDINGS)
+    )
+    return tuple(SourceFinding(*row) for row in connection.execute(query))
 
 
 def description_json(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
@@ -79,6 +121,7 @@ def description_json(description: DeviceDescription, choice: Mapping[int, int]) 
         "facts": msgspec.to_builtins(derived.facts),
         "drive_modes": msgspec.to_builtins(derived.modes.verdicts),
         "mode_evidence": msgspec.to_builtins(derived.modes.evidence),
+        "findings": [item._asdict() for item in description.findings],
         "revisions": [
             {**item.device.as_json(), "hidden": item.hidden, "layout_changed": item.layout_changed}
             for item in description.revisions

@@ -8,6 +8,7 @@ from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription, description_json
 from esicatalog.catalog.mapping import image_key
 from esicatalog.errors import InputError
+from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.pdo import Pdo
@@ -26,6 +27,7 @@ from esicatalog.web.exports import TARGETS
 from esicatalog.web.http import Page
 from esicatalog.web.links import device_path, identity_of_path
 
+_LONGEST_NUMBER = 8
 _MOST_SLOTS = 24
 _MOST_ALIKE = 12
 _PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
@@ -98,6 +100,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
             }
             for module in description.modules
         ],
+        "findings": description.findings,
         "op_modes": [
             {
                 "mode": mode,
@@ -227,10 +230,25 @@ def _commands(mailbox: Mailbox | None) -> list[dict[str, Any]]:
     if mailbox is None:
         return []
     return [
-        {"protocol": protocol, "transitions": " ".join(cmd.transitions), "target": _target(cmd), "cmd": cmd}
+        {
+            "protocol": protocol,
+            "transitions": " ".join(cmd.transitions),
+            "target": _target(cmd),
+            "value": _value(cmd),
+            "cmd": cmd,
+        }
         for protocol in ("CoE", "SoE", "EoE", "AoE")
         for cmd in getattr(mailbox, f"{protocol.lower()}_init_cmds")
     ]
+
+
+def _value(cmd: InitCmd) -> str:
+    """Data of up to eight bytes as the number that it is on the wire, little endian."""
+    data = decode_hex_binary(cmd.data)
+    if not data or len(data) > _LONGEST_NUMBER or cmd.complete_access:
+        return ""
+    value = int.from_bytes(data, "little")
+    return f"{value} (0x{value:X})" if value > 9 else str(value)
 
 
 def _target(cmd: InitCmd) -> str:
