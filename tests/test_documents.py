@@ -143,3 +143,20 @@ def test_oversized_documents_are_refused(monkeypatch):
     monkeypatch.setattr(documents, "MAX_DOCUMENT_BYTES", 100)
     with pytest.raises(BrokenDocument, match="larger"):
         parse_document(esi(device()).encode())
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "<Info><VendorSpecific><a>x&foo;y</a></VendorSpecific></Info>",
+        "<Unknown>&foo;</Unknown>",
+        "<Sm>Out&foo;puts</Sm>",
+    ],
+)
+def test_entity_references_are_left_out_and_told(content):
+    """They reached raw XML, which then could not be written, and paths of unmapped values, with a memory address."""
+    text = f"<!DOCTYPE EtherCATInfo [<!ENTITY foo 'bar'>]>{esi(device(content))}"
+    first, second = (read(text).document for _ in range(2))
+    assert first.infos == second.infos
+    assert "entity &foo; and others are not expanded" in first.recovered
+    assert "0x" not in "".join(item.path for d in first.infos[0].devices for item in d.unmapped)

@@ -91,6 +91,12 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
 def _known(root: etree._Element, recovered: str | None, line: int) -> ParsedDocument:
     if root.tag in ESI_ROOTS:
         encoding = root.getroottree().docinfo.encoding or "UTF-8"
+        entity = next(root.iter(etree.Entity), None)
+        if entity is not None:
+            left_out = f"entity {entity.text} and others are not expanded; left out"
+            line = line or entity.sourceline or 0
+            etree.strip_elements(root, etree.Entity, with_tail=False)
+            recovered = f"{recovered}; {left_out}" if recovered is not None else left_out
         return ParsedDocument(root, encoding, recovered, line)
     tag = str(root.tag)
     raise NotAnEsiDocument(_OTHER_ROOTS.get(tag, f"root element {tag[:60]!r} is not one of ESI"), root.sourceline or 0)
