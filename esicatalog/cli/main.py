@@ -13,6 +13,7 @@ COMMANDS = {
     "identify": "Say what a device is, or every slave of a bus.",
     "sii": "Read EEPROM (SII) images.",
     "show": "Print the sheet of one device.",
+    "diff": "Compare two devices or two ESI files.",
     "export": "Generate configuration for a master, an EEPROM image or ESI XML.",
     "serve": "Browse the catalog in Datasette.",
     "check": "Verify the catalog and print its content hash.",

@@ -24,6 +24,7 @@ from esicatalog.model.compare_mailbox import compare_init_cmds, compare_mailboxe
 from esicatalog.model.compare_objects import compare_objects
 from esicatalog.model.compare_pdos import compare_pdos, compare_predefined_assignments
 from esicatalog.model.compare_slots import compare_slots
+from esicatalog.model.compare_words import counted
 
 
 def compare_devices(
@@ -64,7 +65,7 @@ def summary_words(differences: Iterable[Difference]) -> str:
         return "no differences"
     image = "" if any(item.area == PROCESS_IMAGE for item in found) else "; the default process image is the same"
     counting = Counter(item.area for item in found if item.counts)
-    total = f"{len(found)} difference{'s' if len(found) > 1 else ''}"
+    total = counted(len(found), "difference")
     if not counting:
         return f"{total}, none counts for a master{image}"
     areas = ", ".join(f"{counting[area]} {area}" for area in AREAS if counting[area])

@@ -17,6 +17,7 @@ from esicatalog.model.compare_facts import (
     gained,
     lost,
     matched,
+    matched_in_steps,
     never,
 )
 from esicatalog.model.compare_words import (
@@ -134,26 +135,30 @@ def compare_clocks(left: Device, right: Device) -> Iterator[Difference]:
 
 
 def _matched_modes(left: tuple[OpMode, ...], right: tuple[OpMode, ...]) -> list[tuple[OpMode | None, OpMode | None]]:
-    by_name = matched(left, right, lambda mode: mode.name)
-    ours = [mode for mode, other in by_name if mode is not None and other is None]
-    theirs = [other for mode, other in by_name if mode is None and other is not None]
-    return [pair for pair in by_name if None not in pair] + matched(ours, theirs, _content)
+    """By name, of several with one name those with equal content first; those left over by equal content."""
+    return matched_in_steps(
+        left, right, lambda mode: (mode.name, _content(mode)), lambda mode: mode.name, lambda mode: _content(mode)
+    )
 
 
 def _content(mode: OpMode) -> tuple[str, ...]:
-    return fact_words(mode, _OP_MODE), *(f"{item.no} {fact_words(item, _OP_MODE_SM)}" for item in mode.sm_assignments)
+    return fact_words(mode, _OP_MODE), *(f"SM{item.no} {fact_words(item, _OP_MODE_SM)}" for item in mode.sm_assignments)
 
 
 def _compare_default(
     left: Device, right: Device, pairs: list[tuple[OpMode | None, OpMode | None]]
 ) -> Iterator[Difference]:
     """The default OpMode; it counts where the clocks are in use on a side."""
-    ours, theirs = (
-        device.op_modes[position] if (position := default_op_mode(device.op_modes)) is not None else None
-        for device in (left, right)
+    ours, theirs = (default_op_mode(device.op_modes) for device in (left, right))
+    mode, other = (
+        device.op_modes[position] if position is not None else None
+        for device, position in ((left, ours), (right, theirs))
     )
-    if any(mode is ours and other is theirs for mode, other in pairs):
+    if any(item is mode and counterpart is other for item, counterpart in pairs):
         return
-    said, also = (f"{mode.name}, {fact_words(mode, _OP_MODE[:1])}" if mode else None for mode in (ours, theirs))
-    active = any(mode is not None and sync_signals(mode.assign_activate).dc_active for mode in (ours, theirs))
+    said, also = (
+        f"{item.name} (position {position}), {', '.join(_content(item))}" if item is not None else None
+        for item, position in ((mode, ours), (other, theirs))
+    )
+    active = any(item is not None and sync_signals(item.assign_activate).dc_active for item in (mode, other))
     yield difference(DC, "default OpMode", said, also, active)

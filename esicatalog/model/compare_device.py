@@ -28,6 +28,7 @@ from esicatalog.model.compare_facts import (
 )
 from esicatalog.model.compare_words import (
     byte_count,
+    counted,
     h2,
     h4,
     h8,
@@ -252,7 +253,7 @@ def listed_messages(*diagnostics: Diagnostics | None) -> list[DiagMessage]:
 def compare_messages(area: str, name: str, left: list[DiagMessage], right: list[DiagMessage]) -> Iterator[Difference]:
     """Diagnosis texts by text id; one difference when a side has none at all. They never count."""
     if not left or not right:
-        count, other_count = (f"{len(messages)} texts" if messages else None for messages in (left, right))
+        count, other_count = (counted(len(messages), "text") if messages else None for messages in (left, right))
         if count != other_count:
             yield difference(area, f"{name}s", count, other_count, False)
         return

@@ -1,13 +1,13 @@
 """Which devices of two documents are to be compared with each other."""
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Hashable, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Document
 from esicatalog.esi.records.module import Module
-from esicatalog.model.compare_facts import matched
+from esicatalog.model.compare_facts import either, matched_in_steps
 from esicatalog.model.slots import reachable_modules
 
 
@@ -46,32 +46,18 @@ def paired_devices(left: Sequence[DescribedDevice], right: Sequence[DescribedDev
     """
     if len(left) == len(right) == 1:
         return [(left[0], right[0])]
-    same: list[Pair] = []
-    rest, others = _join(left, right, lambda item: (*_identity(item), item.device.type), same)
-    rest, others = _join(rest, others, _identity, same)
-    settled = {_product(item) for item, _ in same if item is not None}
+    exact = matched_in_steps(left, right, lambda item: (*_identity(item), item.device.type), _identity)
+    settled = {_product(item) for item, other in exact if item is not None and other is not None}
 
     def product(item: DescribedDevice) -> tuple[Hashable, ...]:
         return _identity(item) if _product(item) in settled else _product(item)
 
-    rest, others = _join(rest, others, lambda item: (*product(item), item.device.type), same)
-    rest, others = _join(rest, others, product, same)
-    order = {id(item): position for position, item in enumerate(left)}
-    pairs = [*same, *((item, None) for item in rest)]
-    return [*sorted(pairs, key=lambda pair: order[id(pair[0])]), *((None, item) for item in others)]
-
-
-def _join(
-    left: Sequence[DescribedDevice],
-    right: Sequence[DescribedDevice],
-    key: Callable[[DescribedDevice], Hashable],
-    same: list[Pair],
-) -> tuple[list[DescribedDevice], list[DescribedDevice]]:
-    """Add the pairs with equal keys to ``same``; returns what is left over on both sides."""
-    joined = matched(left, right, key)
-    same += [pair for pair in joined if None not in pair]
-    rest = [item for item, other in joined if item is not None and other is None]
-    return rest, [other for item, other in joined if item is None and other is not None]
+    rest = [item for item, other in exact if item is not None and other is None]
+    others = [other for item, other in exact if item is None and other is not None]
+    loose = matched_in_steps(rest, others, lambda item: (*product(item), item.device.type), product)
+    order = {id(item): position for position, item in enumerate((*left, *right))}
+    pairs = [pair for pair in exact if None not in pair] + loose
+    return sorted(pairs, key=lambda pair: order[id(either(*pair))])
 
 
 def _identity(item: DescribedDevice) -> tuple[Hashable, ...]:

@@ -185,6 +185,20 @@ def matched(
     return pairs + [(None, item) for item in rest.values()]
 
 
+def matched_in_steps(
+    left: Iterable[Item], right: Iterable[Item], *keys: Callable[[Item], Hashable]
+) -> list[tuple[Item | None, Item | None]]:
+    """Pairs with equal first keys, of the others those with equal second keys, and so on; then what is left over."""
+    pairs: list[tuple[Item | None, Item | None]] = []
+    rest, others = list(left), list(right)
+    for key in keys:
+        joined = matched(rest, others, key)
+        pairs += [pair for pair in joined if None not in pair]
+        rest = [item for item, other in joined if item is not None and other is None]
+        others = [other for item, other in joined if item is None and other is not None]
+    return [*pairs, *((item, None) for item in rest), *((None, other) for other in others)]
+
+
 def either(left: Item | None, right: Item | None) -> Item:
     """The one of a pair that is there, the left one when both are."""
     known = left if left is not None else right

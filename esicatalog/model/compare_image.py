@@ -8,7 +8,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.compare_facts import PROCESS_IMAGE, Difference, difference, either, matched
 from esicatalog.model.compare_pdos import mapped_words
-from esicatalog.model.compare_words import shown_text
+from esicatalog.model.compare_words import byte_count, counted, shown_text
 from esicatalog.model.pdo_facts import entry_facts
 from esicatalog.model.process_image import SmImage, byte_bit, default_process_image
 
@@ -41,7 +41,7 @@ def compare_images(
 
 
 def _size_words(image: SmImage | None) -> str | None:
-    return f"{image.byte_size} bytes ({image.bit_size} bit)" if image is not None else None
+    return f"{byte_count(image.byte_size)} ({image.bit_size} bit)" if image is not None else None
 
 
 def _compare_places(place: str, left: SmImage, right: SmImage) -> Iterator[Difference]:
@@ -53,7 +53,9 @@ def _compare_places(place: str, left: SmImage, right: SmImage) -> Iterator[Diffe
         yield difference(PROCESS_IMAGE, f"{place} at {byte_bit(at)}", said, also, True)
     if len(offsets) > len(first):
         at, *further = offsets[FIRST_PLACES:]
-        said, also = (f"{_words_at(known, at) or 'nothing'}; {len(further)} further places" for known in (ours, theirs))
+        said, also = (
+            f"{_words_at(known, at) or 'nothing'}; {counted(len(further), 'further place')}" for known in (ours, theirs)
+        )
         yield difference(PROCESS_IMAGE, f"{place} from {byte_bit(at)}", said, also, True)
 
 

@@ -15,7 +15,7 @@ from esicatalog.model.compare_facts import (
     difference,
     either,
     lost,
-    matched,
+    matched_in_steps,
     never,
 )
 from esicatalog.model.compare_words import (
@@ -101,11 +101,9 @@ def compare_init_cmds(left: Mailbox | None, right: Mailbox | None) -> Iterator[D
 
 
 def _compare_commands(protocol: str, left: Sequence[InitCmd], right: Sequence[InitCmd]) -> Iterator[Difference]:
-    same = matched(enumerate(left), enumerate(right), lambda item: _sent(item[1]))
-    ours = [item for item, other in same if item is not None and other is None]
-    theirs = [other for item, other in same if item is None and other is not None]
-    changed = matched(ours, theirs, lambda item: _target(item[1]))
-    pairs = [pair for pair in same if None not in pair] + changed
+    pairs = matched_in_steps(
+        enumerate(left), enumerate(right), lambda item: _sent(item[1]), lambda item: _target(item[1])
+    )
     kept = []
     for item, other in pairs:
         position, command = item or (None, None)

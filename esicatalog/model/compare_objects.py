@@ -25,6 +25,7 @@ from esicatalog.model.compare_facts import (
     raised,
 )
 from esicatalog.model.compare_words import (
+    counted,
     h8,
     index_words,
     listed,
@@ -145,7 +146,7 @@ def compare_objects(left: Iterable[Profile], right: Iterable[Profile]) -> Iterat
         return
     objects, other_objects = _objects(dictionaries), _objects(others)
     if not objects or not other_objects:
-        said, also = (f"{len(known)} objects" if known else None for known in (objects, other_objects))
+        said, also = (counted(len(known), "object") if known else None for known in (objects, other_objects))
         if said != also:
             yield difference(OBJECTS, "object dictionary", said, also, lost(said, also))
         return
@@ -197,7 +198,7 @@ def _one_sided(left: _Declared | None, right: _Declared | None) -> Iterator[Diff
 def _object_words(resolved: ResolvedObject) -> str:
     name = shown_text(resolved.object.names)
     if resolved.object_code != OBJECT_CODES["VAR"]:
-        kind = f"{_CODE_WORDS[resolved.object_code]} with {len(resolved.entries)} subindices"
+        kind = f"{_CODE_WORDS[resolved.object_code]} with {counted(len(resolved.entries), 'subindex', 'subindices')}"
         return ", ".join(filter(None, (name, kind)))
     return ", ".join(filter(None, (name, *map(_entry_words, resolved.entries))))
 

@@ -21,7 +21,7 @@ from esicatalog.model.compare_facts import (
     matched,
     never,
 )
-from esicatalog.model.compare_words import index_words, listed, shown_text, sync_manager, text, yes_no
+from esicatalog.model.compare_words import counted, index_words, listed, shown_text, sync_manager, text, yes_no
 from esicatalog.model.pdo_facts import entry_facts, pdo_facts, symmetric_exclusions
 from esicatalog.model.process_image import NamedAssignment, alternative_assignments
 
@@ -115,7 +115,7 @@ def _compare_pdo(name: str, left: Pdo | None, right: Pdo | None) -> Iterator[Dif
 
 def _pdo_words(pdo: Pdo) -> str:
     facts = pdo_facts(pdo)
-    size = f"{facts.entry_count} entries, {facts.bit_size} bit"
+    size = f"{counted(facts.entry_count, 'entry', 'entries')}, {facts.bit_size} bit"
     flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
     return ", ".join(filter(None, (sync_manager(pdo.sm), size, *flags, shown_text(pdo.names))))
 

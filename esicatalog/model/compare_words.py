@@ -27,6 +27,16 @@ def unit(name: str) -> Show:
     return lambda value: f"{value} {name}" if isinstance(value, int) else text(value)
 
 
+def counted(number: int, one: str, many: str | None = None) -> str:
+    """A number of things."""
+    return f"{number} {one if number == 1 else many or one + 's'}"
+
+
+def byte_count(value: Any) -> str | None:
+    """A length in bytes."""
+    return counted(value, "byte") if isinstance(value, int) else text(value)
+
+
 def yes_no(value: Any) -> str | None:
     """A flag; an absent one is off."""
     return value if isinstance(value, str) else "yes" if value else "no"
@@ -82,4 +92,4 @@ def index_words(index: int | None) -> str:
 
 
 h2, h4, h8 = hexadecimal(2), hexadecimal(4), hexadecimal(8)
-ns, ms, byte_count = unit("ns"), unit("ms"), unit("bytes")
+ns, ms = unit("ns"), unit("ms")

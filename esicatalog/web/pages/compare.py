@@ -7,7 +7,8 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.errors import EsiCatalogError, NotFound
 from esicatalog.identity import parse_identity
-from esicatalog.model.compare import compare_devices
+from esicatalog.model.compare import compare_devices, summary_words
+from esicatalog.model.compare_device import revision_verdict
 from esicatalog.web.http import Page
 from esicatalog.web.links import device_path
 
@@ -28,13 +29,20 @@ async def compare_page(request: Any, catalog: Catalog) -> Page:
 
 def _compared(catalog: Catalog, first: str, second: str) -> dict[str, Any]:
     left, right = (catalog.device(parse_identity(text)) for text in (first, second))
-    differences = compare_devices(left.device, left.modules, right.device, right.modules)
+    differences = compare_devices(
+        left.device,
+        left.modules,
+        right.device,
+        right.modules,
+        left_vendor_id=left.found.vendor_id,
+        right_vendor_id=right.found.vendor_id,
+    )
     areas: dict[str, list[Any]] = defaultdict(list)
     for item in differences:
-        areas[item.area].append(item)
+        areas[f"{item.module}: {item.area}" if item.module else item.area].append(item)
     return {
         "sides": [{"found": side.found, "path": device_path(side.found)} for side in (left, right)],
         "areas": list(areas.items()),
-        "count": len(differences),
-        "counting": sum(item.counts for item in differences),
+        "summary": summary_words(differences),
+        "verdict": revision_verdict(left.device, right.device),
     }
