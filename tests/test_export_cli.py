@@ -23,7 +23,7 @@ def error_line(result, exit_code: int) -> str:
     return line
 
 
-@pytest.mark.parametrize("target", ["igh", "cstruct", "soem"])
+@pytest.mark.parametrize("target", ["igh", "cstruct", "soem", "pysoem", "ros2", "linuxcnc"])
 def test_the_catalog_and_the_file_give_the_same(data, data_db, target):
     from_catalog = run(target, "0x4321:0xe2:1", db=data_db)
     from_file = run(target, "--esi", data / "l6n_drive.xml")

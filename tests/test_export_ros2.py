@@ -11,8 +11,11 @@ from test_export_configuration import COE, FACTOR_1, SMS, configured, dc, entry,
 from test_export_igh import HOSTILE, as_little_endian, l6n
 
 from esicatalog.errors import InputError
+from esicatalog.esi.reader import read_esi
 from esicatalog.export.choice import parse_pdo_choice
+from esicatalog.export.configuration import configure
 from esicatalog.export.ros2 import ros2_slave
+from esicatalog.export.subject import subjects_of_document
 
 KEYS = {
     "vendor_id": int,
@@ -175,7 +178,7 @@ MIXED = SMS + rx(
     entry("#0", 6),
     entry("#x7000", 16, "whole", 4, "INT"),
     entry("#x7000", 24, "three bytes", 5, "INT24"),
-    entry("#x7000", 16, "whole", 4, "INT"),
+    entry("#x7000", 16, "again", 4, "INT"),
     entry("#x7000", 8, "last", 6, "USINT"),
 )
 
@@ -187,9 +190,10 @@ def test_outputs_lie_where_the_driver_writes_them():
     assert image == as_little_endian((1, 1), (5, 3), (0, 6), (0, 6), (-2, 16), (0, 24), (0, 16), (200, 8))
     assert written(found, {"level": 2}) == as_little_endian((0, 1), (2, 3), (0, 76))
     words = " ".join(text.replace("#", "").split())
+    assert "older versions of ethercat_driver_ros2 clear the rest of the byte when they write a bitN" in words
     for place in ("0x7000:03 across", "0x7000:05 three bytes"):
         assert f"{place} has no interface: ethercat_driver_ros2 has no type for it at its place" in words
-    assert "0x7000:04 whole is mapped again: ethercat_driver_ros2 finds entries by index and subindex" in words
+    assert "0x7000:04 again is mapped again: ethercat_driver_ros2 finds entries by index and subindex" in words
 
 
 def test_inputs_lie_where_the_driver_reads_them():
@@ -200,8 +204,9 @@ def test_inputs_lie_where_the_driver_reads_them():
 
 def test_floating_point():
     reals = rx("#x1600", entry("#x7000", 32, "a", 1, "REAL"), entry("#x7000", 64, "b", 2, "LREAL"))
-    channels = slave_of(SMS + reals)["rpdo"][0]["channels"]
-    assert [channel["type"] for channel in channels] == ["real32", "real64"]
+    text = ros2_slave(configured(SMS + reals))
+    assert [channel["type"] for channel in loaded(text)["rpdo"][0]["channels"]] == ["real32", "real64"]
+    assert "real32 and real64 need a version of ethercat_driver_ros2 that knows these types" in text
 
 
 def test_long_entries_are_cut_as_igh_needs_it():
@@ -235,10 +240,6 @@ def test_commands():
 
 
 def test_the_list_of_modules_is_written_one_by_one(data):
-    from esicatalog.esi.reader import read_esi
-    from esicatalog.export.configuration import configure
-    from esicatalog.export.subject import subjects_of_document
-
     (subject,) = subjects_of_document(read_esi(data / "two_axis_modular_drive.xml").document, "x.xml")
     found = loaded(ros2_slave(configure(subject)))
     assert [(sdo["sub_index"], sdo["value"]) for sdo in found["sdo"] if sdo["index"] == 0xF030] == [

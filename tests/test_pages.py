@@ -259,7 +259,7 @@ def test_hex_in_filters(query, decimal):
     assert decimal_filters(query) == decimal
 
 
-EXPORTS = ("igh", "soem", "cstruct", "sii", "esi")
+EXPORTS = ("igh", "soem", "pysoem", "ros2", "linuxcnc", "cstruct", "sii", "esi")
 
 
 @pytest.mark.parametrize("target", EXPORTS)

@@ -5,31 +5,29 @@ A target is one function from :class:`Inputs` to text or bytes, declared with :f
 
 import functools
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any
 
 import click
 
-from esicatalog.cli.common import IDENTITY, PLUGGED, db_option, reporting_errors
-from esicatalog.errors import InputError, NotFound
+from esicatalog.cli.common import IDENTITY, NUMBER, PLUGGED, db_option, read_bytes, reporting_errors
+from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subjects_of_vendor
+from esicatalog.errors import InputError
 from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, parse_pdo_choice
 from esicatalog.export.soem import VERSIONS
 from esicatalog.identity import Identity
 
-if TYPE_CHECKING:
-    from esicatalog.api import Catalog
-    from esicatalog.export.configuration import Configuration
-    from esicatalog.export.subject import Subject
-    from esicatalog.scan.records import Scan, ScannedSlave
-
 Option = Callable[[Callable[..., Any]], Callable[..., Any]]
 
-_COMMON: tuple[Option, ...] = (
+_DEVICE: tuple[Option, ...] = (
     click.argument("identity", type=IDENTITY, required=False),
     db_option,
     click.option("--esi", metavar="FILE", help="Take the device from this ESI file; no catalog is opened."),
     click.option("-o", "--output", metavar="OUT", help="Write to this file instead of stdout."),
+    click.option("--accept-revision", is_flag=True, help="Take the nearest revision when the exact one is missing."),
+)
+_CHOICE: tuple[Option, ...] = (
     click.option(
         "--pdo", metavar="0x1600,...", help="Assign these PDOs; with chosen entries: 0x1A00=0x6041+0x6064+0x60FE:1."
     ),
@@ -43,67 +41,47 @@ _COMMON: tuple[Option, ...] = (
     click.option(
         "--position", metavar="N", type=int, default=0, show_default=True, help="Ring position, or behind the alias."
     ),
-    click.option("--accept-revision", is_flag=True, help="Take the nearest revision when the exact one is missing."),
 )
-
-
-class Inputs(NamedTuple):
-    """The device that is asked for, and what is chosen for it."""
-
-    identity: Identity | None
-    db: str
-    esi: str | None
-    accept_revision: bool
-    choice: Choice
-
-    def configuration(self) -> "Configuration":
-        """The configured device. Raises :class:`InputError` and :class:`NotFound` with what to do."""
-        from esicatalog.export.configuration import configure
-
-        return configure(self.subject(), self.choice)
-
-    def subject(self) -> "Subject":
-        """The device by its ESI file or by the catalog."""
-        from esicatalog.api import Catalog
-
-        if self.esi is not None:
-            return _subject_of_file(self.esi, self.identity)
-        if self.identity is None:
-            raise InputError("say which device: an IDENTITY, or --esi FILE")
-        with Catalog.open(self.db) as catalog:
-            return _subject_of_catalog(catalog, self.identity, self.accept_revision)
 
 
 @click.group("export")
 def command() -> None:
-    """Generate configuration for a master from a description.
+    """Generate configuration for a master, an EEPROM image or ESI XML from a description.
 
     IDENTITY is VENDOR:PRODUCT[:REVISION][@VARIANT]; without REVISION the latest. A description of another revision is
     refused unless --accept-revision is given.
     """
 
 
-def _target(*extra: Option) -> Callable[[Callable[..., str | bytes]], click.Command]:
-    """Make a command of a function from :class:`Inputs` and its own options to text or bytes."""
+def _target(*extra: Option, is_choosing: bool = True) -> Callable[[Callable[..., str | bytes]], click.Command]:
+    """Make a command of a function from :class:`Inputs` and its own options to text or bytes.
+
+    What is not ``is_choosing`` is about the description itself: no PDOs, modules or clocks are chosen for it.
+    """
 
     def decorate(function: Callable[..., str | bytes]) -> click.Command:
         @functools.wraps(function)
         def run(
             identity: Identity | None, db: str, esi: str | None, output: str | None, accept_revision: bool, **rest: Any
         ) -> None:
-            choice = Choice(
-                pdos=parse_pdo_choice(pdo) if (pdo := rest.pop("pdo")) is not None else (),
-                modules=dict(rest.pop("modules")),
-                **{field: rest.pop(field) for field in ("op_mode", "cycle_ns", "name", "alias", "position")},
-            )
+            choice = _choice(rest) if is_choosing else Choice()
             _write(function(Inputs(identity, db, esi, accept_revision, choice), **rest), output)
 
         callback: Callable[..., Any] = reporting_errors(run)
-        for option in reversed((*_COMMON, *extra)):
+        for option in reversed((*_DEVICE, *(_CHOICE if is_choosing else ()), *extra)):
             callback = option(callback)
         return command.command(function.__name__)(callback)
 
     return decorate
+
+
+def _choice(options: dict[str, Any]) -> Choice:
+    """The choice in the options, which are taken out of them."""
+    return Choice(
+        pdos=parse_pdo_choice(pdo) if (pdo := options.pop("pdo")) is not None else (),
+        modules=dict(options.pop("modules")),
+        **{field: options.pop(field) for field in ("op_mode", "cycle_ns", "name", "alias", "position")},
+    )
 
 
 @_target(click.option("--scan", metavar="FILE", help="Slaves of a bus as a master printed them, - for stdin."))
@@ -117,11 +95,7 @@ def igh(inputs: Inputs, scan: str | None) -> str:
 
     if scan is None:
         return igh_header(inputs.configuration())
-    if inputs.identity is not None or inputs.esi is not None:
-        raise InputError("--scan names the devices itself: give neither IDENTITY nor --esi")
-    if inputs.choice.pdos or inputs.choice.modules or inputs.choice.op_mode is not None:
-        raise InputError("--scan takes the default PDOs, modules and OpModes; choose them for one device at a time")
-    configurations, remarks = _configurations_of_scan(inputs, scan)
+    configurations, remarks = configurations_of_scan(inputs, scan)
     return igh_bus_header(configurations, remarks, _bus_name(inputs.choice.name))
 
 
@@ -137,9 +111,8 @@ def cstruct(inputs: Inputs, sii: str | None) -> bytes:
 
     if sii is None:
         return cstruct_of_configuration(inputs.configuration()).encode()
-    if inputs.identity is not None or inputs.esi is not None:
-        raise InputError("--sii says everything itself: give neither IDENTITY nor --esi")
-    image = decode_sii(image_bytes(_read(sii)))
+    inputs.check_no_device("--sii")
+    image = decode_sii(image_bytes(read_bytes(Path(sii))))
     return cstruct_of_image(image, inputs.choice.position).encode("utf-8", "surrogateescape")
 
 
@@ -153,103 +126,107 @@ def soem(inputs: Inputs, soem: str) -> str:
     return soem_header(inputs.configuration(), soem)
 
 
-def _subject_of_file(name: str, identity: Identity | None) -> "Subject":
-    from esicatalog.esi.reader import read_esi
-    from esicatalog.export.subject import choose_subject, subjects_of_document
+@_target()
+def pysoem(inputs: Inputs) -> str:
+    """Python module for pysoem: configuration functions, process image as ctypes structures."""
+    from esicatalog.export.pysoem import pysoem_module
 
-    file_name = Path(name).name
-    return choose_subject(subjects_of_document(read_esi(name).document, file_name), identity, file_name)
-
-
-def _subject_of_catalog(catalog: "Catalog", identity: Identity, accept_revision: bool) -> "Subject":
-    """The exact description, or the one that the catalog ranks first where that is accepted."""
-    answer = catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no)
-    if identity.revision_no is None or answer.match == "exact":
-        return _described(catalog, identity)
-    if answer.device is None:
-        raise NotFound(f"{identity}: {answer.reason}")
-    found = answer.device.device
-    if not accept_revision:
-        raise NotFound(f"{identity}: {answer.reason}; --accept-revision takes {found.identity_text}")
-    if found.vendor_id is None or found.product_code is None:
-        raise NotFound(f"{identity}: {answer.reason}")
-    words = f"asked for {identity}, described is {found.identity_text}: {answer.reason}"
-    click.echo(f"esicatalog: accepted, {words}", err=True)
-    nearest = Identity(found.vendor_id, found.product_code, found.revision_no, found.variant)
-    return _described(catalog, nearest).standing_in(words)
+    return pysoem_module(inputs.configuration())
 
 
-def _described(catalog: "Catalog", identity: Identity) -> "Subject":
-    from esicatalog.export.subject import subject_of_description
+@_target()
+def ros2(inputs: Inputs) -> str:
+    """Slave file for ethercat_driver_ros2.
 
-    description = catalog.device(identity)
-    return subject_of_description(description.found, description.sources, description.device, description.modules)
+    Nothing switches a drive on: automatic state transitions and fault reset are off.
+    """
+    from esicatalog.export.ros2 import ros2_slave
 
-
-def _configurations_of_scan(inputs: Inputs, name: str) -> "tuple[list[Configuration], list[str]]":
-    """Configurations of the slaves that the catalog knows, and words about the others."""
-    from esicatalog.api import Catalog
-    from esicatalog.scan.front import read_scan
-
-    scan = read_scan(_read(name).decode("utf-8", "replace"))
-    _check_single_bus(scan)
-    remarks: list[str] = []
-    with Catalog.open(inputs.db) as catalog:
-        found = list(_known_slaves(inputs, catalog, scan.slaves, remarks))
-    return found, remarks
+    return ros2_slave(inputs.configuration())
 
 
-def _check_single_bus(scan: "Scan") -> None:
-    buses = {slave.bus for slave in scan.slaves}
-    if len(buses) > 1:
-        raise InputError(f"the listing holds {len(buses)} buses; give one of them")
+@_target()
+def linuxcnc(inputs: Inputs) -> str:
+    """ethercat-conf.xml for the generic driver of LinuxCNC-Ethercat."""
+    from esicatalog.export.linuxcnc import linuxcnc_configuration
+
+    return linuxcnc_configuration(inputs.configuration())
 
 
-def _known_slaves(
-    inputs: Inputs, catalog: "Catalog", slaves: "Iterable[ScannedSlave]", remarks: list[str]
-) -> "Iterator[Configuration]":
-    from esicatalog.export.configuration import configure
+@_target(
+    click.option("--merge", metavar="DUMP", help="Keep what is the device's own in this image read from it."),
+    click.option("--fit", is_flag=True, help="Leave out names, then more, until the image fits; says what."),
+    click.option(
+        "--language", metavar="LCID", type=NUMBER, help="Texts in this language where the description has it."
+    ),
+    is_choosing=False,
+)
+def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> bytes:
+    """EEPROM image of the device.
 
-    known: dict[Identity, Subject | None] = {}
-    refused: list[str] = []
-    for slave in slaves:
-        identity = slave.identity
-        try:
-            if identity is not None and identity not in known:
-                known[identity] = _subject_of_scan(catalog, identity, inputs.accept_revision)
-        except NotFound as error:
-            refused.append(f"position {slave.position}: {error}")
-            continue
-        subject = known[identity] if identity is not None else None
-        if subject is None:
-            named = f" ({identity})" if identity is not None else ""
-            remarks.append(f"position {slave.position}: {slave.name or 'slave'}{named} is unknown and left out")
-            continue
-        yield configure(subject, inputs.choice._replace(alias=0, position=slave.position, name=None))
-    if refused:
-        raise NotFound("; ".join(refused))
+    For a device in the field use --merge with its own image: alias, serial number, factory data and private words
+    stay, and what would change is told. Words about the image go to stderr.
+    """
+    from esicatalog.export.sii import sii_image
+    from esicatalog.export.sii_limits import check_image, fit_image
+    from esicatalog.export.sii_merge import merge_image
+    from esicatalog.export.sii_remarks import image_text
+    from esicatalog.sii.decode import decode_sii
+    from esicatalog.sii.encode import encode_sii
+    from esicatalog.sii.files import image_bytes
+
+    subject = inputs.subject()
+    group = next((item for item in subject.groups if item.type == subject.device.group_type), None)
+    image = sii_image(subject.vendor_id, group, subject.device, language=language)
+    dropped: tuple[str, ...] = ()
+    merged = None
+    byte_size = image.header.byte_size
+    if merge is not None:
+        merged = merge_image(image, decode_sii(image_bytes(read_bytes(Path(merge)))))
+        image, byte_size = merged.image, merged.byte_size
+    if fit:
+        image, dropped = fit_image(image, byte_size)
+    else:
+        image = check_image(image, byte_size)
+    click.echo(image_text(subject.device, image, merged=merged, dropped=dropped), err=True)
+    return encode_sii(image)
 
 
-def _subject_of_scan(catalog: "Catalog", identity: Identity, accept_revision: bool) -> "Subject | None":
-    """The device of a slave, None when the catalog knows nothing near. Raises :class:`NotFound` when not accepted."""
-    if catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no).device is None:
-        return None
-    if identity.revision_no is None and not accept_revision:
-        raise NotFound(f"{identity}: the listing gives no revision; --accept-revision takes the latest description")
-    return _subject_of_catalog(catalog, identity, accept_revision)
+@_target(
+    click.option("--vendor", metavar="V", type=NUMBER, help="All devices of this vendor in place of one."),
+    click.option("--with-files", is_flag=True, help="Dictionary files beside OUT where the description has them."),
+    is_choosing=False,
+)
+@click.pass_context
+def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: bool) -> bytes:
+    """ESI XML of the device, made from the catalog alone: vendor, group, device, modules."""
+    from esicatalog.esi.records.document import Vendor
+    from esicatalog.export.esi import DescribedDevice, export_esi, export_esi_files
+
+    if vendor is not None:
+        inputs.check_no_device("--vendor")
+    subjects = [inputs.subject()] if vendor is None else subjects_of_vendor(inputs.db, vendor)
+    groups = [group for subject in subjects for group in subject.groups]
+    devices = [DescribedDevice(subject.device, subject.modules) for subject in subjects]
+    named = subjects[0].document_vendor or Vendor(vendor_id=subjects[0].vendor_id)
+    if not with_files:
+        return export_esi(named, groups, devices)
+    output = context.params["output"]
+    if output is None:
+        raise InputError("--with-files writes several files; say where with -o OUT")
+    path = Path(output)
+    first, *others = export_esi_files(path.name, named, groups, devices).items()
+    for name, content in others:
+        beside = path.parent / name
+        beside.parent.mkdir(parents=True, exist_ok=True)
+        _write(content, str(beside))
+    return first[1]
 
 
 def _bus_name(name: str | None) -> str:
     from esicatalog.export.configuration import checked_prefix
 
     return checked_prefix(name) if name is not None else "bus"
-
-
-def _read(name: str) -> bytes:
-    try:
-        return sys.stdin.buffer.read() if name == "-" else Path(name).read_bytes()
-    except OSError as error:
-        raise InputError(f"{name}: {error.strerror or error}") from error
 
 
 def _write(result: str | bytes, output: str | None) -> None:

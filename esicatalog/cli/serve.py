@@ -2,6 +2,7 @@
 
 import contextlib
 import errno
+import logging
 import socket
 import webbrowser
 
@@ -28,6 +29,8 @@ def command(db: str, host: str, port: int, open_browser: bool, immutable: bool) 
     from esicatalog.web.app import catalog_file, datasette_app
     from esicatalog.web.state import MOUNTED_AS
 
+    # datasette-mcp, where it is installed, tells of every session otherwise.
+    logging.getLogger("mcp").setLevel(logging.WARNING)
     application = datasette_app(catalog_file(db), immutable).app()
     with _listen(host, port) as listener:
         shown = f"[{host}]" if ":" in host else host

@@ -105,8 +105,8 @@ def _sharing(layout: ImageLayout) -> Iterable[str]:
     if layout.bit_size and layout.starts_inside_byte:
         bits = "1 bit" if layout.bit_size == 1 else f"{layout.bit_size} bits"
         yield (
-            f"the {layout.direction}s take {bits}: where SOEM packs several such devices into one byte, pysoem reads and "
-            "writes that byte as a whole, and they may begin at another bit"
+            f"the {layout.direction}s take {bits}: where SOEM packs several such devices into one byte, pysoem reads "
+            "and writes that byte as a whole, and they may begin at another bit"
         )
 
 

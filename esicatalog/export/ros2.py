@@ -105,6 +105,7 @@ def _pdo_list(configuration: Configuration, found: Listed, direction: str, remar
             reached.append(entry)
         else:
             remarks.append(f"{entry.place} {entry.name} has no interface: {PROGRAM} has no type for it at its place")
+    remarks += _version_remarks(reached, side)
     names = unique_names([_interface(configuration, entry.identifier) for entry in reached])
     interfaces = {entry.identifier: name for entry, name in zip(reached, names, strict=True)}
     modes = {
@@ -122,6 +123,15 @@ def _pdo_list(configuration: Configuration, found: Listed, direction: str, remar
         for pdo in sm.pdos
     )
     return PdoList(side, tuple(pdos))
+
+
+def _version_remarks(entries: Iterable[MappedEntry], side: Side) -> Iterator[str]:
+    """What older versions do otherwise."""
+    values = [_value(entry, side) for entry in entries]
+    if any(value.startswith("type: real") for value in values):
+        yield f"real32 and real64 need a version of {PROGRAM} that knows these types"
+    if side.key == "rpdo" and any(value.startswith("type: bit") for value in values):
+        yield f"older versions of {PROGRAM} clear the rest of the byte when they write a bitN"
 
 
 def _interface(configuration: Configuration, identifier: str) -> tuple[str, ...]:
@@ -206,7 +216,8 @@ def _drive_remarks(configuration: Configuration) -> Iterable[str]:
     if not configuration.axes:
         return
     yield "the plugin EcCiA402Drive switches the drive on by itself where it does not know auto_state_transitions"
-    if not _HELD_BY <= {entry.entry_index for sm in configuration.images(INPUT) for entry in sm.entries}:
+    mapped = {entry.entry_index for sm in configuration.images(INPUT) for entry in sm.entries}
+    if _HELD_BY - mapped:
         yield (
             "EcCiA402Drive holds the actual position only when 0x6061 and 0x6064 are mapped, and here one of them is "
             "not: its target position is 0 until one is commanded"

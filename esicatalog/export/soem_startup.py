@@ -66,7 +66,8 @@ def command_words(command: StartCommand | RegisterWrite) -> str:
 def soem_clocks(found: Clocks) -> SoemClocks:
     """Calls and register writes for the clocks of an OpMode."""
     low, high = found.assign_activate & 0xFF, found.assign_activate >> 8
-    has_both, has_sync0 = found.signals.sync1, found.signals.sync0 and not found.signals.sync1
+    has_both = bool(found.signals.sync1)
+    has_sync0 = bool(found.signals.sync0) and not has_both
     active = _SYNC01_ACTIVE if has_both else _SYNC0_ACTIVE
     data = b""
     if not (has_both or has_sync0) or high != active:

@@ -7,7 +7,7 @@ from esicatalog.catalog.results import DeviceSource, FoundDevice
 from esicatalog.errors import InputError
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.document import Document
+from esicatalog.esi.records.document import Document, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import Identity
 from esicatalog.model.slots import reachable_modules
@@ -25,6 +25,10 @@ class Subject(NamedTuple):
     origin: tuple[str, ...] = ()
     substitution: str | None = None
     """Why this description stands for a device of another revision, in words; None when it is exact."""
+    document_vendor: Vendor | None = None
+    """The vendor as the document writes it."""
+    groups: tuple[Group, ...] = ()
+    """All groups of the document."""
 
     @property
     def identity(self) -> Identity:
@@ -36,6 +40,10 @@ class Subject(NamedTuple):
         """Type and name of the device."""
         parts = (self.device.type, display_text(self.device.names))
         return ", ".join(dict.fromkeys(" ".join(part.split()) for part in parts if part and part.strip()))
+
+    def of_document(self, vendor: Vendor | None, groups: Iterable[Group]) -> Self:
+        """The same description with the vendor and groups of its document."""
+        return self._replace(document_vendor=vendor, groups=tuple(groups))
 
     def standing_in(self, reason: str) -> Self:
         """The same description, accepted for another revision."""
@@ -60,7 +68,8 @@ def subjects_of_document(document: Document, file_name: str) -> list[Subject]:
             if vendor_id is None or device.product_code is None or device.revision_no is None:
                 continue
             modules = tuple(reachable_modules(device, (*info.modules, *referenced)))
-            found.append(_subject(vendor_id, vendor, device, modules, (f"{file_name}, line {line}",)))
+            subject = _subject(vendor_id, vendor, device, modules, (f"{file_name}, line {line}",))
+            found.append(subject.of_document(info.vendor, info.groups))
     return found
 
 

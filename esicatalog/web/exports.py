@@ -16,6 +16,9 @@ from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.cstruct import cstruct_of_configuration
 from esicatalog.export.esi import DescribedDevice, export_esi
 from esicatalog.export.igh import igh_header
+from esicatalog.export.linuxcnc import linuxcnc_configuration
+from esicatalog.export.pysoem import pysoem_module
+from esicatalog.export.ros2 import ros2_slave
 from esicatalog.export.sii import sii_image
 from esicatalog.export.sii_limits import check_image
 from esicatalog.export.soem import soem_header
@@ -66,6 +69,9 @@ _C = "text/x-c; charset=utf-8"
 TARGETS: dict[str, Target] = {
     "igh": Target("IgH C header", "h", _C, _configured(igh_header)),
     "soem": Target("SOEM C header", "h", _C, _configured(soem_header)),
+    "pysoem": Target("pysoem module", "py", "text/x-python; charset=utf-8", _configured(pysoem_module)),
+    "ros2": Target("ROS 2 slave YAML", "yaml", "application/yaml", _configured(ros2_slave)),
+    "linuxcnc": Target("LinuxCNC XML", "xml", "application/xml", _configured(linuxcnc_configuration)),
     "cstruct": Target("ethercat cstruct", "c", _C, _configured(cstruct_of_configuration)),
     "sii": Target("EEPROM image", "bin", "application/octet-stream", _sii),
     "esi": Target("ESI XML", "xml", "application/xml", _esi),

@@ -1,0 +1,157 @@
+"""Where the devices of ``esicatalog export`` come from: the catalog, an ESI file, the listing of a bus."""
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+import click
+
+from esicatalog.cli.common import read_text
+from esicatalog.errors import InputError, NotFound
+from esicatalog.export.choice import Choice
+from esicatalog.identity import Identity
+
+if TYPE_CHECKING:
+    from esicatalog.api import Catalog
+    from esicatalog.export.configuration import Configuration
+    from esicatalog.export.subject import Subject
+    from esicatalog.scan.records import Scan, ScannedSlave
+
+
+class Inputs(NamedTuple):
+    """The device that is asked for, and what is chosen for it."""
+
+    identity: Identity | None
+    db: str
+    esi: str | None
+    accept_revision: bool
+    choice: Choice
+
+    def configuration(self) -> "Configuration":
+        """The configured device. Raises :class:`InputError` and :class:`NotFound` with what to do."""
+        from esicatalog.export.configuration import configure
+
+        return configure(self.subject(), self.choice)
+
+    def subject(self) -> "Subject":
+        """The device by its ESI file or by the catalog."""
+        from esicatalog.api import Catalog
+
+        if self.esi is not None:
+            return _subject_of_file(self.esi, self.identity)
+        if self.identity is None:
+            raise InputError("say which device: an IDENTITY, or --esi FILE")
+        with Catalog.open(self.db) as catalog:
+            return _subject_of_catalog(catalog, self.identity, self.accept_revision)
+
+    def check_no_device(self, option: str) -> None:
+        """Raise :class:`InputError` when a device is named beside an option that says everything itself."""
+        if self.identity is not None or self.esi is not None:
+            raise InputError(f"{option} says itself what it is about: give neither IDENTITY nor --esi")
+
+
+def configurations_of_scan(inputs: Inputs, name: str) -> "tuple[list[Configuration], list[str]]":
+    """Configurations of the slaves that the catalog knows, and words about the others."""
+    from esicatalog.api import Catalog
+    from esicatalog.scan.front import read_scan
+
+    inputs.check_no_device("--scan")
+    if inputs.choice.pdos or inputs.choice.modules or inputs.choice.op_mode is not None:
+        raise InputError("--scan takes the default PDOs, modules and OpModes; choose them for one device at a time")
+    scan = read_scan(read_text(Path(name)))
+    _check_single_bus(scan)
+    remarks: list[str] = []
+    with Catalog.open(inputs.db) as catalog:
+        found = list(_known_slaves(inputs, catalog, scan.slaves, remarks))
+    return found, remarks
+
+
+def subjects_of_vendor(db: str, vendor_id: int) -> "list[Subject]":
+    """Every description of a vendor that has an identity. Raises :class:`NotFound` when there is none."""
+    from esicatalog.api import Catalog
+
+    with Catalog.open(db) as catalog:
+        found = catalog.devices(vendor_id=vendor_id, include_hidden=True)
+        identities = [
+            Identity(vendor_id, device.product_code, device.revision_no, device.variant)
+            for device in found
+            if device.product_code is not None and device.revision_no is not None
+        ]
+        if not identities:
+            raise NotFound(f"vendor 0x{vendor_id:08x} has no device with an identity in the catalog")
+        return [_described(catalog, identity) for identity in identities]
+
+
+def _check_single_bus(scan: "Scan") -> None:
+    buses = {slave.bus for slave in scan.slaves}
+    if len(buses) > 1:
+        raise InputError(f"the listing holds {len(buses)} buses; give one of them")
+
+
+def _known_slaves(
+    inputs: Inputs, catalog: "Catalog", slaves: "Iterable[ScannedSlave]", remarks: list[str]
+) -> "Iterator[Configuration]":
+    from esicatalog.export.configuration import configure
+
+    known: dict[Identity, Subject | None] = {}
+    refused: list[str] = []
+    for slave in slaves:
+        identity = slave.identity
+        try:
+            if identity is not None and identity not in known:
+                known[identity] = _subject_of_scan(catalog, identity, inputs.accept_revision)
+        except NotFound as error:
+            refused.append(f"position {slave.position}: {error}")
+            continue
+        subject = known[identity] if identity is not None else None
+        if subject is None:
+            named = f" ({identity})" if identity is not None else ""
+            remarks.append(f"position {slave.position}: {slave.name or 'slave'}{named} is unknown and left out")
+            continue
+        yield configure(subject, inputs.choice._replace(alias=0, position=slave.position, name=None))
+    if refused:
+        raise NotFound("; ".join(refused))
+
+
+def _subject_of_scan(catalog: "Catalog", identity: Identity, accept_revision: bool) -> "Subject | None":
+    """The device of a slave, None when the catalog knows nothing near. Raises :class:`NotFound` when not accepted."""
+    if catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no).device is None:
+        return None
+    if identity.revision_no is None and not accept_revision:
+        raise NotFound(f"{identity}: the listing gives no revision; --accept-revision takes the latest description")
+    return _subject_of_catalog(catalog, identity, accept_revision)
+
+
+def _subject_of_file(name: str, identity: Identity | None) -> "Subject":
+    from esicatalog.esi.reader import read_esi
+    from esicatalog.export.subject import choose_subject, subjects_of_document
+
+    file_name = Path(name).name
+    return choose_subject(subjects_of_document(read_esi(name).document, file_name), identity, file_name)
+
+
+def _subject_of_catalog(catalog: "Catalog", identity: Identity, accept_revision: bool) -> "Subject":
+    """The exact description, or the one that the catalog ranks first where that is accepted."""
+    answer = catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no)
+    if identity.revision_no is None or answer.match == "exact":
+        return _described(catalog, identity)
+    if answer.device is None:
+        raise NotFound(f"{identity}: {answer.reason}")
+    found = answer.device.device
+    if not accept_revision:
+        raise NotFound(f"{identity}: {answer.reason}; --accept-revision takes {found.identity_text}")
+    if found.vendor_id is None or found.product_code is None:
+        raise NotFound(f"{identity}: {answer.reason}")
+    words = f"asked for {identity}, described is {found.identity_text}: {answer.reason}"
+    click.echo(f"esicatalog: accepted, {words}", err=True)
+    nearest = Identity(found.vendor_id, found.product_code, found.revision_no, found.variant)
+    return _described(catalog, nearest).standing_in(words)
+
+
+def _described(catalog: "Catalog", identity: Identity) -> "Subject":
+    from esicatalog.export.subject import subject_of_description
+
+    description = catalog.device(identity)
+    parts = catalog.document_parts(description)
+    subject = subject_of_description(description.found, description.sources, description.device, description.modules)
+    return subject.of_document(parts.vendor, parts.groups)
