@@ -15,6 +15,7 @@ COMMANDS = {
     "show": "Print the sheet of one device.",
     "diff": "Compare two devices or two ESI files.",
     "export": "Generate configuration for a master, an EEPROM image or ESI XML.",
+    "lint": "Check ESI files by the rules L01 to L67.",
     "serve": "Browse the catalog in Datasette.",
     "check": "Verify the catalog and print its content hash.",
     "migrate": "Bring a catalog of an older version up to date.",

@@ -1,0 +1,259 @@
+"""esicatalog lint"""
+
+import sys
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
+
+import click
+
+from esicatalog.cli.common import EXIT_NO, format_option, print_json, reporting_errors
+from esicatalog.errors import DocumentError, InputError, NotAnEsiDocument
+
+if TYPE_CHECKING:
+    from esicatalog.esi.containers import Container
+    from esicatalog.esi.notes import Finding
+    from esicatalog.esi.records.device import Device
+    from esicatalog.esi.records.module import Module
+    from esicatalog.ingest.discover import Found, FoundArchive
+    from esicatalog.lint.registry import Rule
+    from esicatalog.lint.report import DocumentFinding
+
+Result = TypeVar("Result")
+
+
+@click.command("lint")
+@click.argument("paths", nargs=-1, type=click.Path())
+@click.option("--db", metavar="FILE|URL", help="Print the findings stored in a catalog instead.")
+@click.option("--schema", metavar="DIR", type=click.Path(path_type=Path), help="Validate against the XSD files there.")
+@click.option("--select", metavar="L01,…", multiple=True, help="Only these rules.")
+@click.option("--ignore", metavar="L21,…", multiple=True, help="All rules but these.")
+@click.option("--list", "list_rules", is_flag=True, help="Print all rules.")
+@format_option("text", "json", "sarif")
+@reporting_errors
+def command(
+    paths: tuple[str, ...],
+    db: str | None,
+    schema: Path | None,
+    select: tuple[str, ...],
+    ignore: tuple[str, ...],
+    list_rules: bool,
+    output_format: str,
+) -> None:
+    """Check ESI files, folders (recursively) and zip archives by the rules L01 to L67.
+
+    Files that are no ESI are skipped unless they are named themselves. Exit code 1 when there are errors.
+    """
+    from esicatalog.lint.registry import chosen_rules
+    from esicatalog.lint.rules import ALL_RULES
+
+    rules = chosen_rules(ALL_RULES, _ids(select), _ids(ignore))
+    if list_rules:
+        _print_rules(rules, output_format)
+        return
+    if bool(paths) == bool(db):
+        raise InputError("name files, folders or archives to lint, or a catalog with --db")
+    if db:
+        run = None
+        wanted = {rule.id for rule in rules}
+        items: Iterable[DocumentFinding] = (item for item in _stored(db) if item.finding.rule in wanted)
+    else:
+        run = _Run(paths, rules, schema)
+        items = run.findings()
+    shown = print_findings(items, rules, output_format)
+    _print_summary(shown, run)
+    if any(finding.severity == "E" for finding in shown) or (run is not None and run.unreadable):
+        sys.exit(EXIT_NO)
+
+
+def print_findings(items: "Iterable[DocumentFinding]", rules: "Sequence[Rule]", output_format: str) -> "list[Finding]":
+    """Print findings as they come, JSON and SARIF when all are there; returns them."""
+    from esicatalog.lint.report import as_json, text_line
+
+    shown = []
+    collected = []
+    for item in items:
+        shown.append(item.finding)
+        if output_format == "text":
+            click.echo(text_line(item))
+        else:
+            collected.append(item)
+    if output_format == "json":
+        print_json([as_json(item) for item in collected])
+    elif output_format == "sarif":
+        from esicatalog.lint.sarif import sarif_log
+
+        print_json(sarif_log(collected, rules))
+    return shown
+
+
+def _ids(options: tuple[str, ...]) -> list[str]:
+    return [name for option in options for name in option.replace(",", " ").split()]
+
+
+def _print_rules(rules: "Sequence[Rule]", output_format: str) -> None:
+    from esicatalog.lint.report import rule_json
+
+    rows = [rule_json(rule) for rule in rules]
+    if output_format == "json":
+        print_json(rows)
+    else:
+        for row in rows:
+            click.echo(f"{row['rule']} {row['severity']}  {row['title']}\n       {row['reference']}")
+
+
+def _print_summary(shown: "list[Finding]", run: "_Run | None") -> None:
+    from esicatalog.lint.report import summary
+
+    words = summary(shown)
+    if run is not None:
+        words += f"; documents: {run.document_count}"
+        if run.skipped_count:
+            words += f", skipped as no ESI: {run.skipped_count}"
+        for problem in run.unreadable:
+            click.echo(f"esicatalog: {problem}", err=True)
+    click.echo(words, err=True)
+
+
+def _stored(db: str) -> "Iterator[DocumentFinding]":
+    """The findings that an ingest stored, by document and line."""
+    import sqlalchemy as sa
+
+    from esicatalog.catalog.database import open_catalog
+    from esicatalog.catalog.schema import findings, sources
+    from esicatalog.esi.notes import Finding
+    from esicatalog.lint.report import DocumentFinding
+
+    columns = (sources.c.member, *(findings.c[name] for name in Finding.__struct_fields__))
+    query = sa.select(*columns).join_from(findings, sources).order_by(sources.c.member, findings.c.line, findings.c.id)
+    engine = open_catalog(db, read_only=True)
+    try:
+        with engine.connect() as connection:
+            for member, *values in connection.execute(query):
+                yield DocumentFinding(member, Finding(*values))
+    finally:
+        engine.dispose()
+
+
+def _documents(item: "Found | FoundArchive") -> "Iterable[Found]":
+    from esicatalog.ingest.discover import FoundArchive, archive_members
+
+    return archive_members(item) if isinstance(item, FoundArchive) else (item,)
+
+
+def _once(make: Callable[[], Result]) -> Callable[[], Result]:
+    """``make``, called when its result is asked for first."""
+    made: list[Result] = []
+
+    def result() -> Result:
+        if not made:
+            made.append(make())
+        return made[0]
+
+    return result
+
+
+def _shown(location: str) -> str:
+    """A path as the user would type it: relative to the current folder when it lies below."""
+    path = Path(location)
+    return str(path.relative_to(Path.cwd())) if path.is_relative_to(Path.cwd()) else location
+
+
+class _Run:
+    """Lints what lies below the paths, document by document; then the rules across documents look at all of them."""
+
+    def __init__(self, paths: "Sequence[str]", rules: "Sequence[Rule]", schema: Path | None) -> None:
+        from esicatalog.catalog.digests import Digests
+        from esicatalog.esi.reader import Reader
+        from esicatalog.lint.library import DeviceFact
+        from esicatalog.lint.linter import Linter
+        from esicatalog.lint.schema import SchemaFolder
+
+        self._paths = paths
+        self._rules = rules
+        self._linter = Linter(rules)
+        self._schema = SchemaFolder(schema) if schema is not None else None
+        self._reader = Reader()
+        self._digests = Digests()
+        self._facts: list[DeviceFact] = []
+        self._opened: tuple[tuple[str, tuple[str, ...]], Container] | None = None
+        self.document_count = 0
+        self.skipped_count = 0
+        self.unreadable: list[str] = []
+
+    def findings(self) -> "Iterator[DocumentFinding]":
+        """All findings; those across documents come last."""
+        from esicatalog.lint.library import lint_library
+        from esicatalog.lint.report import DocumentFinding
+
+        named = {str(Path(path).resolve()) for path in self._paths}
+        for found in self._found():
+            shown = _shown(found.location)
+            try:
+                for finding in self._document(found, shown):
+                    yield DocumentFinding(shown, finding)
+            except NotAnEsiDocument as error:
+                if found.location in named:
+                    yield from self._refused(shown, "L02", error)
+                else:
+                    self.skipped_count += 1
+            except DocumentError as error:
+                yield from self._refused(shown, "L01", error)
+        yield from lint_library(self._facts, self._rules)
+
+    def _found(self) -> "Iterator[Found]":
+        from esicatalog.ingest.discover import discover
+
+        for item in discover(self._paths):
+            for found in _documents(item):
+                if found.problem is None:
+                    yield found
+                elif found.problem[0] == "skipped":
+                    self.skipped_count += 1
+                else:
+                    self.unreadable.append(f"{_shown(found.location)}: {found.problem[1]}")
+
+    def _document(self, found: "Found", shown: str) -> "list[Finding]":
+        from esicatalog.esi.containers import resolve_reference
+        from esicatalog.esi.documents import parse_document
+        from esicatalog.lint.library import device_facts
+
+        container = self._container(found)
+        pulled = self._reader.pulled(container, found.name)
+        content = container.read(found.name)
+        read = self._reader.read(content, found.name, container) if pulled is None else pulled.document
+        self.document_count += 1
+        root = _once(lambda: parse_document(content).root)
+        findings = self._linter.document(
+            read, root, lambda name: resolve_reference(container, found.name, name) is not None
+        )
+        if self._schema is not None and any(rule.id == "L03" for rule in self._rules):
+            findings = sorted([*findings, *self._schema.violations(root())], key=lambda finding: finding.line)
+        self._facts.extend(device_facts(read, shown, self._signature))
+        return findings
+
+    def _signature(self, device: "Device", modules: "Iterable[Module]", vendor_id: int | None) -> bytes:
+        keys = [self._digests.module(module, vendor_id) for module in modules]
+        return self._digests.device(device, vendor_id, keys)
+
+    def _container(self, found: "Found") -> "Container":
+        from esicatalog.esi.containers import Archive, Folder
+
+        key = (found.root, found.nested)
+        if self._opened is None or self._opened[0] != key:
+            container: Container = Folder(Path(found.root))
+            if found.is_archive:
+                archive = Archive(Path(found.root))
+                for name in found.nested:
+                    archive = Archive(archive.read(name))
+                container = archive
+            self._opened = (key, container)
+        return self._opened[1]
+
+    def _refused(self, shown: str, rule_id: str, error: DocumentError) -> "Iterator[DocumentFinding]":
+        from esicatalog.esi.notes import Finding
+        from esicatalog.lint.report import DocumentFinding
+
+        self.document_count += 1
+        if any(rule.id == rule_id for rule in self._rules):
+            yield DocumentFinding(shown, Finding(rule_id, "E", str(error), error.line))

@@ -1,0 +1,93 @@
+"""Rules across documents: they look at light facts of many devices, never at all their records.
+
+The facts come from documents that were just read (:func:`device_facts`) or from the rows of a catalog.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import NamedTuple
+
+from esicatalog.esi.notes import Finding
+from esicatalog.esi.reader import ReadDocument
+from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.lint.registry import Rule
+from esicatalog.lint.report import DocumentFinding
+from esicatalog.model.slots import reachable_modules
+
+Signature = Callable[[Device, Sequence[Module], int | None], bytes]
+"""Digest of a description (device, the modules its slots can reach, vendor id): equal for equal content."""
+
+
+class Hidden(NamedTuple):
+    """What a HideType names."""
+
+    product_code: int | None
+    revision_no: int | None
+
+
+class DeviceFact(NamedTuple):
+    """One Device element as the rules across documents see it."""
+
+    document: str
+    line: int
+    path: str
+    vendor_id: int | None
+    vendor_name: str | None
+    product_code: int | None
+    revision_no: int | None
+    type: str | None
+    signature: bytes
+    hides: tuple[Hidden, ...] = ()
+
+    @property
+    def identity(self) -> tuple[int, int, int] | None:
+        """Vendor, product and revision when all of them are given."""
+        if self.vendor_id is None or self.product_code is None or self.revision_no is None:
+            return None
+        return self.vendor_id, self.product_code, self.revision_no
+
+
+class Library:
+    """The devices of many documents: what a rule across documents looks at; a place begins with a device's number."""
+
+    def __init__(self, facts: Iterable[DeviceFact]) -> None:
+        self.facts: Sequence[DeviceFact] = tuple(facts)
+
+
+def device_facts(read: ReadDocument, document: str, signature: Signature) -> Iterator[DeviceFact]:
+    """The facts of the devices of a document."""
+    content = read.document
+    for section, info in enumerate(content.infos):
+        vendor_id = info.vendor.vendor_id if info.vendor is not None else None
+        modules = (*info.modules, *content.referenced_modules[section])
+        root = content.root
+        if root == "EtherCATInfoList":
+            root += f"/EtherCATInfo[{section}]" if len(content.infos) > 1 else "/EtherCATInfo"
+        for number, device in enumerate(info.devices):
+            place = f"Device[{number}]" if len(info.devices) > 1 else "Device"
+            yield DeviceFact(
+                document,
+                content.device_lines[section][number],
+                f"{root}/Descriptions/Devices/{place}",
+                vendor_id,
+                display_text(info.vendor.names) if info.vendor is not None else None,
+                device.product_code,
+                device.revision_no,
+                device.type,
+                signature(device, reachable_modules(device, modules), vendor_id),
+                tuple(Hidden(item.product_code, item.revision_no) for item in device.hide_types),
+            )
+
+
+def lint_library(facts: Iterable[DeviceFact], rules: Iterable[Rule]) -> Iterator[DocumentFinding]:
+    """What the rules across documents find, rule by rule."""
+    library = Library(facts)
+    for rule in rules:
+        if Library not in rule.subjects or rule.check is None:
+            continue
+        for found in rule.check(library):
+            number = found.place[0]
+            fact = library.facts[int(number)]
+            severity = found.severity or rule.severity
+            yield DocumentFinding(fact.document, Finding(rule.id, severity, found.message, fact.line, fact.path))

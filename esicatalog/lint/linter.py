@@ -1,0 +1,219 @@
+"""The linter: runs the rules over a document and gives findings with element path and line."""
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+from esicatalog.esi.binding import Record
+from esicatalog.esi.notes import Finding
+from esicatalog.esi.reader import ReadDocument
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
+from esicatalog.esi.records.document import Document, EsiInfo
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.lint.dictionaries import (
+    DictionaryView,
+    DictionaryViews,
+    IdentityMemo,
+    ObjectSubject,
+    TypeSet,
+    identities,
+)
+from esicatalog.lint.locator import Locator, Tree
+from esicatalog.lint.order import OrderChecker, OrderSubject
+from esicatalog.lint.registry import Check, Found, Place, Rule
+from esicatalog.lint.rules import ALL_RULES
+from esicatalog.lint.subjects import (
+    DeviceSubject,
+    Dictionaries,
+    FileFinder,
+    InfoSubject,
+    ModuleSubject,
+    Owner,
+    PdoMapping,
+    pdo_mapping,
+)
+from esicatalog.model.slots import accepts
+
+RECORD_RULES = tuple(rule for rule in ALL_RULES if OrderSubject not in rule.subjects)
+"""The rules that need nothing but records: what an ingest runs, which would otherwise walk every tree once more."""
+_MAX_RECORDS = 20_000
+_MAX_DICTIONARIES = 128
+
+
+class _Hit(NamedTuple):
+    rule: Rule
+    found: Found
+    place: Place
+
+    def below(self, place: Place) -> "_Hit":
+        """The same with its place seen from further out."""
+        return self._replace(place=place + self.place)
+
+
+_Hits = Sequence[_Hit]
+
+
+class Linter:
+    """Lints documents one after the other; remembers what it found in records that many of them share."""
+
+    def __init__(self, rules: Iterable[Rule] = ALL_RULES) -> None:
+        self._checks: dict[Any, list[tuple[Rule, Check]]] = defaultdict(list)
+        self._ids = set()
+        for rule in rules:
+            self._ids.add(rule.id)
+            if rule.check is not None:
+                for subject in rule.subjects:
+                    self._checks[subject].append((rule, rule.check))
+        self._order = OrderChecker()
+        self._views = DictionaryViews()
+        self._of_record: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
+        self._of_object: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
+        self._of_mapping: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
+        self._of_types: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
+        self._of_dictionary: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
+
+    def document(self, read: ReadDocument, tree: Tree, find_file: FileFinder | None = None) -> list[Finding]:
+        """All findings about a document, those of its reader included, by line.
+
+        ``tree`` gives the root of the parsed document; it is called only when there is something to report, or for
+        the rules that look at elements (see :data:`RECORD_RULES`).
+        ``find_file`` tells whether a file that the document names lies beside it.
+        """
+        findings = [finding for finding in read.findings if finding.rule in self._ids]
+        hits = self._document(read.document, find_file)
+        if self._checks[OrderSubject]:
+            hits += self._check(OrderSubject(read.document, tree(), self._order), OrderSubject)
+        if hits:
+            locator = Locator(read.document, tree)
+            for hit in hits:
+                path, line = locator.position(hit.place)
+                severity = hit.found.severity or hit.rule.severity
+                findings.append(Finding(hit.rule.id, severity, hit.found.message, line, path))
+        return sorted(findings, key=lambda finding: finding.line)
+
+    def _check(self, subject: Any, kind: Any) -> list[_Hit]:
+        return [_Hit(rule, found, found.place) for rule, check in self._checks[kind] for found in check(subject)]
+
+    def _document(self, document: Document, find_file: FileFinder | None) -> list[_Hit]:
+        hits: list[_Hit] = []
+        if document.dictionary is not None:
+            hits += _below(("dictionary",), self._dictionary(document.dictionary))
+        external = {reference.text for reference in document.references if reference.sha256 is not None}
+        for number, info in enumerate(document.infos):
+            found = self._info(info, document.referenced_modules[number], external, find_file)
+            hits += _below(("infos", number), found)
+        return hits
+
+    def _info(
+        self, info: EsiInfo, referenced: tuple[Module, ...], external: set[str], find_file: FileFinder | None
+    ) -> list[_Hit]:
+        modules = [ModuleSubject(module, info, self._owner_views(module)) for module in info.modules]
+        of_others = [ModuleSubject(module, info, self._owner_views(module)) for module in referenced]
+        devices = [
+            DeviceSubject(
+                device,
+                info,
+                self._owner_views(device),
+                [
+                    subject
+                    for subject in (*modules, *of_others)
+                    if any(accepts(slot, subject.module) for slot in device.slots)
+                ],
+            )
+            for device in info.devices
+        ]
+        for device in devices:
+            for module in device.modules:
+                module.hosts.append(device)
+        hits = self._check(InfoSubject(info, find_file), InfoSubject)
+        if info.vendor is not None:
+            hits += _below(("vendor",), self._check(info.vendor, Record))
+        for number, group in enumerate(info.groups):
+            hits += _below(("groups", number), self._check(group, Record))
+        for number, device in enumerate(devices):
+            hits += _below(("devices", number), self._owner(device, DeviceSubject, external))
+        for number, module in enumerate(modules):
+            hits += _below(("modules", number), self._owner(module, ModuleSubject, external))
+        for module in (*modules, *of_others):
+            module.hosts.clear()  # no circles: they would stay in memory until the collector comes by
+        return hits
+
+    def _owner_views(self, owner: Device | Module) -> list[DictionaryView]:
+        return [self._views.view(profile.dictionary) for profile in owner.profiles if profile.dictionary is not None]
+
+    def _owner(self, owner: Owner, kind: type[Owner], external: set[str]) -> list[_Hit]:
+        hits = [*self._check(owner, kind), *self._check(owner.record, Record)]
+        if isinstance(owner, DeviceSubject):
+            for number, slot in enumerate(owner.device.slots):
+                hits += _below(("slots", number), self._check(slot, Record))
+        dictionaries = self._dictionaries_for(owner)
+        for placed in owner.pdos:
+            hits += _below(placed.place, self._pdo(placed.pdo, placed.direction, dictionaries))
+        for number, profile in enumerate(owner.record.profiles):
+            if profile.dictionary is not None and profile.dictionary_file not in external:
+                hits += _below(("profiles", number, "dictionary"), self._dictionary(profile.dictionary))
+        return hits
+
+    def _dictionaries_for(self, owner: Owner) -> Dictionaries:
+        """Where the objects of its PDOs are looked up: its own, then those of what it is plugged into or carries.
+
+        Nowhere when it has none of its own: then the document does not tell its objects.
+        """
+        if not owner.own:
+            return owner.own
+        if isinstance(owner, DeviceSubject):
+            others: Sequence[Owner] = owner.modules
+        else:
+            others = owner.hosts if isinstance(owner, ModuleSubject) else ()
+        return Dictionaries([view for part in (owner, *others) for view in part.own.views])
+
+    def _pdo(self, pdo: Pdo, direction: str, dictionaries: Dictionaries) -> list[_Hit]:
+        hits = list(self._of_record.get(id(pdo), pdo, self._check_kinds, pdo, (Record, Pdo)))
+        if dictionaries and pdo.entries:
+            key = (id(pdo), direction, identities(dictionaries.views))
+            hits += self._of_mapping.get(
+                key, (pdo, dictionaries.views), self._check_mapping, direction, pdo, dictionaries
+            )
+        return hits
+
+    def _check_mapping(self, direction: str, pdo: Pdo, dictionaries: Dictionaries) -> _Hits:
+        return self._check(pdo_mapping(direction, pdo, dictionaries), PdoMapping)
+
+    def _dictionary(self, dictionary: Dictionary) -> _Hits:
+        view = self._views.view(dictionary)
+        return self._of_dictionary.get(id(view), view, self._check_dictionary, view)
+
+    def _check_dictionary(self, view: DictionaryView) -> _Hits:
+        types = view.types
+        hits = self._check(view, DictionaryView)
+        hits += self._of_types.get(id(types), types, self._check_types, types)
+        closure = types.closure
+        for number, declared in enumerate(view.dictionary.objects):
+            key = (id(declared), closure(declared.type))
+            found = self._of_object.get(key, (declared, types), self._check_object, declared, types)
+            if found:
+                hits += _below(("objects", number), found)
+        return hits
+
+    def _check_object(self, declared: Object, types: TypeSet) -> _Hits:
+        return [
+            *self._check(declared, Record),
+            *self._check(ObjectSubject(declared, types, self._views.resolver), ObjectSubject),
+        ]
+
+    def _check_types(self, types: TypeSet) -> _Hits:
+        hits = self._check(types, TypeSet)
+        for number, data_type in enumerate(types.data_types):
+            found = self._of_record.get(id(data_type), data_type, self._check_kinds, data_type, (Record, DataType))
+            if found:
+                hits += _below(("data_types", number), found)
+        return hits
+
+    def _check_kinds(self, subject: Record, kinds: Iterable[Any]) -> _Hits:
+        return [hit for kind in kinds for hit in self._check(subject, kind)]
+
+
+def _below(place: Place, hits: Iterable[_Hit]) -> list[_Hit]:
+    return [hit.below(place) for hit in hits]

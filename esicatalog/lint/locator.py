@@ -1,0 +1,112 @@
+"""From a place in the records to element path and line: the declarations of the record fields say where each lies.
+
+Records carry no lines, so the parsed document is asked, and only when there is something to report.
+"""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any, NamedTuple
+
+from lxml import etree
+
+from esicatalog.esi.binding import Field, Record, fields_of
+from esicatalog.esi.records.document import DiagInfo, DictInfo, Document, EsiInfo, InfoList, ModuleInfo
+from esicatalog.lint.registry import Place
+
+Tree = Callable[[], etree._Element]
+"""Gives the root element of a parsed document."""
+
+_ROOTS: dict[str, type[Record]] = {
+    "EtherCATInfo": EsiInfo,
+    "EtherCATModule": ModuleInfo,
+    "EtherCATInfoList": InfoList,
+    "EtherCATDict": DictInfo,
+    "EtherCATDiag": DiagInfo,
+}
+_SECTION: Place = ("infos", 0)
+"""What the root itself is, in documents of these roots."""
+_LAST_COUNTED = 65535
+_SINGLE_SECTION = (EsiInfo, ModuleInfo)
+
+
+class Position(NamedTuple):
+    """Where something stands: path of the element, positions from 0 where a tag repeats, and its line (0 unknown)."""
+
+    path: str
+    line: int
+
+
+class _Known(NamedTuple):
+    """A place that was looked up; ``element`` is the nearest one that the tree has, ``exact`` whether it is the one."""
+
+    record: Any
+    fields: dict[str, Field]
+    path: str
+    element: etree._Element
+    exact: bool
+
+
+class Locator:
+    """Looks up places of one document; ``tree`` is called at the first look-up."""
+
+    def __init__(self, document: Document, tree: Tree) -> None:
+        self._document = document
+        self._tree = tree
+        self._known: dict[Place, _Known] = {}
+
+    def position(self, place: Place) -> Position:
+        """Path and line of a place; of the nearest element around it where the document has none there."""
+        found = self._look_up(place)
+        return Position(found.path, _line(found.element))
+
+    def _look_up(self, place: Place) -> _Known:
+        found = self._known.get(place)
+        if found is None:
+            found = self._known[place] = self._step(place) if place else self._root()
+        return found
+
+    def _root(self) -> _Known:
+        record_type = _ROOTS[self._document.root]
+        return _Known(self._document, _fields(record_type), self._document.root, self._tree(), True)
+
+    def _step(self, place: Place) -> _Known:
+        if place == _SECTION and (record_type := _ROOTS[self._document.root]) in _SINGLE_SECTION:
+            root = self._look_up(())
+            return root._replace(record=self._document.infos[0], fields=_fields(record_type))
+        position = place[-1] if isinstance(place[-1], int) else None
+        name = place[-1] if position is None else place[-2]
+        around = self._look_up(place[:-1] if position is None else place[:-2])
+        field = around.fields[str(name)]
+        value = getattr(around.record, str(name))
+        path = field.xml.path.partition("@")[0].removeprefix(".")
+        if not path:
+            return around
+        shown = f"{around.path}/{path}"
+        if field.many and position is not None:
+            shown += f"[{position}]" if len(value) > 1 else ""
+            value = value[position]
+        fields = _fields(type(value)) if isinstance(value, Record) else {}
+        elements = _nth(path)(around.element, number=(position or 0) + 1) if around.exact else ()
+        for element in elements:
+            return _Known(value, fields, shown, element, True)
+        return _Known(value, fields, shown, around.element, False)
+
+
+def _line(element: etree._Element) -> int:
+    line = element.sourceline or 0
+    if line != _LAST_COUNTED:
+        return line
+    # libxml2 counts to 65535 where it cannot ask a text: the nearest element around it that knows more.
+    around = (item.sourceline or 0 for item in element.iterancestors())
+    return next((line for line in around if line > _LAST_COUNTED), _LAST_COUNTED)
+
+
+@cache
+def _nth(path: str) -> etree.XPath:
+    """Looks up one of the elements at a path; faster than listing all."""
+    return etree.XPath(f"({path})[$number]")
+
+
+@cache
+def _fields(record_type: type[Record]) -> dict[str, Field]:
+    return {field.name: field for field in fields_of(record_type)}

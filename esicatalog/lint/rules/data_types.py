@@ -1,0 +1,131 @@
+"""Rules about data types and objects as they are declared (ESI-FACTS sections 6 and 7)."""
+
+from collections import Counter
+from collections.abc import Iterator
+from itertools import pairwise
+
+from esicatalog.esi.records.dictionary import DataType
+from esicatalog.lint.dictionaries import DictionaryView, ObjectSubject, TypeSet
+from esicatalog.lint.registry import ERROR, WARNING, Found, rule
+from esicatalog.model.base_types import base_type
+
+_DYNAMIC = (range(0x1600, 0x1C00), range(0x1C10, 0x1C30))
+"""PDO mapping and assignment: objects whose length follows what is mapped and assigned."""
+
+
+@rule("L41", ERROR, "EtherCATBase.xsd keyref: Object/Type, SubItem/Type and BaseType name a DataType of the dictionary")
+def type_undeclared(record: TypeSet | ObjectSubject) -> Iterator[Found]:
+    """A type is not declared in its dictionary."""
+    if isinstance(record, ObjectSubject):
+        declared = record.declared
+        if declared.type and declared.type not in record.types.by_name:
+            yield Found(
+                f"object 0x{declared.object_index or 0:04X} has the type {declared.type!r}, "
+                f"which the dictionary does not declare{_known(declared.type)}",
+                ("type",),
+            )
+        return
+    known = record.by_name
+    for number, data_type in enumerate(record.data_types):
+        if data_type.base_type and data_type.base_type not in known:
+            yield Found(
+                f"DataType {data_type.name} has the BaseType {data_type.base_type!r}, "
+                f"which the dictionary does not declare{_known(data_type.base_type)}",
+                ("data_types", number, "base_type"),
+            )
+        for position, sub_item in enumerate(data_type.sub_items):
+            if sub_item.type and sub_item.type not in known:
+                yield Found(
+                    f"SubItem {sub_item.name!r} of DataType {data_type.name} has the type {sub_item.type!r}, "
+                    f"which the dictionary does not declare{_known(sub_item.type)}",
+                    ("data_types", number, "sub_items", position, "type"),
+                )
+
+
+def _known(name: str) -> str:
+    return "; read as the base type of that name" if base_type(name) is not None else ": declare it"
+
+
+@rule("L42", ERROR, "EtherCATBase.xsd keys: DataType name, SubItem name; ETG.1000.6: subindex, object index")
+def declared_twice(record: DictionaryView | TypeSet | DataType) -> Iterator[Found]:
+    """A data type name, SubItem name, SubIdx or object index is declared twice."""
+    if isinstance(record, DataType):
+        yield from _sub_items_twice(record)
+        return
+    if isinstance(record, TypeSet):
+        names = [data_type.name for data_type in record.data_types]
+        for number, name in _repeated(names):
+            yield Found(f"DataType {name} is declared twice: the first counts", ("data_types", number, "name"))
+        return
+    indices = [declared.object_index for declared in record.dictionary.objects]
+    for number, index in _repeated(indices):
+        yield Found(f"object 0x{index:04X} is declared twice", ("objects", number, "object_index"))
+
+
+def _sub_items_twice(data_type: DataType) -> Iterator[Found]:
+    for number, name in _repeated([sub_item.name for sub_item in data_type.sub_items]):
+        yield Found(
+            f"SubItem {name!r} occurs twice in DataType {data_type.name}: values are paired by name",
+            ("sub_items", number, "name"),
+        )
+    for number, subindex in _repeated([sub_item.subindex for sub_item in data_type.sub_items]):
+        yield Found(f"SubIdx {subindex} occurs twice in DataType {data_type.name}", ("sub_items", number, "subindex"))
+
+
+def _repeated(keys: list[str | None] | list[int | None]) -> Iterator[tuple[int, object]]:
+    """Position and key of every item whose key another item had before."""
+    if len(set(keys)) == len(keys):
+        return
+    seen: Counter[object] = Counter()
+    for number, key in enumerate(keys):
+        if key is not None and seen[key]:
+            yield number, key
+        seen[key] += 1
+
+
+@rule("L43", WARNING, "ETG.2000 Object/BitSize is that of its type")
+def size_differs(subject: ObjectSubject) -> Iterator[Found]:
+    """BitSize of an object differs from that of its type."""
+    declared = subject.declared
+    index = declared.object_index or 0
+    data_type = subject.types.by_name.get(declared.type or "")
+    if data_type is None or declared.bit_size is None or data_type.bit_size is None:
+        return
+    if declared.bit_size != data_type.bit_size and not any(index in dynamic for dynamic in _DYNAMIC):
+        yield Found(
+            f"object 0x{index:04X} has BitSize {declared.bit_size}, its type {declared.type} {data_type.bit_size}",
+            ("bit_size",),
+        )
+
+
+@rule("L44", WARNING, "ETG.2000 SubItem/BitOffs, BitSize: the complete-access image; SubIndex 0 lies at its start")
+def sub_item_overlap(data_type: DataType) -> Iterator[Found]:
+    """SubItems overlap or exceed their type, or SubIndex 0 does not lie at BitOffs 0."""
+    if all(sub_item.subindex is None for sub_item in data_type.sub_items):
+        return  # the structure of an IDN, where members may be a union
+    first = data_type.sub_items[0]
+    if first.subindex == 0 and first.bit_offset:
+        yield Found(
+            f"SubIdx 0 of DataType {data_type.name} has BitOffs {first.bit_offset}; it lies at 0",
+            ("sub_items", 0, "bit_offset"),
+        )
+    areas = sorted(
+        (sub_item.bit_offset, sub_item.bit_size, number)
+        for number, sub_item in enumerate(data_type.sub_items)
+        if sub_item.bit_offset is not None and sub_item.bit_size
+    )
+    for (offset, size, number), (next_offset, _, next_number) in pairwise(areas):
+        if next_offset < offset + size:
+            yield Found(
+                f"SubItem {data_type.sub_items[next_number].name!r} of DataType {data_type.name} starts at bit "
+                f"{next_offset}, {data_type.sub_items[number].name!r} ends at {offset + size}: correct BitOffs",
+                ("sub_items", next_number, "bit_offset"),
+            )
+    if areas and data_type.bit_size is not None:
+        end, number = max((offset + size, number) for offset, size, number in areas)
+        if end > data_type.bit_size:
+            yield Found(
+                f"SubItem {data_type.sub_items[number].name!r} of DataType {data_type.name} ends at bit {end}, "
+                f"behind its BitSize {data_type.bit_size}",
+                ("sub_items", number),
+            )

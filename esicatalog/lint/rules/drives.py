@@ -1,0 +1,87 @@
+"""Rules about drives: CiA 402 objects, modes of operation, profile numbers (ESI-FACTS section 16)."""
+
+from collections.abc import Iterator
+
+from esicatalog.lint.registry import WARNING, Found, Place, rule
+from esicatalog.lint.subjects import DeviceSubject, Dictionaries, ModuleSubject
+from esicatalog.model.cia402 import CONTROLWORD, MODES_OF_OPERATION, STATUSWORD, SUPPORTED_DRIVE_MODES
+
+_DEVICE_TYPE = 0x1000
+_NEEDED = (CONTROLWORD, STATUSWORD, MODES_OF_OPERATION, SUPPORTED_DRIVE_MODES)
+_DOUBTS = {
+    "A+ swapped": "looks big-endian: DefaultData is little-endian",
+    "A+ short": "is shorter than its type",
+}
+_AGAINST_NAME = "C3"
+
+
+@rule("L57", WARNING, "CiA 402 object 0x6060: the command would start another mode than the name promises")
+def mode_against_name(subject: ModuleSubject) -> Iterator[Found]:
+    """An InitCmd writes a mode to 0x6060 that the name of its module does not list."""
+    against = {
+        (item.mode, item.axis): item.evidence
+        for host in subject.hosts
+        for item in reversed(host.drive_modes.evidence)
+        if item.rank == _AGAINST_NAME and item.module_ident == subject.module.module_ident
+    }
+    for _, words in sorted(against.items()):
+        yield Found(f"{words}: correct the command or the name", ("mailbox", "coe_init_cmds", 0))
+
+
+@rule("L58", WARNING, "CiA 402: 0x6040, 0x6041, 0x6060 and 0x6502 are mandatory")
+def drive_objects(subject: DeviceSubject) -> Iterator[Found]:
+    """A CiA 402 drive lacks a mandatory object, or the default of 0x6502 is 0 or looks wrong."""
+    evidence = subject.drive_modes.evidence
+    if not evidence:
+        return
+    dictionaries = Dictionaries([view for owner in (subject, *subject.modules) for view in owner.own.views])
+    if not dictionaries:
+        return
+    all_described = all(module.own for module in subject.modules)
+    missing = [f"0x{index:04X}" for index in _NEEDED if dictionaries.entries(index) is None]
+    if missing and all_described:
+        yield Found(f"CiA 402 drive without {', '.join(missing)} in its dictionary", _dictionary_place(subject))
+    elif dictionaries.default(SUPPORTED_DRIVE_MODES) == 0:
+        yield Found(
+            "0x6502 has the default 0: it says nothing about the modes; give the modes of the drive",
+            subject.object_place(SUPPORTED_DRIVE_MODES),
+        )
+    doubted = {(item.rank, item.object_index) for item in evidence if item.rank in _DOUBTS}
+    for rank, index in sorted(doubted, key=str):
+        entry = dictionaries.entry(index or 0, 0)
+        raw = entry.default_raw if entry is not None else ""
+        yield Found(
+            f"0x{index or 0:04X} has the default {raw}, which {_DOUBTS[rank]}", subject.object_place(index or 0)
+        )
+
+
+def _dictionary_place(subject: DeviceSubject) -> Place:
+    numbers = [n for n, profile in enumerate(subject.device.profiles) if profile.dictionary is not None]
+    return ("profiles", numbers[0], "dictionary") if numbers else ()
+
+
+@rule("L59", WARNING, "ETG.1000.6 object 0x1000: the low word is the profile number")
+def device_type(subject: DeviceSubject) -> Iterator[Found]:
+    """The profile in 0x1000 is none of the ProfileNo."""
+    default = subject.own.default(_DEVICE_TYPE)
+    numbers = {profile.profile_no for profile in subject.device.profiles}
+    numbers |= {channel.profile_no for profile in subject.device.profiles for channel in profile.channel_infos}
+    declared = sorted(number for number in numbers if number)
+    if default and default > 0 and declared and default & 0xFFFF not in declared:
+        yield Found(
+            f"0x1000 has the default 0x{default:08X}, profile {default & 0xFFFF}; "
+            f"ProfileNo is {', '.join(map(str, declared))}",
+            subject.object_place(_DEVICE_TYPE),
+        )
+
+
+@rule("L67", WARNING, "CiA 406 object 0x6502: number of distinguishable revolutions")
+def modes_of_no_drive(subject: DeviceSubject) -> Iterator[Found]:
+    """0x6502 of a device that is no CiA 402 drive; it says nothing about drive modes."""
+    default = subject.own.default(SUPPORTED_DRIVE_MODES)
+    if default and not subject.drive_modes.evidence:
+        yield Found(
+            f"0x6502 has the default 0x{default:X}, but nothing else says CiA 402: "
+            "do not read it as supported drive modes",
+            subject.object_place(SUPPORTED_DRIVE_MODES),
+        )

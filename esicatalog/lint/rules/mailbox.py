@@ -1,0 +1,115 @@
+"""Rules about the mailbox, its start-up commands and the EEPROM (ESI-FACTS sections 10 and 13)."""
+
+from collections.abc import Iterator
+
+from esicatalog.esi.numbers import decode_hex_binary
+from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.lint.registry import WARNING, Found, Place, rule
+from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject
+from esicatalog.model.access import ALL_STATES
+from esicatalog.model.base_types import BASE_TYPES
+
+_TEXTS = frozenset({"string", "octets", "unicode", "domain"})
+_LEAST_EEPROM_BYTES = 128
+
+
+@rule("L56", WARNING, "ETG.2000 CoE/InitCmd: the master writes Data to the object; a device refuses what does not fit")
+def init_cmd(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+    """An InitCmd writes an unknown or read-only object, or data of another length than the object's."""
+    others = () if isinstance(subject, DeviceSubject) else tuple(subject.hosts)
+    dictionaries = Dictionaries([view for owner in (subject, *others) for view in owner.own.views])
+    if not dictionaries:
+        return
+    is_complete = bool(subject.own) and not (isinstance(subject, DeviceSubject) and subject.is_modular)
+    for number, command in enumerate(subject.coe_init_cmds):
+        problem = _init_cmd_problem(command, dictionaries, is_complete)
+        if problem is not None:
+            yield Found(
+                f"InitCmd for 0x{command.object_index or 0:04X}:{command.subindex or 0:02X} {problem}",
+                ("mailbox", "coe_init_cmds", number),
+            )
+
+
+def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete: bool) -> str | None:
+    index = command.object_index
+    if index is None or index < FIRST_OBJECT:
+        return None
+    entries = dictionaries.entries(index)
+    if entries is None:
+        return "writes an object that the dictionary does not have" if is_complete else None
+    if command.complete_access:
+        return None
+    entry = entries.get(command.subindex or 0)
+    if entry is None:
+        return "writes a subindex that the dictionary does not have"
+    if not entry.access_word >> 3 & ALL_STATES:
+        return f"writes an object that is {entry.access}"
+    data = decode_hex_binary(command.data)
+    if data is None or entry.bit_size is None:
+        return None
+    wanted = (entry.bit_size + 7) // 8
+    is_text = entry.base_type is not None and BASE_TYPES[entry.base_type].kind in _TEXTS
+    if len(data) == wanted or (is_text and len(data) < wanted):
+        return None
+    return f"has {len(data)} bytes of Data; {entry.data_type} has {wanted}"
+
+
+@rule("L61", WARNING, "ETG.2000 Mailbox/CoE: objects are read and written through CoE")
+def dictionary_without_coe(subject: DeviceSubject) -> Iterator[Found]:
+    """A dictionary without CoE, or CoE of which neither the document nor the device tells the objects."""
+    mailbox = subject.device.mailbox
+    has_dictionary = bool(subject.own) or any(module.own for module in subject.modules)
+    if mailbox is None or not mailbox.coe:
+        if subject.own and not (mailbox is not None and mailbox.soe):
+            yield Found("the device has a dictionary but no CoE: nothing can read its objects", _mailbox_place(subject))
+    elif not has_dictionary and not mailbox.coe_sdo_info:
+        yield Found(
+            "CoE without dictionary and without SdoInfo: nothing tells which objects the device has",
+            ("mailbox", "coe"),
+        )
+
+
+def _mailbox_place(subject: DeviceSubject) -> Place:
+    return ("mailbox",) if subject.device.mailbox is not None else ()
+
+
+@rule("L62", WARNING, "ETG.2000 CoE/@PdoAssign, @PdoConfig: 0x1C1x, 0x16xx and 0x1Axx are writable")
+def pdo_choice_without_service(subject: DeviceSubject) -> Iterator[Found]:
+    """Optional PDOs without PdoAssign, or PDOs that are not Fixed without PdoConfig."""
+    mailbox = subject.device.mailbox
+    if mailbox is None or not mailbox.coe:
+        return
+    pdos = [placed.pdo for placed in subject.pdos if not placed.pdo.virtual]
+    optional = [pdo for pdo in pdos if pdo.sm is None]
+    if optional and not mailbox.coe_pdo_assign:
+        yield Found(
+            f"{len(optional)} PDOs are optional (no Sm), but CoE has no PdoAssign: they can never be assigned",
+            ("mailbox", "coe"),
+        )
+    free = [pdo for pdo in pdos if not pdo.fixed and pdo.entries]
+    if free and not mailbox.coe_pdo_config:
+        yield Found(
+            f"{len(free)} PDOs are not Fixed, but CoE has no PdoConfig: mark them Fixed, nobody can change them",
+            ("mailbox", "coe"),
+        )
+
+
+@rule("L63", WARNING, "ETG.2000 Eeprom, ETG.2010: ByteSize, ConfigData (words 0 to 6 of the image), CatNo in decimal")
+def eeprom(subject: DeviceSubject) -> Iterator[Found]:
+    """The EEPROM is smaller than its header, has no ConfigData, or a category number that is not decimal."""
+    held = subject.device.eeprom
+    if held is None or held.data:
+        return
+    if held.byte_size is not None and held.byte_size < _LEAST_EEPROM_BYTES:
+        yield Found(
+            f"Eeprom ByteSize {held.byte_size}: the header alone takes {_LEAST_EEPROM_BYTES} bytes",
+            ("eeprom", "byte_size"),
+        )
+    if not held.config_data:
+        yield Found("Eeprom without ConfigData: the slave controller cannot be configured", ("eeprom", "config_data"))
+    elif len(held.config_data) % 2:
+        yield Found("Eeprom ConfigData has an odd number of digits", ("eeprom", "config_data"))
+    for number, category in enumerate(held.categories):
+        text = (category.spelling or {}).get("cat_no")
+        if text is not None and not text.isdecimal():
+            yield Found(f"Eeprom CatNo {text!r} is not decimal", ("eeprom", "categories", number, "cat_no"))

@@ -1,0 +1,240 @@
+"""Rules about PDOs: index, assignment, exclusions, entries (ESI-FACTS section 9)."""
+
+from collections.abc import Iterable, Iterator
+
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
+from esicatalog.lint.subjects import DeviceSubject, ModuleSubject, Owner, PlacedPdo, is_absent
+from esicatalog.model.pdo_facts import entry_facts, symmetric_exclusions
+
+_RANGES = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
+_OPPOSITE = {"RxPdo": "Inputs", "TxPdo": "Outputs"}
+_MAX_SII_BITS = 255
+_ASSIGNMENT_OBJECT = 0x1C10
+
+
+def _words(direction: str, index: int | None) -> str:
+    return f"{direction} 0x{index:04X}" if index is not None else f"a {direction} without Index"
+
+
+@rule("L27", ERROR, "ETG.2000 Pdo/@Sm: position of the Sm element; RxPdo go to Outputs, TxPdo to Inputs")
+def sync_manager_of_pdo(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+    """A PDO is assigned to a SyncManager that does not exist or runs the other way."""
+    devices = [subject] if isinstance(subject, DeviceSubject) else subject.hosts
+    for device in devices:
+        usages = [sm.usage for sm in device.device.sync_managers]
+        for placed in subject.pdos:
+            number = placed.pdo.sm
+            if number is None:
+                continue
+            words = f"{_words(placed.direction, placed.pdo.pdo_index)} is assigned to SM {number}"
+            of = "" if device is subject else f" of {device.device.type!r}"
+            if not 0 <= number < len(usages):
+                yield Found(f"{words}{of}, which has {len(usages)} SyncManagers: correct Sm", (*placed.place, "sm"))
+            elif usages[number] == _OPPOSITE[placed.direction]:
+                yield Found(f"{words}{of}, which is {usages[number]}: correct Sm", (*placed.place, "sm"))
+
+
+@rule("L28", WARNING, "ETG.1000.6: a PDO mapping object exists once")
+def index_twice(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+    """Two PDOs have the same index."""
+    seen: set[tuple[str, int]] = set()
+    for placed in subject.pdos:
+        index = placed.pdo.pdo_index
+        if not index:
+            continue
+        if (placed.direction, index) in seen:
+            yield Found(
+                f"{_words(placed.direction, index)} is described twice: an assignment by index means the first only",
+                (*placed.place, "pdo_index"),
+            )
+        seen.add((placed.direction, index))
+
+
+@rule("L29", WARNING, "ETG.1000.6: PDO mapping objects are 0x1600 to 0x17FF and 0x1A00 to 0x1BFF")
+def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+    """The index of a PDO is no PDO mapping object of its direction."""
+    mailbox = subject.record.mailbox
+    if mailbox is not None and mailbox.soe and not mailbox.coe:
+        return  # the PDOs of a SoE drive are the IDNs of its telegrams
+    for placed in subject.pdos:
+        index = placed.pdo.pdo_index
+        allowed = _RANGES[placed.direction]
+        if index is not None and index not in allowed and not placed.pdo.virtual:
+            yield Found(
+                f"{_words(placed.direction, index)} is no PDO mapping object; "
+                f"{placed.direction} are 0x{allowed.start:04X} to 0x{allowed.stop - 1:04X}",
+                (*placed.place, "pdo_index"),
+            )
+
+
+@rule("L30", WARNING, "ETG.2000 Exclude: meant for both sides; a tool that reads one side only offers the pair")
+def exclusion_one_sided(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+    """A PDO excludes another one that does not exclude it."""
+    excluded = {
+        placed.pdo.pdo_index: {item.pdo_index for item in placed.pdo.excludes} for placed in reversed(subject.pdos)
+    }
+    for placed in subject.pdos:
+        index = placed.pdo.pdo_index
+        for number, item in enumerate(placed.pdo.excludes):
+            other = excluded.get(item.pdo_index)
+            if other is not None and index is not None and item.pdo_index != index and index not in other:
+                yield Found(
+                    f"{_words(placed.direction, index)} excludes 0x{item.pdo_index:04X}, "
+                    f"which does not exclude it: add Exclude 0x{index:04X} there",
+                    (*placed.place, "excludes", number),
+                )
+
+
+@rule("L31", ERROR, "ETG.2000 Exclude: the PDOs may not be assigned at the same time")
+def exclusive_defaults(subject: DeviceSubject) -> Iterator[Found]:
+    """Two PDOs that exclude each other are both assigned by default, or a PDO excludes itself."""
+    for placed in subject.pdos:
+        for number, item in enumerate(placed.pdo.excludes):
+            if item.pdo_index is not None and item.pdo_index == placed.pdo.pdo_index:
+                yield Found(
+                    f"{_words(placed.direction, item.pdo_index)} excludes itself: remove that Exclude",
+                    (*placed.place, "excludes", number),
+                )
+    assigned = _assigned_by_default(subject)
+    exclusions = symmetric_exclusions(placed.pdo for placed in assigned)
+    before: list[int] = []
+    for placed in assigned:
+        index = placed.pdo.pdo_index
+        rivals = exclusions.get(index, ())
+        for other in before:
+            if other in rivals:
+                yield Found(
+                    f"{_words(placed.direction, index)} and 0x{other:04X} exclude each other, "
+                    "but both are assigned by default: one of them must lose its Sm",
+                    (*placed.place, "sm"),
+                )
+        if index is not None:
+            before.append(index)
+
+
+def _assigned_by_default(subject: DeviceSubject) -> list[PlacedPdo]:
+    """PDOs with Sm, but not those whose SyncManager the default OpMode assigns itself."""
+    mode = subject.default_op_mode
+    listed = {item.no for item in mode.sm_assignments if item.pdos} if mode is not None else set()
+    return [
+        placed
+        for placed in subject.pdos
+        if placed.pdo.sm is not None and placed.pdo.sm not in listed and not placed.pdo.virtual
+    ]
+
+
+@rule("L32", WARNING, "ETG.2000 Exclude: index of another PDO")
+def exclusion_of_unknown(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+    """Exclude names a PDO that is not described."""
+    devices = [subject] if isinstance(subject, DeviceSubject) else subject.hosts
+    owners: list[Owner] = [subject, *devices, *(module for device in devices for module in device.modules)]
+    known = {placed.pdo.pdo_index for owner in owners for placed in owner.pdos}
+    for placed in subject.pdos:
+        for number, item in enumerate(placed.pdo.excludes):
+            if item.pdo_index is not None and item.pdo_index not in known:
+                yield Found(
+                    f"{_words(placed.direction, placed.pdo.pdo_index)} excludes 0x{item.pdo_index:04X}, "
+                    "which is no PDO of the device: correct or remove it",
+                    (*placed.place, "excludes", number),
+                )
+
+
+@rule("L33", ERROR, "ETG.2000 Entry/BitLen: required")
+def entry_without_length(pdo: Pdo) -> Iterator[Found]:
+    """An entry has no BitLen, or none above 0."""
+    for number, entry in enumerate(pdo.entries):
+        if is_absent(entry, "bit_length") or (entry.bit_length is not None and entry.bit_length <= 0):
+            words = "no BitLen" if entry.bit_length is None else f"BitLen {entry.bit_length}"
+            yield Found(
+                f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} has {words}: "
+                "nothing tells where the next entries lie",
+                ("entries", number),
+            )
+
+
+@rule("L34", INFORMATION, "ETG.2000 Entry: index 0 is a gap, only its BitLen counts")
+def padding_with_type(pdo: Pdo) -> Iterator[Found]:
+    """A padding entry carries a SubIndex or a DataType."""
+    for number, entry in enumerate(pdo.entries):
+        if entry_facts(entry).is_padding and (entry.subindex or entry.data_type):
+            carried = f"SubIndex {entry.subindex}" if entry.subindex else f"DataType {entry.data_type}"
+            yield Found(
+                f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} is padding (index 0) with {carried}, "
+                "which means nothing",
+                ("entries", number),
+            )
+
+
+@rule("L35", WARNING, "PDOs of a SyncManager follow each other bit by bit; only their sum is rounded up to bytes")
+def not_whole_bytes(subject: DeviceSubject) -> Iterator[Found]:
+    """The only PDO of a SyncManager is no whole number of bytes (several PDOs together: I)."""
+    for image in subject.images:
+        if not image.bit_size % 8:
+            continue
+        alone = len(image.pdos) == 1
+        first = image.pdos[0]
+        place = () if first.position is None or first.module is not None else _place(first.direction, first.position)
+        what = _words(first.direction, first.pdo.pdo_index) if alone else f"{len(image.pdos)} PDOs"
+        yield Found(
+            f"SM {image.sm}: {what} of {image.bit_size} bits; the last byte is filled up",
+            place,
+            WARNING if alone else INFORMATION,
+        )
+
+
+def _place(direction: str, position: int) -> tuple[str, int]:
+    return ("rx_pdos" if direction == "RxPdo" else "tx_pdos", position)
+
+
+@rule("L40", WARNING, "ETG.2010: an entry of the EEPROM's PDO categories has one byte for its length in bits")
+def too_long_for_eeprom(pdo: Pdo) -> Iterator[Found]:
+    """An entry is longer than 255 bits."""
+    for number, entry in enumerate(pdo.entries):
+        if entry.bit_length is not None and entry.bit_length > _MAX_SII_BITS:
+            yield Found(
+                f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} has {entry.bit_length} bits; "
+                "an EEPROM image holds 255 at most: split it",
+                ("entries", number, "bit_length"),
+            )
+
+
+@rule("L65", WARNING, "CoE objects 0x1C10 + n (ETG.1000.6) and ETG.2000 Pdo/@Sm: both say what is assigned by default")
+def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
+    """The defaults of 0x1C12 or 0x1C13 name other PDOs than those assigned by Sm."""
+    if subject.is_modular:
+        return
+    for image in subject.images:
+        entries = subject.own.entries(_ASSIGNMENT_OBJECT + image.sm)
+        if not entries:
+            continue
+        count = entries[0].default_int if 0 in entries else None
+        defaults = {
+            entry.default_int
+            for subindex, entry in entries.items()
+            if subindex and entry.default_int and (not count or subindex <= count)
+        }
+        assigned = {placed.pdo.pdo_index for placed in image.pdos}
+        if defaults and defaults != assigned:
+            yield Found(
+                f"0x{_ASSIGNMENT_OBJECT + image.sm:04X} assigns {_indices(defaults)} by default, "
+                f"Sm={image.sm} assigns {_indices(assigned)}: which of them counts depends on the master",
+                subject.object_place(_ASSIGNMENT_OBJECT + image.sm),
+            )
+
+
+def _indices(indices: Iterable[int | None]) -> str:
+    return listed([f"0x{index:04X}" for index in sorted(filter(None, indices))]) or "none"
+
+
+@rule("L66", WARNING, "ETG.2000 Pdo/@Mandatory: it must stay assigned, so it must be assigned")
+def mandatory_without_sync_manager(subject: DeviceSubject) -> Iterator[Found]:
+    """A mandatory PDO has no Sm."""
+    listed = {pdo.pdo_index for mode in subject.device.op_modes for item in mode.sm_assignments for pdo in item.pdos}
+    for placed in subject.pdos:
+        pdo = placed.pdo
+        if pdo.mandatory and pdo.sm is None and not pdo.virtual and pdo.pdo_index not in listed:
+            yield Found(
+                f"{_words(placed.direction, pdo.pdo_index)} is Mandatory, but no Sm assigns it: give its Sm",
+                placed.place,
+            )

@@ -1,0 +1,92 @@
+"""Rules about slots and modules (ESI-FACTS section 12)."""
+
+from collections import defaultdict
+from collections.abc import Iterator
+
+from esicatalog.lint.registry import ERROR, WARNING, Found, Place, rule
+from esicatalog.lint.subjects import DeviceSubject, InfoSubject
+from esicatalog.model.slots import PluggedModule, accepts, default_modules, expand_module, numbered_slots
+
+
+@rule("L53", ERROR, "ETG.2000 Slot/ModuleIdent, @Default, @MinInstances, @MaxInstances")
+def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
+    """A slot names an unknown module, presets several, or needs more than it takes (needs one, presets none: W)."""
+    idents = {module.module_ident for module in subject.module_records}
+    for number, slot in enumerate(subject.device.slots):
+        place: Place = ("slots", number)
+        for position, item in enumerate(slot.module_idents):
+            if item.module_ident is not None and item.module_ident not in idents:
+                yield Found(
+                    f"slot {number + 1} names ModuleIdent 0x{item.module_ident:X}, which no module of the document has",
+                    (*place, "module_idents", position),
+                )
+        preset = [item for item in slot.module_idents if item.is_default]
+        if len(preset) > 1:
+            yield Found(f"slot {number + 1} presets {len(preset)} modules: only one can be plugged", place)
+        elif not preset and len(slot.module_idents) > 1 and slot.min_instances:
+            yield Found(
+                f"slot {number + 1} needs a module (MinInstances {slot.min_instances}) and presets none: "
+                "mark one ModuleIdent with Default=1",
+                place,
+                WARNING,
+            )
+        lowest, highest = slot.min_instances, slot.max_instances
+        if lowest is not None and highest is not None and lowest > highest:
+            yield Found(f"slot {number + 1} has MinInstances {lowest} above MaxInstances {highest}", place)
+
+
+@rule("L54", ERROR, "ETG.2000 Module Type/@ModuleIdent: what slots and 0xF030 refer to")
+def module_ident_twice(section: InfoSubject) -> Iterator[Found]:
+    """Two modules of a document have the same ModuleIdent."""
+    places: dict[int, list[int]] = defaultdict(list)
+    for number, module in enumerate(section.info.modules):
+        if module.module_ident is not None and module.module_class is None:  # slots refer to others by their class
+            places[module.module_ident].append(number)
+    for ident, numbers in places.items():
+        for number in numbers[1:]:
+            first, other = section.info.modules[numbers[0]], section.info.modules[number]
+            yield Found(
+                f"module {other.type!r} has the ModuleIdent 0x{ident:X} of {first.type!r}: give it one of its own",
+                ("modules", number, "module_ident"),
+            )
+
+
+@rule("L55", WARNING, "ETG.2000 DependOnSlot: index + slot number x increment")
+def shifted_indices(subject: DeviceSubject) -> Iterator[Found]:
+    """An index that moves with the slot leaves 16 bits, or meets that of another slot."""
+    yield from _overflows(subject)
+    yield from _collisions(subject)
+
+
+def _overflows(subject: DeviceSubject) -> Iterator[Found]:
+    last = {}
+    for number, slot, _ in numbered_slots(subject.device):
+        last[id(slot)] = (number, slot)
+    positions = {id(slot): position for position, slot in enumerate(subject.device.slots)}
+    for module in subject.module_records:
+        fitting = [(number, slot) for number, slot in last.values() if accepts(slot, module)]
+        if fitting:
+            number, slot = fitting[-1]
+            problems = expand_module(subject.device, PluggedModule(number, slot, module)).problems
+            if problems:
+                more = f" and {len(problems) - 1} more" if len(problems) > 1 else ""
+                yield Found(f"module {module.type!r}: {problems[0]}{more}", ("slots", positions[id(slot)]))
+
+
+def _collisions(subject: DeviceSubject) -> Iterator[Found]:
+    taken: dict[tuple[str, int], int] = {}
+    for plugged in default_modules(subject.device, subject.module_records):
+        module = expand_module(subject.device, plugged).module
+        here = [("RxPdo", pdo.pdo_index) for pdo in module.rx_pdos]
+        here += [("TxPdo", pdo.pdo_index) for pdo in module.tx_pdos]
+        for what, index in here:
+            if index is None:
+                continue
+            other = taken.setdefault((what, index), plugged.slot_number)
+            if other != plugged.slot_number:
+                position = next(n for n, slot in enumerate(subject.device.slots) if slot is plugged.slot)
+                yield Found(
+                    f"{what} 0x{index:04X} of the default module in slot {plugged.slot_number} "
+                    f"meets that of slot {other}: DependOnSlot or the increment is missing",
+                    ("slots", position),
+                )

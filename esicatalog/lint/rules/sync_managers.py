@@ -1,0 +1,190 @@
+"""Rules about SyncManagers: roles, ControlByte, memory, sizes (ESI-FACTS section 8)."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+from esicatalog.esi.records.device import SyncManager
+from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
+from esicatalog.lint.subjects import DeviceSubject, is_absent
+from esicatalog.model.sm_facts import sm_facts
+
+
+class _Role(NamedTuple):
+    transfer_direction: str
+    is_mailbox: bool
+
+
+ROLES = {
+    "MBoxOut": _Role("output", True),
+    "MBoxIn": _Role("input", True),
+    "Outputs": _Role("output", False),
+    "Inputs": _Role("input", False),
+}
+_DYNAMIC_ROLES = ("DynamicOutputs", "DynamicInputs")
+"""What TwinCAT knows beside them."""
+_DIRECTION_BITS = {"output": "01 (the master writes)", "input": "00 (the master reads)"}
+_BUFFERS = 3
+_PROCESS_DATA_RAM = 0x1000
+"""Registers below are no memory that a SyncManager would buffer three times (0x0F00: digital outputs)."""
+
+
+def _with_roles(subject: DeviceSubject) -> Iterator[tuple[int, SyncManager, _Role]]:
+    for number, sm in enumerate(subject.device.sync_managers):
+        role = ROLES.get(sm.usage or "")
+        if role is not None:
+            yield number, sm, role
+
+
+@rule("L18", ERROR, "ETG.1000.4 mailbox: it needs one SyncManager each way")
+def mailbox_without_sync_managers(subject: DeviceSubject) -> Iterator[Found]:
+    """A Mailbox without the SyncManagers MBoxOut and MBoxIn, or these without Mailbox."""
+    mailbox = subject.device.mailbox
+    usages = [sm.usage for sm in subject.device.sync_managers]
+    if mailbox is None:
+        for number, usage in enumerate(usages):
+            if usage in ("MBoxOut", "MBoxIn"):
+                yield Found(
+                    f"SM {number} is {usage}, but there is no Mailbox: say which protocols it carries",
+                    ("sync_managers", number),
+                )
+    else:
+        for usage in ("MBoxOut", "MBoxIn"):
+            if usage not in usages:
+                yield Found(f"Mailbox without a SyncManager {usage}: add it, or remove Mailbox", ("mailbox",))
+
+
+@rule("L19", ERROR, "ESC register 0x0804 + 8n, bits 3:2: direction of the SyncManager")
+def direction_against_role(subject: DeviceSubject) -> Iterator[Found]:
+    """The direction in the ControlByte contradicts the role of the SyncManager."""
+    for number, sm, role in _with_roles(subject):
+        if sm.control_byte is not None and sm_facts(sm).transfer_direction != role.transfer_direction:
+            yield Found(
+                f"SM {number} {sm.usage} has the ControlByte 0x{sm.control_byte:02X}: "
+                f"its bits 3:2 must be {_DIRECTION_BITS[role.transfer_direction]}",
+                ("sync_managers", number),
+            )
+
+
+@rule("L20", WARNING, "ESC register 0x0804 + 8n, bits 1:0: 10 mailbox (one buffer), 00 three buffers")
+def mode_against_role(subject: DeviceSubject) -> Iterator[Found]:
+    """A mailbox SyncManager that is not in mailbox mode, or process data in one buffer."""
+    for number, sm, role in _with_roles(subject):
+        if sm.control_byte is None:
+            continue
+        mode = sm_facts(sm).buffer_mode
+        words = f"SM {number} {sm.usage} has the ControlByte 0x{sm.control_byte:02X}:"
+        if role.is_mailbox and mode != "mailbox":
+            yield Found(f"{words} a mailbox needs mailbox mode, bits 1:0 = 10", ("sync_managers", number))
+        elif not role.is_mailbox and mode != "buffered":
+            what = "one buffer: both sides wait for each other" if mode == "mailbox" else "a reserved mode"
+            yield Found(f"{words} {what}; process data usually has three, bits 1:0 = 00", ("sync_managers", number))
+
+
+@rule("L21", INFORMATION, "ESC register 0x0804 + 8n, bit 6: watchdog trigger")
+def outputs_without_watchdog(subject: DeviceSubject) -> Iterator[Found]:
+    """Outputs without watchdog trigger: they keep their values when the master stops."""
+    for number, sm in enumerate(subject.device.sync_managers):
+        if sm.usage == "Outputs" and sm_facts(sm).watchdog_trigger is False:
+            yield Found(
+                f"SM {number} Outputs has the ControlByte 0x{sm.control_byte:02X} without watchdog (bit 6): "
+                "nothing tells the device that the master stopped, unless it looks itself",
+                ("sync_managers", number),
+            )
+
+
+@rule("L22", WARNING, "ESC: a SyncManager of three buffers takes three times its length, one behind the other")
+def memory_overlap(subject: DeviceSubject) -> Iterator[Found]:
+    """SyncManagers overlap in memory, buffered ones counted three times."""
+    areas = sorted(_areas(subject))
+    for (start, end, number), (next_start, _, next_number) in pairwise(areas):
+        if next_start < end:
+            yield Found(
+                f"SM {number} takes 0x{start:04X} to 0x{end - 1:04X} and SM {next_number} starts at "
+                f"0x{next_start:04X}: they overlap by {end - next_start} bytes",
+                ("sync_managers", next_number),
+            )
+
+
+def _areas(subject: DeviceSubject) -> Iterator[tuple[int, int, int]]:
+    """First address, address behind it and number of each SyncManager that occupies memory."""
+    for number, sm in enumerate(subject.device.sync_managers):
+        start = sm.start_address
+        if start is None or start < _PROCESS_DATA_RAM or sm.virtual or sm.enable == 0:
+            continue
+        length = sm.default_size if sm.default_size is not None else _image_bytes(subject, number)
+        buffers = _BUFFERS if sm_facts(sm).buffer_mode == "buffered" else 1
+        if length:
+            yield start, start + buffers * length, number
+
+
+def _image_bytes(subject: DeviceSubject, number: int) -> int:
+    return next((image.byte_size for image in subject.images if image.sm == number), 0)
+
+
+@rule("L23", WARNING, "ETG.2000 Sm: MBoxOut, MBoxIn, Outputs, Inputs; the EEPROM knows no other type")
+def role_unknown(subject: DeviceSubject) -> Iterator[Found]:
+    """The role of a SyncManager is empty or unknown."""
+    for number, sm in enumerate(subject.device.sync_managers):
+        if sm.usage not in ROLES and sm.usage not in _DYNAMIC_ROLES:
+            words = f"has the role {sm.usage!r}" if sm.usage else "has no role"
+            yield Found(f"SM {number} {words}: a master expects {', '.join(ROLES)}", ("sync_managers", number))
+
+
+@rule("L24", WARNING, "A SyncManager is as long as all bits of its assigned PDOs, rounded up to bytes once")
+def default_size_against_pdos(subject: DeviceSubject) -> Iterator[Found]:
+    """DefaultSize differs from what the assigned PDOs take."""
+    if subject.is_modular:
+        return
+    for number, sm, role in _with_roles(subject):
+        if role.is_mailbox or not sm.default_size:
+            continue
+        size = _image_bytes(subject, number)
+        if size and size != sm.default_size:
+            yield Found(
+                f"SM {number} {sm.usage} has DefaultSize {sm.default_size}; its assigned PDOs take {size} bytes",
+                ("sync_managers", number),
+            )
+
+
+@rule("L25", ERROR, "ETG.2000 Sm/@MinSize, @MaxSize")
+def pdos_outside_sizes(subject: DeviceSubject) -> Iterator[Found]:
+    """The assigned PDOs take more than MaxSize or less than MinSize."""
+    if subject.is_modular:
+        return
+    for number, sm, role in _with_roles(subject):
+        if role.is_mailbox or (sm.max_size is None and sm.min_size is None):
+            continue
+        size = _image_bytes(subject, number)
+        if size and sm.max_size is not None and size > sm.max_size:
+            yield Found(
+                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, MaxSize is {sm.max_size}",
+                ("sync_managers", number),
+            )
+        elif size and sm.min_size is not None and size < sm.min_size:
+            yield Found(
+                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, MinSize is {sm.min_size}",
+                ("sync_managers", number),
+            )
+
+
+@rule("L26", ERROR, "ETG.2000 Sm/@DefaultSize: required for the mailbox, within MinSize and MaxSize")
+def default_size(subject: DeviceSubject) -> Iterator[Found]:
+    """A mailbox SyncManager without DefaultSize, or a DefaultSize outside of MinSize and MaxSize."""
+    for number, sm, role in _with_roles(subject):
+        place: Place = ("sync_managers", number)
+        if sm.default_size is None:
+            if role.is_mailbox and is_absent(sm, "default_size"):
+                yield Found(f"SM {number} {sm.usage} has no DefaultSize: the mailbox has no length; give it", place)
+        elif (sm.min_size is not None and sm.default_size < sm.min_size) or (
+            sm.max_size is not None and sm.default_size > sm.max_size
+        ):
+            yield Found(
+                f"SM {number} {sm.usage} has DefaultSize {sm.default_size}, "
+                f"outside of {_number(sm.min_size)} to {_number(sm.max_size)}",
+                place,
+            )
+
+
+def _number(size: int | None) -> str:
+    return "…" if size is None else str(size)

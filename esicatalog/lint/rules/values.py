@@ -1,0 +1,105 @@
+"""Rules about declared values: defaults, limits, their pairing with the data type."""
+
+from collections.abc import Iterator
+
+from esicatalog.esi.numbers import decode_hex_binary
+from esicatalog.lint.dictionaries import ObjectSubject
+from esicatalog.lint.registry import WARNING, Found, listed, rule
+from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
+
+_FIXED_WIDTH = frozenset({"bool", "int", "uint", "bits", "real", "time", "guid"})
+
+
+def _words(subject: ObjectSubject, entry: ObjectEntry) -> str:
+    return f"0x{subject.declared.object_index or 0:04X}:{entry.subindex:02X}"
+
+
+@rule("L45", WARNING, "ETG.2000 DefaultData: the bytes of the value, little-endian; MinValue, MaxValue")
+def default_value(subject: ObjectSubject) -> Iterator[Found]:
+    """DefaultData has another length than the type, or the default lies outside of minimum and maximum."""
+    found = []
+    for entry in subject.with_values:
+        problem = _length_problem(entry) or _range_problem(entry)
+        if problem is not None:
+            found.append(f"{_words(subject, entry)} {problem}")
+    if found:
+        yield Found(listed(found))
+
+
+def _length_problem(entry: ObjectEntry) -> str | None:
+    if entry.default_kind != "data" or entry.bit_size is None or entry.base_type is None:
+        return None
+    data = decode_hex_binary(entry.default_raw)
+    wanted = (entry.bit_size + 7) // 8
+    if data is None or len(data) == wanted:
+        return None
+    # Texts may be shorter than their type: the rest is filled up.
+    if len(data) < wanted and BASE_TYPES[entry.base_type].kind not in _FIXED_WIDTH:
+        return None
+    return f"has DefaultData of {len(data)} bytes; {entry.data_type} has {wanted}"
+
+
+def _range_problem(entry: ObjectEntry) -> str | None:
+    value: float | None
+    if entry.min_int is None and entry.max_int is None and entry.min_real is None and entry.max_real is None:
+        return None
+    if entry.default_int is not None:
+        value, lowest, highest = (_signed(entry, n) for n in (entry.default_int, entry.min_int, entry.max_int))
+    else:
+        value, lowest, highest = entry.default_real, entry.min_real, entry.max_real
+    if value is None or lowest == highest == 0:  # two zeros are no limits
+        return None
+    if lowest is not None and highest is not None and lowest > highest:
+        return f"has the minimum {lowest} above the maximum {highest} as {entry.data_type}: is the type right?"
+    if lowest is not None and value < lowest:
+        return f"has the default {value}, less than its minimum {lowest}"
+    if highest is not None and value > highest:
+        return f"has the default {value}, more than its maximum {highest}"
+    return None
+
+
+def _signed(entry: ObjectEntry, number: int | None) -> float | None:
+    """A number of a signed type that is written as its bits: #xFFF80000 of a DINT is -524288."""
+    base = BASE_TYPES.get(entry.base_type or "")
+    if number is None or base is None or not base.signed or base.bit_size is None:
+        return number
+    return number - (1 << base.bit_size) if number >> (base.bit_size - 1) == 1 else number
+
+
+@rule("L46", WARNING, "ETG.2000 Info/SubItem has no subindex: paired with the type by name, in arrays by position")
+def info_unpaired(subject: ObjectSubject) -> Iterator[Found]:
+    """A SubItem of Info matches no SubItem of the type, or an array has another number of them than elements."""
+    infos = subject.declared.info_sub_items
+    if not infos or subject.values_fit:
+        return
+    index = subject.declared.object_index or 0
+    for rule_id, words in subject.resolved.remarks:
+        if rule_id == "L46":
+            yield Found(f"object 0x{index:04X}: {words}", ("info_sub_items", 0))
+    members = len(subject.resolved.entries)
+    names = {entry.name for entry in subject.resolved.entries}
+    if (
+        subject.resolved.object_code == OBJECT_CODES["ARRAY"]
+        and len(infos) not in (members, members - 1)
+        and not all((info.name or "").strip() in names for info in infos)
+    ):
+        yield Found(
+            f"object 0x{index:04X}: Info has {len(infos)} SubItems, the array {members - 1} elements and SubIndex 0",
+            ("info_sub_items", 0),
+        )
+
+
+@rule("L47", WARNING, "ETG.2000 Info/DefaultString is for texts; numbers have DefaultData or DefaultValue")
+def text_for_number(subject: ObjectSubject) -> Iterator[Found]:
+    """A number has a DefaultString."""
+    found = []
+    for entry in subject.with_values:
+        if entry.default_kind != "string" or entry.base_type is None:
+            continue
+        base = BASE_TYPES[entry.base_type]
+        if base.integral or base.kind == "real":
+            words = "read as a number" if entry.default_int is not None else "no number"
+            found.append(f"{_words(subject, entry)} of type {entry.data_type}: {entry.default_raw!r}, {words}")
+    if found:
+        yield Found(f"DefaultString of a number ({listed(found)}): use DefaultData")

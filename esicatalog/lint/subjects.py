@@ -1,0 +1,216 @@
+"""What rules look at: a vendor section, a device, a module, a PDO against the dictionaries it maps from.
+
+Everything that needs work is made when a rule asks for it, and then kept.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from esicatalog.esi.binding import Record
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.document import EsiInfo
+from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.lint.dictionaries import DictionaryView, EntriesBySubindex
+from esicatalog.lint.registry import Place
+from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.drive_evidence import may_be_drive
+from esicatalog.model.drive_modes import DriveModes, drive_modes
+from esicatalog.model.process_image import SmImage, default_process_image
+from esicatalog.model.sync import default_op_mode
+
+FileFinder = Callable[[str], bool]
+"""Whether a file that the document names lies beside it."""
+
+DIRECTIONS = {"RxPdo": "rx_pdos", "TxPdo": "tx_pdos"}
+FIRST_OBJECT = 0x1000
+"""Below lie the data types; a PDO may map them as fillers."""
+
+
+def is_absent(record: Record, field: str) -> bool:
+    """Whether a value is not given at all; what is given and cannot be read is the reader's finding."""
+    return getattr(record, field) is None and field not in (record.spelling or {})
+
+
+class PlacedPdo(NamedTuple):
+    """A PDO of a device or module and where it stands there."""
+
+    place: Place
+    direction: str
+    pdo: Pdo
+
+
+class Dictionaries:
+    """The dictionaries of an owner as one: of several objects with one index the first counts."""
+
+    def __init__(self, views: Sequence[DictionaryView]) -> None:
+        self.views = tuple(view for view in views if view.by_index)
+
+    def __bool__(self) -> bool:
+        return bool(self.views)
+
+    def entries(self, index: int) -> EntriesBySubindex | None:
+        """Entries of an object by subindex; None when there is no such object."""
+        for view in self.views:
+            found = view.entries(index)
+            if found is not None:
+                return found
+        return None
+
+    def entry(self, index: int, subindex: int) -> ObjectEntry | None:
+        """One entry."""
+        return (self.entries(index) or {}).get(subindex)
+
+    def default(self, index: int, subindex: int = 0) -> int | None:
+        """The default of an entry as a number."""
+        entry = self.entry(index, subindex)
+        return entry.default_int if entry is not None else None
+
+    def place(self, profiles: Sequence[Any], index: int) -> Place:
+        """Where an object stands below its owner; the owner itself when it stands in another document."""
+        for number, profile in enumerate(profiles):
+            for position, declared in enumerate(profile.dictionary.objects if profile.dictionary is not None else ()):
+                if declared.object_index == index:
+                    return ("profiles", number, "dictionary", "objects", position)
+        return ()
+
+
+class Owner:
+    """What devices and modules have in common."""
+
+    def __init__(self, record: Device | Module, info: EsiInfo, views: Sequence[DictionaryView]) -> None:
+        self.record = record
+        self.info = info
+        self.own = Dictionaries(views)
+
+    @cached_property
+    def pdos(self) -> list[PlacedPdo]:
+        """Its PDOs in document order, outputs first."""
+        return [
+            PlacedPdo((field, position), direction, pdo)
+            for direction, field in DIRECTIONS.items()
+            for position, pdo in enumerate(getattr(self.record, field))
+        ]
+
+    @property
+    def coe_init_cmds(self) -> tuple[InitCmd, ...]:
+        """Its CoE start-up commands."""
+        return self.record.mailbox.coe_init_cmds if self.record.mailbox is not None else ()
+
+    def object_place(self, index: int) -> Place:
+        """Where an object of its own dictionaries stands."""
+        return self.own.place(self.record.profiles, index)
+
+
+class DeviceSubject(Owner):
+    """A device with the modules that its slots can reach."""
+
+    record: Device
+
+    def __init__(
+        self, device: Device, info: EsiInfo, views: Sequence[DictionaryView], modules: Sequence["ModuleSubject"]
+    ) -> None:
+        super().__init__(device, info, views)
+        self.device = device
+        self.modules = modules
+
+    @property
+    def module_records(self) -> list[Module]:
+        """The reachable modules."""
+        return [subject.module for subject in self.modules]
+
+    @cached_property
+    def images(self) -> list[SmImage]:
+        """The default process image."""
+        return default_process_image(self.device, self.module_records)
+
+    @cached_property
+    def default_op_mode(self) -> OpMode | None:
+        """The OpMode that counts without a choice."""
+        position = default_op_mode(self.device.op_modes)
+        return self.device.op_modes[position] if position is not None else None
+
+    @cached_property
+    def is_modular(self) -> bool:
+        """Whether objects and PDOs can come from modules."""
+        return bool(self.device.slots)
+
+    @cached_property
+    def drive_modes(self) -> DriveModes:
+        """What the description says about drive modes; nothing where no part can be a drive."""
+        owners: list[Device | Module] = [self.device, *self.module_records]
+        if not any(may_be_drive(owner.profiles, owner.rx_pdos) for owner in owners):
+            return DriveModes()
+        return drive_modes(self.device, self.module_records)
+
+
+class ModuleSubject(Owner):
+    """A module of a document."""
+
+    record: Module
+
+    def __init__(self, module: Module, info: EsiInfo, views: Sequence[DictionaryView]) -> None:
+        super().__init__(module, info, views)
+        self.module = module
+        self.hosts: list[DeviceSubject] = []
+        """The devices of the section whose slots accept it."""
+
+
+class InfoSubject(NamedTuple):
+    """A vendor section: vendor, groups, devices and modules."""
+
+    info: EsiInfo
+    find_file: FileFinder | None
+
+    def with_images(self) -> Iterator[tuple[Place, Any]]:
+        """Every record that can carry an image, with its place."""
+        info = self.info
+        if info.vendor is not None:
+            yield ("vendor",), info.vendor
+        for number, group in enumerate(info.groups):
+            yield ("groups", number), group
+        for number, module in enumerate(info.modules):
+            yield ("modules", number), module
+        for number, device in enumerate(info.devices):
+            yield ("devices", number), device
+            for position, slot in enumerate(device.slots):
+                yield ("devices", number, "slots", position), slot
+                for nth, module_class in enumerate(slot.module_classes):
+                    yield ("devices", number, "slots", position, "module_classes", nth), module_class
+            for position, data in enumerate(device.slot_group_data):
+                yield ("devices", number, "slot_group_data", position), data
+
+
+class MappedEntry(NamedTuple):
+    """An entry of a PDO that maps an object; what the dictionaries say about it."""
+
+    place: Place
+    entry: Entry
+    object_index: int
+    subindex: int
+    declared: ObjectEntry | None
+
+
+class PdoMapping(NamedTuple):
+    """A PDO with the entries that map objects, held against the dictionaries of its owner."""
+
+    direction: str
+    pdo: Pdo
+    mapped: list[MappedEntry]
+
+
+def pdo_mapping(direction: str, pdo: Pdo, dictionaries: Dictionaries) -> PdoMapping:
+    """Look up what a PDO maps; fillers are left out."""
+    mapped = []
+    for position, entry in enumerate(pdo.entries):
+        index = entry.entry_index
+        if index is None or index < FIRST_OBJECT:
+            continue
+        entries = dictionaries.entries(index)
+        subindex = entry.subindex or 0
+        declared = entries.get(subindex) if entries is not None else None
+        mapped.append(MappedEntry(("entries", position), entry, index, subindex, declared))
+    return PdoMapping(direction, pdo, mapped)

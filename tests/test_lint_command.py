@@ -1,0 +1,192 @@
+"""``esicatalog lint``: what it reads, what it prints, how it ends."""
+
+import io
+import json
+import re
+import zipfile
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+from snippets import device, esi, write
+
+from esicatalog import Catalog
+from esicatalog.cli.lint import command, print_findings
+from esicatalog.esi.notes import Finding
+from esicatalog.lint.registry import chosen_rules
+from esicatalog.lint.report import DocumentFinding
+from esicatalog.lint.rules import ALL_RULES
+
+FILES = Path(__file__).parent / "lint"
+BAD_VENDOR = "<Id>0</Id>\n<Name>V</Name>"
+ENI = "<EtherCATConfig><Config/></EtherCATConfig>"
+
+
+def run(*arguments: object) -> Result:
+    return CliRunner().invoke(command, [str(argument) for argument in arguments], catch_exceptions=False)
+
+
+def found(*arguments: object) -> list[dict]:
+    return json.loads(run(*arguments, "--format", "json").stdout)
+
+
+def test_a_line_looks_like_a_compilers(tmp_path, monkeypatch):
+    write(tmp_path, {"sub/a.xml": esi(device(), vendor=BAD_VENDOR)})
+    monkeypatch.chdir(tmp_path)
+    result = run("sub")
+    assert result.stdout == "sub/a.xml:1: error L08: Vendor/Id is 0: give the id that the ETG assigned\n"
+    assert result.stderr == "1 error, 0 warnings, 0 infos; documents: 1\n"
+    assert result.exit_code == 1
+
+
+def test_without_errors_the_exit_code_is_zero(tmp_path):
+    write(tmp_path, {"a.xml": esi(device().replace("YY", "X"))})
+    result = run(tmp_path)
+    assert "warning L14" in result.stdout
+    assert result.exit_code == 0
+
+
+def test_members_of_archives_are_named(tmp_path, monkeypatch):
+    inner = io.BytesIO()
+    with zipfile.ZipFile(inner, "w") as archive:
+        archive.writestr("deep/b.xml", esi(device(), vendor=BAD_VENDOR))
+    with zipfile.ZipFile(tmp_path / "vendor.zip", "w") as archive:
+        archive.writestr("a.xml", esi(device(), vendor=BAD_VENDOR))
+        archive.writestr("inner.zip", inner.getvalue())
+    monkeypatch.chdir(tmp_path)
+    assert [item["file"] for item in found("vendor.zip")] == ["vendor.zip!a.xml", "vendor.zip!inner.zip!deep/b.xml"]
+
+
+def test_json_has_the_columns_of_the_catalog(tmp_path):
+    write(tmp_path, {"a.xml": esi("\n" + device(), vendor=BAD_VENDOR)})
+    (item,) = found(tmp_path / "a.xml")
+    assert item == {
+        "file": str(tmp_path / "a.xml"),
+        "line": 1,
+        "rule": "L08",
+        "severity": "E",
+        "message": "Vendor/Id is 0: give the id that the ETG assigned",
+        "path": "EtherCATInfo/Vendor/Id",
+    }
+
+
+def test_other_files_are_skipped_unless_named(tmp_path):
+    write(tmp_path, {"eni.xml": ENI, "notes.txt": "text", "a.xml": esi(device())})
+    result = run(tmp_path)
+    assert (result.stdout, result.exit_code) == ("", 0)
+    assert result.stderr == "0 errors, 0 warnings, 0 infos; documents: 1, skipped as no ESI: 2\n"
+    assert [item["rule"] for item in found(tmp_path / "eni.xml")] == ["L02"]
+    assert run(tmp_path / "notes.txt").exit_code == 1
+
+
+def test_what_cannot_be_read_at_all_is_an_error(tmp_path):
+    write(tmp_path, {"empty.xml": "", "a.xml": esi(device())})
+    assert [(Path(item["file"]).name, item["rule"]) for item in found(tmp_path)] == [("empty.xml", "L01")]
+
+
+def test_select_and_ignore(tmp_path):
+    write(tmp_path, {"a.xml": esi(device().replace("YY", "X"), vendor=BAD_VENDOR)})
+    assert {item["rule"] for item in found(tmp_path)} == {"L08", "L14"}
+    assert {item["rule"] for item in found(tmp_path, "--select", "l14,L15")} == {"L14"}
+    assert {item["rule"] for item in found(tmp_path, "--ignore", "L14", "--ignore", "L15")} == {"L08"}
+    assert found(tmp_path, "--select", "L14", "--ignore", "L14") == []
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--select", "L99", "."], "no lint rule 'L99'"),
+        (["--ignore", "x", "."], "no lint rule 'x'"),
+        ([], "name files"),
+        ([".", "--db", "catalog.db"], "name files"),
+        (["nowhere.xml"], "no such file or folder"),
+        (["--schema", "nowhere", "."], "no EtherCATInfo.xsd"),
+    ],
+)
+def test_wrong_usage_is_one_line(tmp_path, monkeypatch, arguments, words):
+    monkeypatch.chdir(tmp_path)
+    result = run(*arguments)
+    assert result.exit_code == 2
+    assert result.stdout == ""
+    assert re.fullmatch(rf"esicatalog: .*{re.escape(words)}.*\n", result.stderr)
+
+
+def test_the_list_of_rules():
+    text = run("--list").stdout
+    assert text.count("\n") == 2 * 67
+    assert "L19 E  The direction in the ControlByte contradicts the role of the SyncManager.\n" in text
+    rules = json.loads(run("--list", "--format", "json").stdout)
+    assert [rule["rule"] for rule in rules] == [rule.id for rule in ALL_RULES]
+    assert [rule["rule"] for rule in json.loads(run("--list", "--select", "L40", "--format", "json").stdout)] == ["L40"]
+
+
+def test_each_device_is_reported_where_it_stands(tmp_path):
+    """Two devices with equal dictionaries: one look at the dictionary, a finding with its own line for each."""
+    content = (FILES / "L45.bad.xml").read_text()
+    begin, end = content.index("<Device "), content.index("</Device>") + len("</Device>")
+    twin = content[begin:end].replace('RevisionNo="#x00000001"', 'RevisionNo="#x00000002"')
+    write(tmp_path, {"a.xml": content[:end] + "\n" + twin + content[end:]})
+    places = [(item["line"], item["path"]) for item in found(tmp_path, "--select", "L45")]
+    first, second = places[:2], places[2:]
+    distance = content[begin:end].count("\n") + 1
+    assert [line + distance for line, _ in first] == [line for line, _ in second]
+    objects = "Profile/Dictionary/Objects/Object[0]"
+    assert first[0][1] == f"EtherCATInfo/Descriptions/Devices/Device[0]/{objects}"
+    assert second[0][1] == f"EtherCATInfo/Descriptions/Devices/Device[1]/{objects}"
+
+
+def test_a_dictionary_of_its_own_is_reported_once_and_there(tmp_path):
+    dictionary = (
+        "<EtherCATDict><Dictionary><DataTypes/><Objects>\n<Object><Index>#x2000</Index><Name>O</Name>"
+        "<Type>UINT</Type><BitSize>16</BitSize></Object></Objects></Dictionary></EtherCATDict>"
+    )
+    reference = "<Profile><DictionaryFile>d.xml</DictionaryFile></Profile>"
+    write(tmp_path, {"a.xml": esi(device(reference) + device(reference, revision="#x2")), "d.xml": dictionary})
+    items = [(Path(item["file"]).name, item["line"]) for item in found(tmp_path, "--select", "L41")]
+    assert items == [("d.xml", 2)]
+
+
+def test_the_schema_of_the_user(corpus, tmp_path):
+    write(
+        tmp_path, {"a.xml": esi("\n<Device Physics='YY'><Name>N</Name><Type>T</Type><GroupType>G</GroupType></Device>")}
+    )
+    (item,) = found(tmp_path, "--schema", corpus / "xsd" / "1.17", "--select", "L03")
+    assert (item["line"], item["severity"]) == (2, "W")
+    assert item["path"] == "EtherCATInfo/Descriptions/Devices/Device/Name"
+    assert "Expected is" in item["message"]
+    assert item["message"].endswith("(SCHEMAV_ELEMENT_CONTENT)")
+    assert found(FILES / "L18.good.xml", "--schema", corpus / "xsd" / "1.17") == []
+
+
+def test_a_schema_folder_that_cannot_be_used(tmp_path):
+    write(tmp_path, {"EtherCATInfo.xsd": "<schema"})
+    result = run(tmp_path, "--schema", tmp_path)
+    assert (result.exit_code, result.stderr.count("\n")) == (2, 1)
+
+
+def test_findings_stored_in_a_catalog(tmp_path):
+    write(tmp_path / "esi", {"a.xml": esi(device().replace("#x1", "0x1"))})
+    db = tmp_path / "catalog.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([tmp_path / "esi"], jobs=1)
+    items = found("--db", db, "--select", "L06")
+    assert [(item["file"], item["rule"], item["severity"]) for item in items] == [("a.xml", "L06", "E")] * 2
+    assert run("--db", db).exit_code == 1
+    assert run("--db", tmp_path / "missing.db").exit_code == 2
+
+
+def test_findings_are_printed_as_they_come(capsys):
+    shown = []
+
+    def items():
+        for number in (1, 2):
+            shown.append(capsys.readouterr().out)
+            yield DocumentFinding("a.xml", Finding("L21", "I", "words", number))
+
+    print_findings(items(), chosen_rules(ALL_RULES), "text")
+    assert shown == ["", "a.xml:1: info L21: words\n"]
+
+
+def test_a_finding_without_line():
+    item = DocumentFinding("a.zip!b.xml", Finding("L01", "E", "words", 0))
+    assert print_findings([item], [], "text") == [item.finding]

@@ -1,0 +1,104 @@
+"""From places in records to element paths and lines, and what is remembered of records."""
+
+import pytest
+from snippets import device, dictionary, esi, pdo
+
+from esicatalog.esi.documents import parse_document
+from esicatalog.esi.notes import local_path
+from esicatalog.esi.reader import Reader
+from esicatalog.lint.dictionaries import IdentityMemo
+from esicatalog.lint.linter import RECORD_RULES, Linter
+from esicatalog.lint.locator import Locator
+
+OBJECT = "<Object><Index>#x2000</Index><Name>O</Name><Type>T</Type><BitSize>8</BitSize></Object>"
+TWO_DEVICES = esi(
+    device("\n<Info><Electrical>\n<EBusCurrent>5</EBusCurrent></Electrical></Info>")
+    + "\n"
+    + device(f"\n{pdo('TxPdo', '#x1A00', 8)}\n{pdo('TxPdo', '#x1A01', 8, 16)}\n{dictionary('', OBJECT)}")
+)
+DEVICES = "EtherCATInfo/Descriptions/Devices"
+
+
+def locator(text: str) -> Locator:
+    content = text.encode()
+    return Locator(Reader().read(content).document, lambda: parse_document(content).root)
+
+
+@pytest.mark.parametrize(
+    ("place", "path", "line"),
+    [
+        (("infos", 0), "EtherCATInfo", 1),
+        (("infos", 0, "vendor", "vendor_id"), "EtherCATInfo/Vendor/Id", 1),
+        (("infos", 0, "devices", 0, "e_bus_current_ma"), f"{DEVICES}/Device[0]/Info/Electrical/EBusCurrent", 3),
+        (("infos", 0, "devices", 1), f"{DEVICES}/Device[1]", 4),
+        (("infos", 0, "devices", 1, "product_code"), f"{DEVICES}/Device[1]/Type", 4),
+        (("infos", 0, "devices", 1, "tx_pdos", 0, "entries", 0), f"{DEVICES}/Device[1]/TxPdo[0]/Entry", 5),
+        (("infos", 0, "devices", 1, "tx_pdos", 1, "sm"), f"{DEVICES}/Device[1]/TxPdo[1]", 6),
+        (("infos", 0, "devices", 1, "tx_pdos", 1, "entries", 1), f"{DEVICES}/Device[1]/TxPdo[1]/Entry[1]", 6),
+        (
+            ("infos", 0, "devices", 1, "profiles", 0, "dictionary", "objects", 0, "type"),
+            f"{DEVICES}/Device[1]/Profile/Dictionary/Objects/Object/Type",
+            7,
+        ),
+    ],
+)
+def test_a_place_becomes_path_and_line(place, path, line):
+    assert locator(TWO_DEVICES).position(place) == (path, line)
+
+
+def test_what_the_document_does_not_have_lies_at_the_element_around_it():
+    position = locator(TWO_DEVICES).position(("infos", 0, "devices", 1, "mailbox"))
+    assert position == (f"{DEVICES}/Device[1]/Mailbox", 4)
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "path"),
+    [
+        (
+            f"<EtherCATInfoList>\n{esi()}\n{esi(device())}</EtherCATInfoList>",
+            ("infos", 1, "devices", 0, "physics"),
+            "Device",
+        ),
+        (
+            "<EtherCATModule><Vendor/><Modules>\n\n<Module/></Modules></EtherCATModule>",
+            ("infos", 0, "modules", 0),
+            "Module",
+        ),
+        (
+            f"<EtherCATDict><Dictionary><Objects>\n\n{OBJECT}</Objects></Dictionary></EtherCATDict>",
+            ("dictionary", "objects", 0),
+            "Object",
+        ),
+    ],
+)
+def test_every_kind_of_document(text, place, path):
+    root = parse_document(text.encode()).root
+    (element,) = root.iter(path)
+    assert locator(text).position(place) == (local_path(element, None), 3)
+
+
+def test_lines_beyond_what_libxml2_counts():
+    """Empty elements beyond line 65535 have no line of their own: the one of the device is told."""
+    text = esi("\n" * 70_000 + device("<Sm/>\n<Sm>MBoxIn</Sm>").replace("<Sm/>\n<Sm>", "<Fmmu/>\n<Sm>"))
+    line = locator(text).position(("infos", 0, "devices", 0, "sync_managers", 0)).line
+    assert line in (70_001, 70_002)
+
+
+def test_nothing_to_report_asks_for_no_tree():
+    def tree():
+        raise AssertionError("parsed again")
+
+    read = Reader().read(esi(device()).encode())
+    assert Linter(RECORD_RULES).document(read, tree) == []
+
+
+def test_a_full_memo_starts_anew():
+    memo: IdentityMemo[int] = IdentityMemo(2)
+    calls = []
+
+    def compute(value: int) -> int:
+        calls.append(value)
+        return value
+
+    assert [memo.get(key, None, compute, key) for key in (1, 2, 1, 3, 1)] == [1, 2, 1, 3, 1]
+    assert calls == [1, 2, 3, 1]
