@@ -390,3 +390,27 @@ def test_obsolete_defaults_of_the_type_count_where_the_object_has_none():
     entry = resolve(types, "DT2000", 32).entries[1]
     assert (entry.default_int, entry.min_int, entry.max_int) == (5, 1, 9)
     assert defaults(resolve(types, "DT2000", 32, info(("One", "0700")))) == [None, 7]
+
+
+@pytest.mark.parametrize(
+    ("type_name", "bits", "minimum", "number"),
+    [
+        ("DINT", 32, "#xFFF80000", -524288),
+        ("DINT", 32, "0x7FFFFFFF", 0x7FFFFFFF),
+        ("INT", 16, "#x8000", -32768),
+        ("INT", 16, "-5", -5),
+        ("UDINT", 32, "#xFFF80000", 0xFFF80000),
+        ("INT", 16, "65535", 65535),
+    ],
+)
+def test_negative_numbers_written_as_their_bits(type_name, bits, minimum, number):
+    """A DINT with MinValue #xFFF80000 was kept as +4294443008."""
+    data_type = f"<DataType><Name>{type_name}</Name><BitSize>{bits}</BitSize></DataType>"
+    declared = (
+        f"<Object><Index>#x2000</Index><Name>O</Name><Type>{type_name}</Type><BitSize>{bits}</BitSize>"
+        f"<Info><MinValue>{minimum}</MinValue></Info></Object>"
+    )
+    (found,) = only_device(esi(device(dictionary(data_type, declared)))).profiles
+    (item,) = found.dictionary.objects
+    (entry,) = resolve_object(item, type_table(found.dictionary.data_types)).entries
+    assert entry.min_int == number

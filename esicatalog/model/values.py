@@ -7,6 +7,9 @@ from esicatalog.esi.numbers import MAX_STORED, decode_hex_binary, parse_hex_dec
 from esicatalog.model.base_types import BaseType
 
 
+_HEX_PREFIXES = ("#x", "0x")
+
+
 class Value(NamedTuple):
     """A declared value: text as in the file, kind (data, value or string) and what it decodes to."""
 
@@ -36,10 +39,10 @@ def decode_data(raw: str, base: BaseType | None) -> Value:
 
 
 def decode_value(number: int | None, raw: str, base: BaseType | None) -> Value:
-    """A value given as HexDecValue; on a REAL it is the number itself."""
+    """A value given as HexDecValue; on a REAL it is the number itself, in hex on a signed type its bits."""
     if base is not None and base.kind == "real" and number is not None:
         return Value(raw, "value", real=float(number))
-    return Value(raw, "value", number=number)
+    return Value(raw, "value", number=_signed(number, raw, base))
 
 
 def decode_string(raw: str, base: BaseType | None) -> Value:
@@ -47,8 +50,16 @@ def decode_string(raw: str, base: BaseType | None) -> Value:
     if base is not None and base.integral:
         number = parse_hex_dec(raw)
         if number is not None and abs(number) <= MAX_STORED:
-            return Value(raw, "string", number=number)
+            return Value(raw, "string", number=_signed(number, raw, base))
     return Value(raw, "string", text=_readable(raw))
+
+
+def _signed(number: int | None, raw: str, base: BaseType | None) -> int | None:
+    """``#xFFF80000`` of a DINT is -524288: vendors write negative numbers as the bits that they are."""
+    if number is None or base is None or not base.signed or base.bit_size is None:
+        return number
+    is_hex = raw.strip().lower().startswith(_HEX_PREFIXES)
+    return number - (1 << base.bit_size) if is_hex and number >> (base.bit_size - 1) == 1 else number
 
 
 def _readable(text: str) -> str:

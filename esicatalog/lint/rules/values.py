@@ -45,9 +45,11 @@ def _range_problem(entry: ObjectEntry) -> str | None:
     if entry.min_int is None and entry.max_int is None and entry.min_real is None and entry.max_real is None:
         return None
     if entry.default_int is not None:
-        value, lowest, highest = (_signed(entry, n) for n in (entry.default_int, entry.min_int, entry.max_int))
-    else:
-        value, lowest, highest = entry.default_real, entry.min_real, entry.max_real
+        return _beyond(entry, entry.default_int, entry.min_int, entry.max_int)
+    return _beyond(entry, entry.default_real, entry.min_real, entry.max_real)
+
+
+def _beyond(entry: ObjectEntry, value: float | None, lowest: float | None, highest: float | None) -> str | None:
     if value is None or lowest == highest == 0:  # two zeros are no limits
         return None
     if lowest is not None and highest is not None and lowest > highest:
@@ -57,14 +59,6 @@ def _range_problem(entry: ObjectEntry) -> str | None:
     if highest is not None and value > highest:
         return f"has the default {value}, more than its maximum {highest}"
     return None
-
-
-def _signed(entry: ObjectEntry, number: int | None) -> float | None:
-    """A number of a signed type that is written as its bits: #xFFF80000 of a DINT is -524288."""
-    base = BASE_TYPES.get(entry.base_type or "")
-    if number is None or base is None or not base.signed or base.bit_size is None:
-        return number
-    return number - (1 << base.bit_size) if number >> (base.bit_size - 1) == 1 else number
 
 
 @rule("L46", WARNING, "ETG.2000 Info/SubItem has no subindex: paired with the type by name, in arrays by position")
