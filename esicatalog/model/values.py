@@ -6,7 +6,6 @@ from typing import NamedTuple
 from esicatalog.esi.numbers import MAX_STORED, decode_hex_binary, parse_hex_dec
 from esicatalog.model.base_types import BaseType
 
-
 _HEX_PREFIXES = ("#x", "0x")
 
 

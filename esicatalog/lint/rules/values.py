@@ -41,7 +41,6 @@ def _length_problem(entry: ObjectEntry) -> str | None:
 
 
 def _range_problem(entry: ObjectEntry) -> str | None:
-    value: float | None
     if entry.min_int is None and entry.max_int is None and entry.min_real is None and entry.max_real is None:
         return None
     if entry.default_int is not None:
