@@ -8,6 +8,7 @@ server's own process, after one page that fills the caches. Without ``--db`` the
 
 import argparse
 import asyncio
+import logging
 import statistics
 import tempfile
 import time
@@ -47,6 +48,7 @@ def main() -> None:
     parser.add_argument("--db", type=Path, help="a catalog that is there already")
     parser.add_argument("--devices", type=int, default=300, help="how many devices, evenly chosen")
     given = parser.parse_args()
+    logging.disable(logging.INFO)
     with tempfile.TemporaryDirectory() as folder:
         database = given.db or Path(folder, "catalog.db")
         if given.db is None:
