@@ -21,12 +21,12 @@ if TYPE_CHECKING:
     from esicatalog.catalog.check import CheckResult
     from esicatalog.catalog.description import DeviceDescription
     from esicatalog.catalog.device_filter import DeviceFilter
-    from esicatalog.catalog.document_parts import DocumentParts
     from esicatalog.catalog.identity import IdentityLookup
     from esicatalog.catalog.listing import Listing
     from esicatalog.catalog.results import FoundDevice, Identification
     from esicatalog.esi.records.device import Device
     from esicatalog.esi.records.module import Module
+    from esicatalog.export.subject import Subject
     from esicatalog.export.verification import Verification
     from esicatalog.ingest.report import IngestReport
     from esicatalog.ingest.run import Progress
@@ -174,7 +174,7 @@ class Catalog:
 
     def image(self, sha256: str) -> bytes | None:
         """An image of a vendor, group, device or module by its key; None when there is none."""
-        from esicatalog.catalog.listing import image_of
+        from esicatalog.catalog.images import image_of
 
         with self._connection() as connection:
             return image_of(connection, sha256)
@@ -190,12 +190,21 @@ class Catalog:
         with self._connection() as connection:
             return read_description(connection, self._identities(), wanted)
 
-    def document_parts(self, description: "DeviceDescription") -> "DocumentParts":
-        """Vendor and groups of the document that carries a description."""
-        from esicatalog.catalog.document_parts import document_parts
+    def export_subject(self, identity: str | Identity) -> "Subject":
+        """What generators get of a device: its description with the vendor and groups of its document.
 
+        Raises :class:`~esicatalog.errors.NotFound`, and :class:`~esicatalog.errors.InputError` without codes.
+        """
+        from esicatalog.catalog.document_parts import document_parts
+        from esicatalog.export.subject import subject_of_description
+
+        description = self.device(identity)
         with self._connection() as connection:
-            return document_parts(connection, description.device_id)
+            parts = document_parts(connection, description.device_id)
+        subject = subject_of_description(
+            description.found, description.sources, description.device, description.modules
+        )
+        return subject.of_document(parts.vendor, parts.groups)
 
     def content_hash(self) -> str | None:
         """SHA-256 of what the catalog holds, as the last ingest stored it; None while one is under way."""

@@ -1,11 +1,11 @@
 """Scans against the catalog: who the slaves are, and what is to be known of their bus."""
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from esicatalog.catalog.identity import IdentityLookup
-from esicatalog.catalog.results import FoundDevice, Identification
+from esicatalog.catalog.results import FoundDevice, Identification, hex32
 from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -25,6 +25,12 @@ class IdentifiedSlave(NamedTuple):
     report: SlaveReport
     differences: tuple[str, ...]
     """What its PDOs and objects, as the master printed them, are otherwise than described."""
+
+    @property
+    def identity_text(self) -> str:
+        """The identity as the scan gives it, ``-`` where it does not."""
+        numbers = (self.slave.vendor_id, self.slave.product_code, self.slave.revision_no)
+        return ":".join(hex32(number) or "-" for number in numbers)
 
     def as_json(self) -> dict[str, Any]:
         """The answer of identify, and the slave beside it."""
@@ -55,6 +61,16 @@ class BusReport(NamedTuple):
     def not_exact_at(self) -> tuple[int, ...]:
         """Positions of the slaves without exact ESI."""
         return tuple(item.slave.position for item in self.slaves if item.identification.match != EXACT)
+
+
+def slave_words(positions: Sequence[int]) -> str:
+    """Ring positions in words; empty without any."""
+    return f"slave {', '.join(map(str, positions))}" if positions else ""
+
+
+def alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:
+    """Aliases that several slaves share, in words."""
+    return "; ".join(f"{alias}: {slave_words(positions)}" for alias, positions in duplicates.items())
 
 
 Records = Callable[[FoundDevice], tuple[Device, Sequence[Module]]]

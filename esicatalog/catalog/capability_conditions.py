@@ -8,6 +8,7 @@ from esicatalog.catalog.conditions import Condition, by_row, stated
 from esicatalog.catalog.schema import dc_modes, device_facts, devices, drive_modes, mailboxes
 from esicatalog.identity import Bounds
 from esicatalog.model.cia402 import CIA402
+from esicatalog.model.words import protocol_name
 
 _FSOE = "fsoe"
 
@@ -104,7 +105,7 @@ def protocol(name: str) -> Condition:
             by_row(query, facts.device_id, "FSoE, {} evidence: {}".format),
         )
     column = mailboxes.c[name]
-    words = f"Mailbox/{name[0].upper()}o{name[2].upper()} declared"
+    words = f"Mailbox/{protocol_name(name)} declared"
     return Condition(_of_device(column, column == sa.true()), stated(words))
 
 

@@ -114,10 +114,11 @@ def _findings(connection: sa.Connection, device_id: int) -> tuple[SourceFinding,
 def description_json(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
     """Identity, sources, process image, facts, drive modes, and the records of device and modules."""
     derived = derive(description.device, description.modules)
+    images = description.images(choice) if choice else derived.images
     return {
         "identity": description.found.as_json(),
         "sources": [{"member": s.member, "line": s.line, "group_type": s.group_type} for s in description.sources],
-        "process_image": [_image_json(image) for image in description.images(choice)],
+        "process_image": [_image_json(image) for image in images],
         "facts": msgspec.to_builtins(derived.facts),
         "drive_modes": msgspec.to_builtins(derived.modes.verdicts),
         "mode_evidence": msgspec.to_builtins(derived.modes.evidence),

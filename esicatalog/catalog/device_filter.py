@@ -5,8 +5,8 @@ import msgspec
 from esicatalog.errors import InputError
 from esicatalog.identity import Bounds, Identity
 from esicatalog.model.cia402 import DRIVE_MODES
+from esicatalog.model.words import MAILBOX_PROTOCOLS
 
-MAILBOX_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
 PROTOCOLS = (*MAILBOX_PROTOCOLS, "fsoe")
 SYNC_SIGNALS = ("sync0", "sync1")
 MODES = tuple(DRIVE_MODES)

@@ -7,6 +7,7 @@ import msgspec
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
+from esicatalog.catalog.images import image_texts
 from esicatalog.catalog.mapping import codec
 from esicatalog.errors import NotFound
 from esicatalog.esi.records.document import Group, Vendor
@@ -17,10 +18,6 @@ class DocumentParts(NamedTuple):
 
     vendor: Vendor
     groups: tuple[Group, ...]
-
-    def group(self, group_type: str | None) -> Group | None:
-        """The group of a type; the first of several."""
-        return next((group for group in self.groups if group.type == group_type), None)
 
 
 def document_parts(connection: sa.Connection, device_id: int) -> DocumentParts:
@@ -56,16 +53,12 @@ def _columns(record_type: Any, columns: Any) -> list[Any]:
 
 
 def _records(connection: sa.Connection, record_type: Any, rows: Sequence[Any]) -> tuple[Any, ...]:
-    return tuple(_with_image(connection, codec(record_type).decode(tuple(row))) for row in rows)
-
-
-def _with_image(connection: sa.Connection, record: Any) -> Any:
-    """The record with the image's hex text in place of its key."""
-    if record.image_data is None:
-        return record
-    images = schema.images.c
-    found = connection.execute(
-        sa.select(images.data, images.malformed).where(images.sha256 == record.image_data)
-    ).first()
-    text = None if found is None else found.malformed if found.data is None else found.data.hex().upper()
-    return msgspec.structs.replace(record, image_data=text)
+    """Records of rows, with the images' hex texts in place of their keys."""
+    records = [codec(record_type).decode(tuple(row)) for row in rows]
+    texts = image_texts(connection, {record.image_data for record in records if record.image_data is not None})
+    return tuple(
+        record
+        if record.image_data is None
+        else msgspec.structs.replace(record, image_data=texts.get(record.image_data))
+        for record in records
+    )

@@ -6,10 +6,11 @@ from typing import Any, NamedTuple
 import sqlalchemy as sa
 
 from esicatalog.catalog.conditions import Condition
-from esicatalog.catalog.device_filter import MAILBOX_PROTOCOLS, MODES, SYNC_SIGNALS, DeviceFilter
+from esicatalog.catalog.device_filter import MODES, SYNC_SIGNALS, DeviceFilter
 from esicatalog.catalog.schema import device_facts, devices, drive_modes, mailboxes, profiles, vendors
 from esicatalog.catalog.search import matching_ids
 from esicatalog.model.cia402 import CIA402
+from esicatalog.model.words import MAILBOX_PROTOCOLS, protocol_name
 
 _MOST_VENDORS, _MOST_PROFILES = 30, 20
 
@@ -67,9 +68,7 @@ def _modes(connection: sa.Connection, ids: Any, strict: bool) -> tuple[FacetValu
 def _flags(connection: sa.Connection, ids: Any, table: sa.Table, columns: dict[str, str]) -> tuple[FacetValue, ...]:
     counts = [sa.func.sum(sa.case((table.c[column] == sa.true(), 1), else_=0)) for column in columns.values()]
     row = connection.execute(sa.select(*counts).where(table.c.device_id.in_(ids))).one()
-    labels = {
-        name: name.upper() if name.startswith("sync") else f"{name[0].upper()}o{name[2].upper()}" for name in columns
-    }
+    labels = {name: name.upper() if name.startswith("sync") else protocol_name(name) for name in columns}
     return tuple(FacetValue(name, labels[name], n) for name, n in zip(columns, row, strict=True) if n)
 
 

@@ -7,7 +7,7 @@ import sqlalchemy as sa
 from esicatalog.catalog.device_filter import DeviceFilter
 from esicatalog.catalog.facets import FacetValue, facets
 from esicatalog.catalog.results import FoundDevice
-from esicatalog.catalog.schema import device_facts, devices, drive_modes, images
+from esicatalog.catalog.schema import device_facts, devices, drive_modes
 from esicatalog.catalog.search import conditions, device_query, found_devices, matching_ids
 from esicatalog.model.cia402 import CIA402
 
@@ -74,9 +74,3 @@ def _listed(connection: sa.Connection, found: list[tuple[int, FoundDevice]]) -> 
         signals = [name for name, on in (("SYNC0", row.supports_sync0), ("SYNC1", row.supports_sync1)) if on]
         listed.append(ListedDevice(device, row.image_sha256, tuple(verdicts.get(number, {}).items()), tuple(signals)))
     return tuple(listed)
-
-
-def image_of(connection: sa.Connection, sha256: str) -> bytes | None:
-    """The bytes of an image; None when it is not stored or malformed."""
-    found: bytes | None = connection.execute(sa.select(images.c.data).where(images.c.sha256 == sha256)).scalar()
-    return found

@@ -9,6 +9,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import chunks
+from esicatalog.catalog.images import image_texts
 from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, Child, Codec, codec
 from esicatalog.catalog.schema import parent_column
 from esicatalog.errors import NotFound
@@ -262,11 +263,7 @@ class _OwnerBatch:
             return
         at = own.image_column
         wanted = {row[at] for row in rows if row[at] is not None} - self._images.keys()
-        images = schema.images.c
-        for part in chunks(sorted(wanted)):
-            query = sa.select(images.sha256, images.data, images.malformed).where(images.sha256.in_(part))
-            for key, data, malformed in self._connection.execute(query):
-                self._images[key] = malformed if data is None else bytes(data).hex().upper()
+        self._images |= image_texts(self._connection, wanted)
 
 
 def _in_group(device: Device, group_type: str | None) -> Device:

@@ -23,19 +23,19 @@ _FLAGS = ("complete_access", "pdo_assign", "pdo_config", "bootstrap", "needs_dc"
 _AMOUNTS = ("bytes_in", "bytes_out", "min_cycle_ns", "e_bus_ma", "axes")
 
 
-def find_devices(connection: sa.Connection, wanted: DeviceFilter, offset: int = 0) -> list[FoundDevice]:
-    """Devices that fulfil the filter, by vendor, product, revision and variant; ``offset`` skips the first ones.
+def find_devices(connection: sa.Connection, wanted: DeviceFilter) -> list[FoundDevice]:
+    """Devices that fulfil the filter, by vendor, product, revision and variant.
 
     Raises :class:`InputError`, and :class:`NotFound` when the device to compare with is not there.
     """
     held = list(conditions(connection, wanted))
-    return [device for _, device in found_devices(connection, held, wanted, offset)]
+    return [device for _, device in found_devices(connection, held, wanted)]
 
 
 def found_devices(
     connection: sa.Connection, found: Sequence[Condition], wanted: DeviceFilter, offset: int = 0
 ) -> list[tuple[int, FoundDevice]]:
-    """Devices that fulfil conditions, with their row numbers and evidence."""
+    """Devices that fulfil conditions, with their row numbers and evidence; ``offset`` skips the first ones."""
     query = device_query(found, wanted)
     rows = connection.execute(query.offset(offset) if offset else query).all()
     evidence: dict[int, list[str]] = {row.id: [] for row in rows}

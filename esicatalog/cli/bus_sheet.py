@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from esicatalog.catalog.bus import BusReport, IdentifiedSlave
+from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, slave_words
 from esicatalog.cli.common import table_lines
 
 _HEAD = ("pos", "alias", "identity", "ESI", "device", "revision", "E-bus left", "out", "in", "source")
@@ -29,12 +29,11 @@ def _bus_title(bus: BusReport) -> str:
 def _row(item: IdentifiedSlave) -> list[str]:
     slave, answer, report = item.slave, item.identification, item.report
     described = answer.device
-    numbers = (slave.vendor_id, slave.product_code, slave.revision_no)
     source = described.sources[0] if described is not None and described.sources else None
     return [
         str(slave.position),
         "" if slave.alias is None else str(slave.alias),
-        ":".join("-" if number is None else f"0x{number:08x}" for number in numbers),
+        item.identity_text,
         answer.match,
         (described.device.type or "" if described is not None else slave.name or "").strip(),
         "" if described is None or answer.match == "exact" else f"0x{described.device.revision_no or 0:08x}",
@@ -67,27 +66,20 @@ def _notes(slaves: Sequence[IdentifiedSlave]) -> Iterator[str]:
 def _summary(bus: BusReport) -> Iterator[str]:
     summary = bus.summary
     known = len(bus.slaves) - len(bus.not_exact_at)
-    unknown = f"; unknown of {_positions(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
+    unknown = f"; unknown of {slave_words(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
     clock = summary.reference_clock_candidate
     facts = [
         ("slaves", f"{len(bus.slaves)}, {known} with exact ESI"),
-        ("without", _positions(bus.not_exact_at)),
+        ("without", slave_words(bus.not_exact_at)),
         ("process data", f"{summary.output_bytes} bytes out, {summary.input_bytes} bytes in{unknown}"),
         ("reference clock", f"slave {clock} is the first that can be it" if clock is not None else "no candidate"),
-        ("no LRW", _positions(summary.no_lrw_at)),
-        ("E-bus exceeded", _positions(summary.e_bus_exceeded_at)),
-        ("E-bus unknown", _positions(summary.e_bus_unknown_at)),
-        (
-            "same alias",
-            "; ".join(f"{alias}: {_positions(places)}" for alias, places in summary.duplicate_aliases.items()),
-        ),
+        ("no LRW", slave_words(summary.no_lrw_at)),
+        ("E-bus exceeded", slave_words(summary.e_bus_exceeded_at)),
+        ("E-bus unknown", slave_words(summary.e_bus_unknown_at)),
+        ("same alias", alias_words(summary.duplicate_aliases)),
     ]
     yield ""
     yield "Summary"
     for name, words in facts:
         if words:
             yield f"  {name:15}  {words}"
-
-
-def _positions(positions: Sequence[int]) -> str:
-    return f"slave {', '.join(map(str, positions))}" if positions else ""

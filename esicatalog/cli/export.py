@@ -176,8 +176,7 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     from esicatalog.sii.files import image_bytes
 
     subject = inputs.subject()
-    group = next((item for item in subject.groups if item.type == subject.device.group_type), None)
-    image = sii_image(subject.vendor_id, group, subject.device, language=language)
+    image = sii_image(subject.vendor_id, subject.group, subject.device, language=language)
     dropped: tuple[str, ...] = ()
     merged = None
     byte_size = image.header.byte_size

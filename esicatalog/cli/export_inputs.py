@@ -79,7 +79,7 @@ def subjects_of_vendor(db: str, vendor_id: int) -> "list[Subject]":
         ]
         if not identities:
             raise NotFound(f"vendor 0x{vendor_id:08x} has no device with an identity in the catalog")
-        return [_described(catalog, identity) for identity in identities]
+        return [catalog.export_subject(identity) for identity in identities]
 
 
 def _check_single_bus(scan: "Scan") -> None:
@@ -134,7 +134,7 @@ def _subject_of_catalog(catalog: "Catalog", identity: Identity, accept_revision:
     """The exact description, or the one that the catalog ranks first where that is accepted."""
     answer = catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no)
     if identity.revision_no is None or answer.match == "exact":
-        return _described(catalog, identity)
+        return catalog.export_subject(identity)
     if answer.device is None:
         raise NotFound(f"{identity}: {answer.reason}")
     found = answer.device.device
@@ -145,13 +145,4 @@ def _subject_of_catalog(catalog: "Catalog", identity: Identity, accept_revision:
     words = f"asked for {identity}, described is {found.identity_text}: {answer.reason}"
     click.echo(f"esicatalog: accepted, {words}", err=True)
     nearest = Identity(found.vendor_id, found.product_code, found.revision_no, found.variant)
-    return _described(catalog, nearest).standing_in(words)
-
-
-def _described(catalog: "Catalog", identity: Identity) -> "Subject":
-    from esicatalog.export.subject import subject_of_description
-
-    description = catalog.device(identity)
-    parts = catalog.document_parts(description)
-    subject = subject_of_description(description.found, description.sources, description.device, description.modules)
-    return subject.of_document(parts.vendor, parts.groups)
+    return catalog.export_subject(nearest).standing_in(words)

@@ -2,7 +2,7 @@
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import click
 import msgspec
@@ -22,8 +22,12 @@ from esicatalog.errors import InputError
 from esicatalog.identity import parse_number
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
     from esicatalog.catalog.results import Identification
-    from esicatalog.scan.records import Scan, ScannedDictionary, ScannedPdos
+    from esicatalog.scan.records import Scan
+
+Seen = TypeVar("Seen", bound=msgspec.Struct)
 
 _FILE = click.Path(path_type=Path, allow_dash=True)
 
@@ -69,8 +73,10 @@ def command(
     scan = _scan(slaves, eni)
     if scan is not None:
         from esicatalog.cli.bus_sheet import bus_lines
+        from esicatalog.scan.front import read_pdos, read_sdos
 
-        seen_pdos, seen_objects = _seen_pdos(pdos), _seen_objects(sdos)
+        seen_pdos = _seen(pdos, lambda text: read_pdos(text).slaves)
+        seen_objects = _seen(sdos, lambda text: read_sdos(text).slaves)
         with Catalog.open(db) as catalog:
             buses = catalog.identify_scan(scan, seen_pdos, seen_objects)
         if output_format == "json":
@@ -112,24 +118,12 @@ def _scan(slaves: Path | None, eni: Path | None) -> "Scan | None":
     return read_eni(read_bytes(eni)) if eni is not None else None
 
 
-def _seen_pdos(texts: tuple[str, ...]) -> "list[ScannedPdos]":
-    from esicatalog.scan.front import read_pdos
-
-    found: list[ScannedPdos] = []
+def _seen(texts: tuple[str, ...], read: "Callable[[str], Sequence[Seen]]") -> "list[Seen]":
+    """Lists that a master printed, each at the ring position that the option names."""
+    found: list[Seen] = []
     for text in texts:
         position, path = _placed(text)
-        seen = read_pdos(read_text(path)).slaves
-        found += [msgspec.structs.replace(item, position=position) if position is not None else item for item in seen]
-    return found
-
-
-def _seen_objects(texts: tuple[str, ...]) -> "list[ScannedDictionary]":
-    from esicatalog.scan.front import read_sdos
-
-    found: list[ScannedDictionary] = []
-    for text in texts:
-        position, path = _placed(text)
-        seen = read_sdos(read_text(path)).slaves
+        seen = read(read_text(path))
         found += [msgspec.structs.replace(item, position=position) if position is not None else item for item in seen]
     return found
 

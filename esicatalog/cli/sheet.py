@@ -18,25 +18,24 @@ from esicatalog.model.process_image import SmImage, alternative_assignments, byt
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import default_op_mode, sync_signals
+from esicatalog.model.words import (
+    INIT_CMD_PROTOCOLS,
+    clock_words,
+    coe_details,
+    fsoe_words,
+    init_cmd_target,
+    mailbox_protocols,
+    profile_numbers,
+)
 
-_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
 _MOST_ALIKE = 10
 """Devices of the same layout that a sheet names."""
-_COE_DETAILS = {
-    "coe_sdo_info": "SdoInfo",
-    "coe_pdo_assign": "PdoAssign",
-    "coe_pdo_config": "PdoConfig",
-    "coe_pdo_upload": "PdoUpload",
-    "coe_complete_access": "CompleteAccess",
-    "coe_segmented_sdo": "SegmentedSdo",
-    "coe_diag_history": "DiagHistory",
-}
 
 
 def sheet_lines(description: DeviceDescription, choice: Mapping[int, int]) -> Iterator[str]:
     """The sheet as lines of text; ``choice`` is ModuleIdent by slot. Raises :class:`InputError` for a bad choice."""
-    images = description.images(choice)
     derived = derive(description.device, description.modules)
+    images = description.images(choice) if choice else derived.images
     yield from _identity(description, derived.facts)
     yield from _sync_managers(description)
     yield from _process_image(images, "Process image" if choice else "Default process image")
@@ -123,37 +122,16 @@ def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[st
         ("group", device.group_type),
         ("physics", device.physics),
         ("E-bus", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
-        ("profiles", ", ".join(_profile_numbers(description)) or None),
-        *_derived(facts),
+        ("profiles", ", ".join(profile_numbers(device)) or None),
+        ("clocks", clock_words(facts)),
+        ("cycle", f"{facts.min_cycle_ns} ns at least" if facts.min_cycle_ns is not None else None),
+        ("FSoE", fsoe_words(facts)),
     ]
     for name, value in shown:
         if value:
             yield f"  {name:9} {value}"
     for source in description.sources:
         yield f"  source    {source.member}, line {source.line}"
-
-
-def _derived(facts: DeviceFacts) -> list[tuple[str, str | None]]:
-    """Facts that no single element says."""
-    clocks = [name for name, on in (("SYNC0", facts.supports_sync0), ("SYNC1", facts.supports_sync1)) if on]
-    if facts.dc_supported:
-        clocks.insert(0, "DC needed" if facts.dc_needed else "DC optional")
-    return [
-        ("clocks", ", ".join(clocks) or "no DC"),
-        ("cycle", f"{facts.min_cycle_ns} ns at least" if facts.min_cycle_ns is not None else None),
-        ("FSoE", f"{facts.fsoe} evidence: {facts.fsoe_evidence}" if facts.fsoe is not None else None),
-    ]
-
-
-def _profile_numbers(description: DeviceDescription) -> list[str]:
-    numbers: dict[str, None] = {}
-    for profile in description.device.profiles:
-        given = [(profile.profile_no, profile.add_info)]
-        given += [(channel.profile_no, channel.add_info) for channel in profile.channel_infos]
-        for profile_no, add_info in given:
-            if profile_no is not None:
-                numbers[f"{profile_no}" + (f"/{add_info}" if add_info is not None else "")] = None
-    return list(numbers)
 
 
 def _sync_managers(description: DeviceDescription) -> Iterator[str]:
@@ -243,8 +221,7 @@ def _mailbox(mailbox: Mailbox | None) -> Iterator[str]:
         yield ""
         yield "No mailbox"
         return
-    protocols = [f"{name[0].upper()}o{name[2].upper()}" for name in _PROTOCOLS if getattr(mailbox, name)]
-    details = [words for field, words in _COE_DETAILS.items() if getattr(mailbox, field)]
+    protocols, details = mailbox_protocols(mailbox), coe_details(mailbox)
     yield ""
     yield f"Mailbox: {', '.join(protocols) or 'no protocol'}" + (f"; CoE: {', '.join(details)}" if details else "")
     yield from _init_cmds(mailbox, "InitCmds")
@@ -252,21 +229,13 @@ def _mailbox(mailbox: Mailbox | None) -> Iterator[str]:
 
 def _init_cmds(mailbox: Mailbox, title: str) -> Iterator[str]:
     rows = []
-    for protocol in ("CoE", "SoE", "EoE", "AoE"):
+    for protocol in INIT_CMD_PROTOCOLS:
         commands: tuple[InitCmd, ...] = getattr(mailbox, f"{protocol.lower()}_init_cmds")
         rows += [
-            [protocol, " ".join(cmd.transitions), _init_cmd_target(cmd), cmd.data or "", cmd.comment or ""]
+            [protocol, " ".join(cmd.transitions), init_cmd_target(cmd), cmd.data or "", cmd.comment or ""]
             for cmd in commands
         ]
     yield from _section(title, ("", "transition", "target", "data (as sent)", "comment"), rows)
-
-
-def _init_cmd_target(cmd: InitCmd) -> str:
-    if cmd.idn is not None:
-        return f"IDN {cmd.idn}"
-    if cmd.object_index is not None:
-        return f"{_hex(cmd.object_index)}:{cmd.subindex or 0:02X}" + (" complete" if cmd.complete_access else "")
-    return f"type {cmd.eoe_type}" if cmd.eoe_type is not None else ""
 
 
 def _dc_modes(op_modes: tuple[OpMode, ...]) -> Iterator[str]:

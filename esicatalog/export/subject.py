@@ -41,6 +41,11 @@ class Subject(NamedTuple):
         parts = (self.device.type, display_text(self.device.names))
         return ", ".join(dict.fromkeys(" ".join(part.split()) for part in parts if part and part.strip()))
 
+    @property
+    def group(self) -> Group | None:
+        """The group that the device names; the first of several."""
+        return next((group for group in self.groups if group.type == self.device.group_type), None)
+
     def of_document(self, vendor: Vendor | None, groups: Iterable[Group]) -> Self:
         """The same description with the vendor and groups of its document."""
         return self._replace(document_vendor=vendor, groups=tuple(groups))

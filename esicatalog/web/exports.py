@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
-from esicatalog.catalog.description import DeviceDescription
 from esicatalog.catalog.results import json_bytes
 from esicatalog.errors import EsiCatalogError, InputError, NotFound
+from esicatalog.esi.records.document import Vendor
 from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, parse_pdo_choice
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.cstruct import cstruct_of_configuration
@@ -22,16 +22,17 @@ from esicatalog.export.ros2 import ros2_slave
 from esicatalog.export.sii import sii_image
 from esicatalog.export.sii_limits import check_image
 from esicatalog.export.soem import soem_header
-from esicatalog.export.subject import subject_of_description
+from esicatalog.export.subject import Subject
 from esicatalog.identity import parse_number, parse_plugged
 from esicatalog.sii.encode import encode_sii
+from esicatalog.web.http import status_of
 from esicatalog.web.links import identity_of_path
 from esicatalog.web.state import catalog_for
 
 _LARGEST_CYCLE_NS = 10**10
 _PARAMETERS = ("pdo", "module", "op-mode", "cycle-ns", "name", "alias", "position")
 
-Generate = Callable[[Catalog, DeviceDescription, Choice], str | bytes]
+Generate = Callable[[Subject, Choice], str | bytes]
 
 
 class Target(NamedTuple):
@@ -44,24 +45,16 @@ class Target(NamedTuple):
 
 
 def _configured(generate: Callable[[Configuration], str]) -> Generate:
-    def run(catalog: Catalog, description: DeviceDescription, choice: Choice) -> str:
-        subject = subject_of_description(
-            description.found, description.sources, description.device, description.modules
-        )
-        return generate(configure(subject, choice))
-
-    return run
+    return lambda subject, choice: generate(configure(subject, choice))
 
 
-def _esi(catalog: Catalog, description: DeviceDescription, choice: Choice) -> bytes:
-    parts = catalog.document_parts(description)
-    return export_esi(parts.vendor, parts.groups, [DescribedDevice(description.device, description.modules)])
+def _esi(subject: Subject, choice: Choice) -> bytes:
+    vendor = subject.document_vendor or Vendor(vendor_id=subject.vendor_id)
+    return export_esi(vendor, subject.groups, [DescribedDevice(subject.device, subject.modules)])
 
 
-def _sii(catalog: Catalog, description: DeviceDescription, choice: Choice) -> bytes:
-    parts = catalog.document_parts(description)
-    device = description.device
-    image = sii_image(description.found.vendor_id, parts.group(device.group_type), device)
+def _sii(subject: Subject, choice: Choice) -> bytes:
+    image = sii_image(subject.vendor_id, subject.group, subject.device)
     return encode_sii(check_image(image, image.header.byte_size))
 
 
@@ -85,8 +78,8 @@ async def export_route(request: Any, datasette: Any) -> Response:
     try:
         return await asyncio.to_thread(_generated, request, catalog)
     except EsiCatalogError as error:
-        status = 404 if isinstance(error, NotFound) else 400
-        return Response(json_bytes({"error": str(error)}), status, {}, "application/json; charset=utf-8")
+        body = json_bytes({"error": str(error)})
+        return Response(body, status_of(error), {}, "application/json; charset=utf-8")
 
 
 def _generated(request: Any, catalog: Catalog) -> Response:
@@ -94,10 +87,10 @@ def _generated(request: Any, catalog: Catalog) -> Response:
     if target is None:
         raise NotFound(f"no such export; there are {', '.join(TARGETS)}")
     identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
-    description = catalog.device(identity)
-    made = target.generate(catalog, description, _choice(request))
+    subject = catalog.export_subject(identity)
+    made = target.generate(subject, _choice(request))
     data = made.encode() if isinstance(made, str) else made
-    stem = re.sub(r"[^A-Za-z0-9]+", "_", description.found.type or "device").strip("_") or "device"
+    stem = re.sub(r"[^A-Za-z0-9]+", "_", subject.device.type or "device").strip("_") or "device"
     headers = {
         "Content-Disposition": f'attachment; filename="{stem}.{target.ending}"',
         "X-Content-Type-Options": "nosniff",

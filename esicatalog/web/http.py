@@ -53,7 +53,7 @@ def json_route(handlers: dict[str, Handler]) -> View:
             return _json({"error": f"{request.method} is not allowed here"}, 405, {"Allow": ", ".join(handlers)})
         catalog = await catalog_for(datasette, request.actor)
         if handler is handlers.get("GET"):
-            headers |= {"ETag": _etag(catalog), "Cache-Control": "no-cache"}
+            headers |= _validators(catalog)
             if request.headers.get("if-none-match") == headers["ETag"]:
                 return Response(b"", 304, headers)
         try:
@@ -61,7 +61,7 @@ def json_route(handlers: dict[str, Handler]) -> View:
         except HttpError as error:
             value, status = {"error": str(error)}, error.status
         except EsiCatalogError as error:
-            value, status = {"error": str(error)}, 404 if isinstance(error, NotFound) else 400
+            value, status = {"error": str(error)}, status_of(error)
         return _json(value, status, headers)
 
     return view
@@ -77,7 +77,7 @@ def page_route(handler: Callable[[Any, Catalog], Awaitable[Page]], post: bool = 
         catalog = await catalog_for(datasette, request.actor)
         headers: dict[str, str] = {}
         if request.method != "POST":
-            headers |= {"ETag": _etag(catalog), "Cache-Control": "no-cache"}
+            headers |= _validators(catalog)
             if request.headers.get("if-none-match") == headers["ETag"]:
                 return Response(b"", 304, headers)
         try:
@@ -85,16 +85,21 @@ def page_route(handler: Callable[[Any, Catalog], Awaitable[Page]], post: bool = 
         except HttpError as error:
             page = Page(_ERROR_PAGE, {"error": str(error)}, error.status)
         except EsiCatalogError as error:
-            page = Page(_ERROR_PAGE, {"error": str(error)}, 404 if isinstance(error, NotFound) else 400)
+            page = Page(_ERROR_PAGE, {"error": str(error)}, status_of(error))
         html = await datasette.render_template(f"esicatalog/{page.template}", page.context, request=request)
         return Response(html, page.status, headers, "text/html; charset=utf-8")
 
     return view
 
 
-def _etag(catalog: Catalog) -> str:
+def status_of(error: EsiCatalogError) -> int:
+    """404 for what is not there, 400 for what cannot be done."""
+    return 404 if isinstance(error, NotFound) else 400
+
+
+def _validators(catalog: Catalog) -> dict[str, str]:
     """What an answer depends on: the content of the catalog and the version that answers."""
-    return f'"{__version__}-{catalog.content_hash() or "changing"}"'
+    return {"ETag": f'"{__version__}-{catalog.content_hash() or "changing"}"', "Cache-Control": "no-cache"}
 
 
 def _json(value: Any, status: int, headers: dict[str, str]) -> Response:

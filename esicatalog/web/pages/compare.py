@@ -5,11 +5,11 @@ from collections import defaultdict
 from typing import Any
 
 from esicatalog.api import Catalog
-from esicatalog.errors import EsiCatalogError, NotFound
+from esicatalog.errors import EsiCatalogError
 from esicatalog.identity import parse_identity
 from esicatalog.model.compare import compare_devices, summary_words
 from esicatalog.model.compare_device import revision_verdict
-from esicatalog.web.http import Page
+from esicatalog.web.http import Page, status_of
 from esicatalog.web.links import device_path
 
 _TEMPLATE = "compare.html"
@@ -24,7 +24,7 @@ async def compare_page(request: Any, catalog: Catalog) -> Page:
     try:
         return Page(_TEMPLATE, empty | await asyncio.to_thread(_compared, catalog, texts["a"], texts["b"]))
     except EsiCatalogError as error:
-        return Page(_TEMPLATE, empty | {"problem": str(error)}, 404 if isinstance(error, NotFound) else 400)
+        return Page(_TEMPLATE, empty | {"problem": str(error)}, status_of(error))
 
 
 def _compared(catalog: Catalog, first: str, second: str) -> dict[str, Any]:

@@ -22,6 +22,15 @@ from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import accepts, chosen_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import default_op_mode, sync_signals
+from esicatalog.model.words import (
+    INIT_CMD_PROTOCOLS,
+    clock_words,
+    coe_details,
+    fsoe_words,
+    init_cmd_target,
+    mailbox_protocols,
+    profile_numbers,
+)
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
 from esicatalog.web.exports import TARGETS
 from esicatalog.web.http import Page
@@ -30,16 +39,6 @@ from esicatalog.web.links import device_path, identity_of_path
 _LONGEST_NUMBER = 8
 _MOST_SLOTS = 24
 _MOST_ALIKE = 12
-_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
-_COE_DETAILS = {
-    "coe_sdo_info": "SdoInfo",
-    "coe_pdo_assign": "PdoAssign",
-    "coe_pdo_config": "PdoConfig",
-    "coe_pdo_upload": "PdoUpload",
-    "coe_complete_access": "CompleteAccess",
-    "coe_segmented_sdo": "SegmentedSdo",
-    "coe_diag_history": "DiagHistory",
-}
 
 
 async def device_page(request: Any, catalog: Catalog) -> Page:
@@ -65,7 +64,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
     derived = derive(device, description.modules)
     problem = None
     try:
-        images = description.images(choice)
+        images = description.images(choice) if choice else derived.images
     except InputError as error:
         images, problem = derived.images, str(error)
     op_modes = device.op_modes
@@ -138,33 +137,19 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
 def _facts(description: DeviceDescription, facts: DeviceFacts) -> list[tuple[str, str]]:
     device = description.device
     mailbox = device.mailbox
-    protocols = [f"{n[0].upper()}o{n[2].upper()}" for n in _PROTOCOLS if mailbox is not None and getattr(mailbox, n)]
-    details = [word for field, word in _COE_DETAILS.items() if mailbox is not None and getattr(mailbox, field)]
-    clocks = [name for name, on in (("SYNC0", facts.supports_sync0), ("SYNC1", facts.supports_sync1)) if on]
-    if facts.dc_supported:
-        clocks.insert(0, "DC needed" if facts.dc_needed else "DC optional")
-    profiles = {
-        f"{number}" + (f"/{info}" if info is not None else "")
-        for profile in device.profiles
-        for number, info in [
-            (profile.profile_no, profile.add_info),
-            *((channel.profile_no, channel.add_info) for channel in profile.channel_infos),
-        ]
-        if number is not None
-    }
     shown = [
         ("group", device.group_type),
-        ("profiles", ", ".join(sorted(profiles))),
+        ("profiles", ", ".join(sorted(profile_numbers(device)))),
         ("ports", device.physics),
         ("E-bus current", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
-        ("mailbox", ", ".join(protocols) or "none"),
-        ("CoE", ", ".join(details)),
-        ("clocks", ", ".join(clocks) or "no DC"),
+        ("mailbox", ", ".join(mailbox_protocols(mailbox)) or "none"),
+        ("CoE", ", ".join(coe_details(mailbox))),
+        ("clocks", clock_words(facts)),
         ("smallest cycle", f"{facts.min_cycle_ns} ns" if facts.min_cycle_ns is not None else None),
         ("process data", f"{facts.output_bytes} bytes out, {facts.input_bytes} bytes in by default"),
         ("CheckRevisionNo", device.check_revision_no),
         ("LRW", "not possible (UseLrdLwr)" if device.use_lrd_lwr else None),
-        ("FSoE", f"{facts.fsoe} evidence: {facts.fsoe_evidence}" if facts.fsoe else None),
+        ("FSoE", fsoe_words(facts)),
     ]
     return [(name, value) for name, value in shown if value]
 
@@ -233,11 +218,11 @@ def _commands(mailbox: Mailbox | None) -> list[dict[str, Any]]:
         {
             "protocol": protocol,
             "transitions": " ".join(cmd.transitions),
-            "target": _target(cmd),
+            "target": init_cmd_target(cmd),
             "value": _value(cmd),
             "cmd": cmd,
         }
-        for protocol in ("CoE", "SoE", "EoE", "AoE")
+        for protocol in INIT_CMD_PROTOCOLS
         for cmd in getattr(mailbox, f"{protocol.lower()}_init_cmds")
     ]
 
@@ -249,14 +234,6 @@ def _value(cmd: InitCmd) -> str:
         return ""
     value = int.from_bytes(data, "little")
     return f"{value} (0x{value:X})" if value > 9 else str(value)
-
-
-def _target(cmd: InitCmd) -> str:
-    if cmd.idn is not None:
-        return f"IDN {cmd.idn}"
-    if cmd.object_index is not None:
-        return f"0x{cmd.object_index:04X}:{cmd.subindex or 0:02X}" + (" complete" if cmd.complete_access else "")
-    return f"type {cmd.eoe_type}" if cmd.eoe_type is not None else ""
 
 
 def _slots(description: DeviceDescription, choice: Mapping[int, int]) -> list[dict[str, Any]]:

@@ -13,7 +13,7 @@ from esicatalog.web.links import device_path, identity_of_path
 
 
 async def objects_page(request: Any, catalog: Catalog) -> Page:
-    """The objects: a part of a page for scripts (``Sec-Fetch-Mode: cors``), a page of its own for people."""
+    """The objects: a part of a page for scripts (``Sec-Fetch-Dest: empty``), a page of its own for people."""
     names = ("vendor", "product", "revision")
     identity = identity_of_path(**{name: request.url_vars[name] for name in names})
     description = await asyncio.to_thread(catalog.device, identity)

@@ -4,7 +4,7 @@ import asyncio
 from typing import Any
 
 from esicatalog.api import Catalog
-from esicatalog.catalog.bus import BusReport, IdentifiedSlave
+from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, slave_words
 from esicatalog.errors import EsiCatalogError
 from esicatalog.scan.front import read_scan
 from esicatalog.sii.decode import decode_sii
@@ -68,12 +68,12 @@ def _bus(bus: BusReport) -> dict[str, Any]:
     facts = [
         ("with exact ESI", f"{len(bus.slaves) - len(bus.not_exact_at)} of {len(bus.slaves)}"),
         ("process data", f"{summary.output_bytes} bytes out, {summary.input_bytes} bytes in"),
-        ("sizes unknown of", _listed(summary.bytes_unknown_at)),
+        ("sizes unknown of", slave_words(summary.bytes_unknown_at)),
         ("reference clock", f"slave {clock} is the first that can be it" if clock is not None else "no candidate"),
-        ("no LRW", _listed(summary.no_lrw_at)),
-        ("E-bus supply exceeded at", _listed(summary.e_bus_exceeded_at)),
-        ("E-bus current unknown of", _listed(summary.e_bus_unknown_at)),
-        ("same alias", "; ".join(f"{alias}: {_listed(at)}" for alias, at in summary.duplicate_aliases.items())),
+        ("no LRW", slave_words(summary.no_lrw_at)),
+        ("E-bus supply exceeded at", slave_words(summary.e_bus_exceeded_at)),
+        ("E-bus current unknown of", slave_words(summary.e_bus_unknown_at)),
+        ("same alias", alias_words(summary.duplicate_aliases)),
     ]
     return {
         "bus": bus.bus,
@@ -82,19 +82,14 @@ def _bus(bus: BusReport) -> dict[str, Any]:
     }
 
 
-def _listed(positions: tuple[int, ...]) -> str:
-    return f"slave {', '.join(map(str, positions))}" if positions else ""
-
-
 def _slave(item: IdentifiedSlave) -> dict[str, Any]:
     slave, answer, report = item.slave, item.identification, item.report
     device = answer.device.device if answer.device is not None else None
-    numbers = (slave.vendor_id, slave.product_code, slave.revision_no)
     exact = answer.match == "exact"
     return {
         "position": slave.position,
         "alias": slave.alias,
-        "identity": ":".join("-" if number is None else f"0x{number:08x}" for number in numbers),
+        "identity": item.identity_text,
         "match": answer.match,
         "path": device_path(device) if device is not None else None,
         "type": (device.type if device is not None else slave.name) or "",

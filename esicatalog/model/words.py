@@ -1,0 +1,69 @@
+"""Words that every sheet and page uses for what a description declares."""
+
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.model.device_facts import DeviceFacts
+
+MAILBOX_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
+INIT_CMD_PROTOCOLS = ("CoE", "SoE", "EoE", "AoE")
+"""Protocols with start-up commands, in the order of sheets."""
+
+_COE_DETAILS = {
+    "coe_sdo_info": "SdoInfo",
+    "coe_pdo_assign": "PdoAssign",
+    "coe_pdo_config": "PdoConfig",
+    "coe_pdo_upload": "PdoUpload",
+    "coe_complete_access": "CompleteAccess",
+    "coe_segmented_sdo": "SegmentedSdo",
+    "coe_diag_history": "DiagHistory",
+}
+
+
+def protocol_name(protocol: str) -> str:
+    """``CoE`` for the field or filter ``coe``."""
+    return f"{protocol[0].upper()}o{protocol[2].upper()}"
+
+
+def mailbox_protocols(mailbox: Mailbox | None) -> list[str]:
+    """The protocols that a mailbox declares."""
+    return [protocol_name(name) for name in MAILBOX_PROTOCOLS if mailbox is not None and getattr(mailbox, name)]
+
+
+def coe_details(mailbox: Mailbox | None) -> list[str]:
+    """The options that a mailbox declares for CoE."""
+    return [words for field, words in _COE_DETAILS.items() if mailbox is not None and getattr(mailbox, field)]
+
+
+def init_cmd_target(command: InitCmd) -> str:
+    """What a start-up command writes to."""
+    if command.idn is not None:
+        return f"IDN {command.idn}"
+    if command.object_index is not None:
+        complete = " complete" if command.complete_access else ""
+        return f"0x{command.object_index:04X}:{command.subindex or 0:02X}{complete}"
+    return f"type {command.eoe_type}" if command.eoe_type is not None else ""
+
+
+def profile_numbers(device: Device) -> list[str]:
+    """Profile numbers with their AddInfo, those of channels included, each once in document order."""
+    numbers: dict[str, None] = {}
+    for profile in device.profiles:
+        given = [(profile.profile_no, profile.add_info)]
+        given += [(channel.profile_no, channel.add_info) for channel in profile.channel_infos]
+        for profile_no, add_info in given:
+            if profile_no is not None:
+                numbers[f"{profile_no}" + (f"/{add_info}" if add_info is not None else "")] = None
+    return list(numbers)
+
+
+def clock_words(facts: DeviceFacts) -> str:
+    """Whether distributed clocks are needed, and the signals that some OpMode generates."""
+    clocks = [name for name, on in (("SYNC0", facts.supports_sync0), ("SYNC1", facts.supports_sync1)) if on]
+    if facts.dc_supported:
+        clocks.insert(0, "DC needed" if facts.dc_needed else "DC optional")
+    return ", ".join(clocks) or "no DC"
+
+
+def fsoe_words(facts: DeviceFacts) -> str | None:
+    """Evidence of FSoE, which is no statement about safety; None without any."""
+    return f"{facts.fsoe} evidence: {facts.fsoe_evidence}" if facts.fsoe is not None else None
