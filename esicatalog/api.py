@@ -190,6 +190,16 @@ class Catalog:
         with self._connection() as connection:
             return read_description(connection, self._identities(), wanted)
 
+    def device_of_row(self, number: int) -> "FoundDevice":
+        """The device with a row number of this catalog, as ``device_id`` in its tables says it.
+
+        Row numbers are of one catalog file only; raises :class:`~esicatalog.errors.NotFound` for an unknown one.
+        """
+        from esicatalog.catalog.devices import device_of_row
+
+        with self._connection() as connection:
+            return device_of_row(connection, number)
+
     def export_subject(self, identity: str | Identity) -> "Subject":
         """What generators get of a device: its description with the vendor and groups of its document.
 

@@ -14,6 +14,8 @@ import datasette
 import pytest
 from datasette.app import Datasette
 from datasette.utils import parse_metadata
+from lxml import html
+from snippets import device, esi
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.schema import metadata
@@ -149,6 +151,38 @@ async def test_search_finds_what_people_type(browser, text, expected):
 
 async def test_search_works_in_views_of_parts(browser):
     assert await searched(browser, "ECX-D808", "device_pdo_entries", "device_type") == {"ECX-D808"}
+
+
+@pytest.mark.parametrize(
+    ("path", "expected"),
+    [
+        ("/catalog/pdos?_size=max", "0xe5c/0xd080808/0x110000"),
+        ("/catalog/drive_modes", "0x1097/0x2406/0x8f"),
+        ("/catalog?sql=select+distinct+device_id+from+pdos", "0xe5c/0xd080808/0x110000"),
+    ],
+)
+async def test_device_keys_of_tables_lead_to_device_pages(browser, path, expected):
+    tree = html.fromstring((await browser.get(path, follow_redirects=True)).text)
+    links = set(tree.xpath("//td[contains(@class, 'col-device_id')]//a/@href"))
+    assert links
+    targets = {(await browser.get(link, follow_redirects=False)).headers["location"] for link in links}
+    assert f"/-/esi/device/{expected}" in targets
+    for target in targets:
+        assert (await browser.get(target)).status_code == 200
+
+
+async def test_device_key_that_nobody_has(browser):
+    assert (await browser.get("/-/esi/row/999999999")).status_code == 404
+
+
+async def test_device_without_codes_leads_to_its_row(tmp_path):
+    document = tmp_path / "cap.xml"
+    document.write_text(esi(device(product="")))
+    with Catalog.open(tmp_path / "catalog.db", create=True) as catalog:
+        catalog.ingest([document])
+    browser = await started(tmp_path / "catalog.db")
+    answer = await browser.get("/-/esi/row/1", follow_redirects=False)
+    assert answer.headers["location"] == "/catalog/devices/1"
 
 
 async def test_hex_in_a_filter_is_no_error(browser):

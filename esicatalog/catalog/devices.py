@@ -60,6 +60,14 @@ def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, Fou
     raise NotFound(f"{identity} has no variant {wanted}")
 
 
+def device_of_row(connection: sa.Connection, number: int) -> FoundDevice:
+    """Summary of the description with a row number of this catalog. Raises :class:`NotFound`."""
+    row = connection.execute(SUMMARY.where(devices.c.id == number)).first()
+    if row is None:
+        raise NotFound(f"the catalog has no device row {number}")
+    return summary(row)
+
+
 def _latest(rows: Sequence[Any]) -> int | None:
     """The highest revision that no other description of the vendor hides; the highest when all are hidden."""
     revisions: list[int | None] = [row.revision_no for row in rows if not row.hidden] or [rows[-1].revision_no]

@@ -9,7 +9,7 @@ from markupsafe import Markup
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.errors import InputError
 from esicatalog.identity import parse_number
-from esicatalog.web.links import BASE, device_path
+from esicatalog.web.links import BASE, device_path, device_row_path
 
 HEX_DIGITS = {
     **dict.fromkeys(("vendor_id", "product_code", "revision_no", "serial_no", "module_ident"), 8),
@@ -21,6 +21,7 @@ HEX_DIGITS = {
 
 _TYPE_COLUMNS = {"devices": "type"}
 _VIEW_TYPE_COLUMN = "device_type"
+_DEVICE_COLUMN = "device_id"
 _OPERATORS = {"exact", "not", "gt", "gte", "lt", "lte", "in", "notin"}
 """Comparisons of Datasette's filters (``column__gt=…``) that take numbers."""
 
@@ -35,6 +36,11 @@ def cell(row: Any, value: Any, column: str, table: str | None, base_url: str) ->
         if path is not None:
             href = f"{base_url}{BASE.removeprefix('/')}{quote(path, safe='/@')}"
             return Markup('<a href="{}">{}</a>').format(href, value or "without type")
+    number = _plain(value)
+    if column == _DEVICE_COLUMN and isinstance(number, int):
+        label = value["label"] or "-" if isinstance(value, Mapping) else "device"
+        href = f"{base_url}{BASE.removeprefix('/')}{device_row_path(number)}"
+        return Markup('<a href="{}">{}</a>&nbsp;<em>{}</em>').format(href, label, number)
     if column == "image_sha256" and isinstance(value, str) and value:
         href = f"{base_url}{BASE.removeprefix('/')}image/{quote(value)}"
         return Markup('<img src="{}" alt="" title="{}" style="image-rendering: pixelated">').format(href, value)

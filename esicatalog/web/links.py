@@ -18,6 +18,11 @@ def device_path(device: FoundDevice) -> str | None:
     return path if device.variant == 1 else f"{path}@{device.variant}"
 
 
+def device_row_path(number: int) -> str:
+    """Path below :data:`BASE` that leads from a ``device_id`` of the tables to the page of the device."""
+    return f"row/{number}"
+
+
 def identity_of_path(vendor: str, product: str, revision: str) -> Identity:
     """The identity in the path of a device page; ``latest`` is the latest visible revision."""
     revision_text, at, variant = revision.partition("@")
