@@ -227,7 +227,12 @@ def _take_whole(node: _Node, child: etree._Element, values: dict[str, Any], note
     elif node.record is None:
         value = True
     elif node.record in notes.watched:
-        value = notes.read_child(node.record, child, read_record)
+        records = notes.read_child(node.record, child, read_record)
+        if node.many:
+            values.setdefault(name, []).extend(records)
+        else:
+            values[name] = records[0]
+        return
     elif len(child):
         value = read_record(node.record, child, notes)
     else:

@@ -61,6 +61,15 @@ def parse_document(content: bytes) -> ParsedDocument:
         return _recover(content, error)
 
 
+def parse_as_it_is(content: bytes) -> ParsedDocument | None:
+    """Parse an ESI document that needs no leniency; None for one that :func:`parse_document` has to look at."""
+    try:
+        root = etree.fromstring(content, make_parser())
+    except etree.XMLSyntaxError:
+        return None
+    return _known(root, None, 0) if root.tag in ESI_ROOTS else None
+
+
 def _looks_like_xml(content: bytes) -> bool:
     head = content[:4096]
     if head.startswith(_BOMS[1:]) or head[:4] in (b"<\0?\0", b"\0<\0?"):

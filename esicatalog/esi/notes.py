@@ -7,6 +7,7 @@ import msgspec
 from lxml import etree
 
 from esicatalog.esi.numbers import Remark
+from esicatalog.esi.repeats import Cut
 
 
 class Finding(msgspec.Struct, frozen=True, gc=False):
@@ -26,8 +27,17 @@ class Unmapped(msgspec.Struct, frozen=True, gc=False):
     value: str
 
 
-def local_path(element: etree._Element, base: etree._Element | None) -> str:
-    """Path of ``element`` below ``base`` (or the root), with a position wherever a tag repeats: ``Sm[2]/Foo``."""
+def _one(element: etree._Element) -> int:
+    return 1
+
+
+def local_path(
+    element: etree._Element, base: etree._Element | None, count: Callable[[etree._Element], int] = _one
+) -> str:
+    """Path of ``element`` below ``base`` (or the root), with a position wherever a tag repeats: ``Sm[2]/Foo``.
+
+    ``count`` tells how many elements of the document an element stands for.
+    """
     steps: list[str] = []
     node: etree._Element | None = element
     while node is not None and node is not base:
@@ -35,8 +45,9 @@ def local_path(element: etree._Element, base: etree._Element | None) -> str:
         tag = str(node.tag)
         if parent is not None:
             same = [child for child in parent if child.tag == node.tag]
-            if len(same) > 1:
-                tag = f"{tag}[{same.index(node)}]"
+            counts = [count(child) for child in same]
+            if sum(counts) > 1:
+                tag = f"{tag}[{sum(counts[: same.index(node)])}]"
         steps.append(tag)
         node = parent
     return "/".join(reversed(steps))
@@ -49,12 +60,16 @@ class Notes:
     of another device or document is read once per process.
     """
 
-    def __init__(self, cache: "SubtreeCache | None" = None, owners: frozenset[type] = frozenset()) -> None:
+    def __init__(
+        self, cache: "SubtreeCache | None" = None, owners: frozenset[type] = frozenset(), cut: Cut | None = None
+    ) -> None:
         self.findings: list[Finding] = []
         self.unmapped: list[Unmapped] = []
         self._base: etree._Element | None = None
         self._cache = cache
         self._owners = owners
+        self._cut = cut
+        self._count = cut.count if cut is not None else _one
         self.watched: frozenset[Any] = owners | (cache.record_types if cache is not None else frozenset())
         """Record types that :meth:`read_child` has to be asked for."""
 
@@ -64,26 +79,26 @@ class Notes:
 
     def find(self, element: etree._Element, rule: str, severity: str, message: str) -> None:
         """A finding at ``element``."""
-        self.findings.append(Finding(rule, severity, message, element.sourceline or 0, local_path(element, None)))
+        self.findings.append(Finding(rule, severity, message, element.sourceline or 0, self._path(element, None)))
 
     def unmapped_attribute(self, element: etree._Element, name: str, text: str, repeated: bool = False) -> None:
         """An attribute that no field takes."""
         words = "repeats a value given before" if repeated else "is unknown"
         self.find(element, "L05", "W", f"attribute {element.tag!s}/@{name} {words}; kept in unmapped")
-        self._keep(f"{local_path(element, self._base)}/@{name}", text)
+        self._keep(f"{self._path(element, self._base)}/@{name}", text)
 
     def unmapped_text(self, element: etree._Element, text: str, repeated: bool = False) -> None:
         """Text where the schema has none, or a second value for a single field."""
         words = "occurs again" if repeated else "holds stray text"
         self.find(element, "L05", "W", f"{element.tag!s} {words}; kept in unmapped")
-        self._keep(local_path(element, self._base), text.strip())
+        self._keep(self._path(element, self._base), text.strip())
 
     def unmapped_element(self, element: etree._Element, repeated: bool = False) -> None:
         """An element that no field takes: one finding, every value of its subtree kept."""
         words = "occurs again" if repeated else "is unknown here"
         self.find(element, "L05", "W", f"element {element.tag!s} {words}; kept in unmapped")
         for part in element.iter():
-            path = local_path(part, self._base)
+            path = self._path(part, self._base)
             if part is element and not len(part) and not part.text and not part.attrib:
                 self._keep(path, "")
             if part.text and part.text.strip():
@@ -96,13 +111,28 @@ class Notes:
     def _keep(self, path: str, value: str) -> None:
         self.unmapped.append(Unmapped(path, value))
 
-    def read_child(self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]) -> Any:
-        """``read(record_type, element, self)`` for a record type that is cacheable or an owner.
+    def _path(self, element: etree._Element, base: etree._Element | None) -> str:
+        return local_path(element, base, self._count)
+
+    def read_child(
+        self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]
+    ) -> tuple[Any, ...]:
+        """The records of an element whose type is cacheable or an owner: one, or a run that was cut out.
 
         An equal subtree read before gives its record again; an owner takes the unmapped values found below it.
         """
         if record_type in self._owners:
-            return self._read_owner(record_type, element, read)
+            return (self._read_owner(record_type, element, read),)
+        part = self._cut.taken(record_type, element) if self._cut is not None else None
+        if isinstance(part, tuple):
+            return part
+        before = len(self.findings)
+        record = self._read_cached(record_type, element, read)
+        if part is not None and self._cut is not None and before == len(self.findings):
+            self._cut.learn(record_type, part, record, element)
+        return (record,)
+
+    def _read_cached(self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]) -> Any:
         assert self._cache is not None
         subtree = _serialise(element, encoding="unicode", with_tail=False)
         record = self._cache.records[record_type].get(subtree)

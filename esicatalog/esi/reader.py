@@ -10,12 +10,11 @@ from esicatalog.errors import BrokenDocument, DocumentError, NotAnEsiDocument
 from esicatalog.esi.binding import Record, read_record
 from esicatalog.esi.containers import Container, Folder, resolve_reference
 from esicatalog.esi.content import sha256_hex
-from esicatalog.esi.documents import ParsedDocument, parse_document
+from esicatalog.esi.documents import ParsedDocument, parse_as_it_is, parse_document
 from esicatalog.esi.notes import Finding, Notes, SubtreeCache
-from esicatalog.esi.records.common import Property
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import Diagnostics
-from esicatalog.esi.records.dictionary import DataType, Dictionary, Flags, InfoSubItem, Object
+from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.esi.records.document import (
     DiagInfo,
     DictInfo,
@@ -26,13 +25,14 @@ from esicatalog.esi.records.document import (
     Reference,
 )
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import Profile
+from esicatalog.esi.repeats import Repeats
 
 OWNERS: frozenset[type] = frozenset({Device, Module})
 """Records that keep the unmapped values found below them."""
 
-_CACHED: frozenset[type] = frozenset({DataType, Object, Pdo, Entry, Flags, InfoSubItem, Property})
+_CACHED: frozenset[type] = frozenset({DataType, Object, Pdo})
 """Records that repeat from device to device and from revision to revision, or within one."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
 _MAX_STANDALONE = 1_000
@@ -58,6 +58,7 @@ class Reader:
 
     def __init__(self) -> None:
         self._cache = SubtreeCache(_CACHED)
+        self._repeats = Repeats(DataType, Object)
         self._standalone: dict[str, ReadDocument] = {}
         self._pulled: dict[tuple[int, str], tuple[Container, Pulled]] = {}
 
@@ -72,8 +73,16 @@ class Reader:
         ``member`` is its name within ``container``, against which references are resolved; without a container
         they stay unresolved. Raises :class:`NotAnEsiDocument` and :class:`BrokenDocument`.
         """
-        parsed = parse_document(content)
-        notes = Notes(self._cache, OWNERS)
+        cut = self._repeats.cut(content)
+        if cut is not None:
+            parsed = parse_as_it_is(cut.content)
+            if parsed is not None:
+                read = self._read(parsed, Notes(self._cache, OWNERS, cut), member, container)
+                if cut.is_complete:
+                    return read
+        return self._read(parse_document(content), Notes(self._cache, OWNERS), member, container)
+
+    def _read(self, parsed: ParsedDocument, notes: Notes, member: str, container: Container | None) -> ReadDocument:
         if parsed.recovered:
             notes.findings.append(Finding("L01", "E", parsed.recovered, parsed.error_line))
         if parsed.root.tag == "EtherCATDict":

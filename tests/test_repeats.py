@@ -1,0 +1,187 @@
+"""Repeated parts are recognised by their words: what is read must be what plain reading gives, wherever they stand."""
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from snippets import device, dictionary, esi
+
+from esicatalog.errors import EsiCatalogError
+from esicatalog.esi.reader import ReadDocument, Reader
+from esicatalog.esi.repeats import Repeats
+from esicatalog.ingest.discover import FoundArchive, archive_members, discover
+
+TYPE = "<DataType><Name>DT1000</Name><BitSize>32</BitSize></DataType>"
+OBJECT = "<Object><Index>#x1000</Index><Name>Type</Name><Type>DT1000</Type><BitSize>32</BitSize></Object>"
+BROKEN = "<Object><Index>#xZZ</Index><Name>Broken</Name></Object>"
+
+
+def plain(content: bytes, monkeypatch: pytest.MonkeyPatch) -> ReadDocument:
+    with monkeypatch.context() as patched:
+        patched.setattr(Repeats, "cut", lambda self, content: None)
+        return Reader().read(content)
+
+
+def twice(types: str, objects: str) -> str:
+    """Two devices with the same dictionary, laid out in lines."""
+    return esi(device("\n" + dictionary(types, objects) + "\n") + device(dictionary(types, objects), revision="#x2"))
+
+
+def parts_of(read: ReadDocument) -> tuple[tuple[object, ...], ...]:
+    dictionaries = [owner.profiles[0].dictionary for owner in read.document.infos[0].devices]
+    return tuple((*held.data_types, *held.objects) for held in dictionaries if held is not None)
+
+
+def test_the_same_words_give_the_same_records(monkeypatch):
+    content = twice(f"\n {TYPE}\n", f"\n {OBJECT}\n").encode()
+    read = Reader().read(content)
+    first, second = parts_of(read)
+    assert all(one is other for one, other in zip(first, second, strict=True))
+    assert read == plain(content, monkeypatch)
+
+
+def test_findings_of_repeated_parts_are_told_for_each_with_its_line_and_place():
+    text = twice(f"\n{TYPE}\n", f"\n{OBJECT}\n{OBJECT}\n{BROKEN}\n")
+    reader = Reader()
+    reader.read(twice(TYPE, f"\n{OBJECT}").encode())
+    expected = [number for number, line in enumerate(text.splitlines(), 1) if "#xZZ" in line]
+    found = reader.read(text.encode()).findings
+    assert [finding.line for finding in found] == expected
+    assert [finding.path.rpartition("Objects/")[2] for finding in found] == ["Object[2]/Index", "Object[2]/Index"]
+
+
+def test_places_of_findings_count_recognised_parts(monkeypatch):
+    reader = Reader()
+    reader.read(twice(TYPE, f"\n{OBJECT}").encode())
+    content = esi(device(dictionary(TYPE, f"\n{OBJECT}\n{OBJECT}\n{BROKEN}"))).encode()
+    assert [finding.path[-15:] for finding in reader.read(content).findings] == ["Object[2]/Index"]
+    assert reader.read(content) == plain(content, monkeypatch)
+
+
+def test_lines_behind_recognised_parts_stay_right():
+    text = esi(device(dictionary("\n" + TYPE, f"\n{OBJECT}\n\n{OBJECT}\n") + "\n<Junk/>"))
+    reader = Reader()
+    for _ in range(2):
+        (finding,) = reader.read(text.encode()).findings
+        assert finding.line == next(n for n, line in enumerate(text.splitlines(), 1) if "<Junk/>" in line)
+
+
+@pytest.mark.parametrize(
+    "around",
+    [
+        "<Name><![CDATA[<DataTypes>{}</DataTypes>]]></Name>",
+        "<!-- <DataTypes>{}</DataTypes> --><Name>N</Name>",
+        "<Name>N</Name><Unknown><DataTypes>{}</DataTypes></Unknown>",
+    ],
+)
+def test_words_in_other_places_are_left_alone(around, monkeypatch):
+    other = esi(f'<Device><Type ProductCode="#x7" RevisionNo="#x1">T</Type>{around.format(TYPE)}</Device>')
+    reader = Reader()
+    reader.read(twice(TYPE, OBJECT).encode())
+    assert reader.read(other.encode()) == plain(other.encode(), monkeypatch)
+
+
+@pytest.mark.parametrize(
+    "objects",
+    [
+        OBJECT + "<!-- </Object> -->" + OBJECT,
+        OBJECT.replace("Type<", "<!-- </Object> -->Type<") * 2,
+        OBJECT.replace("Type<", "<![CDATA[</Object><Object>]]><") * 2,
+        f"<!--first {OBJECT}-->{OBJECT}" * 2,
+        OBJECT.replace("<Object>", '<Object xmlns:a="urn:a" a:b="1">') * 2,
+        "text" + OBJECT + OBJECT,
+        OBJECT + "<Stray/>" + OBJECT,
+        OBJECT.replace("Type<", "Gr\u00f6\u00dfe<") * 2,
+    ],
+)
+def test_odd_layouts_read_as_they_stand(objects, monkeypatch):
+    content = twice(TYPE, objects).encode()
+    reader = Reader()
+    for _ in range(2):
+        assert reader.read(content) == plain(content, monkeypatch)
+
+
+def test_the_same_bytes_in_another_encoding_are_other_words():
+    text = '<?xml version="1.0" encoding="{}"?>' + twice(TYPE, OBJECT.replace("Type<", "\u00c3\u00a4<"))
+    reader = Reader()
+    latin = text.format("iso-8859-1").encode("iso-8859-1")
+    utf8 = latin.replace(b"iso-8859-1", b"utf-8")
+    names = [parts_of(reader.read(content))[0][1].names[0].text for content in (latin, utf8, latin)]
+    assert names == ["\u00c3\u00a4", "\u00e4", "\u00c3\u00a4"]
+
+
+def test_prefixed_names_depend_on_where_they_stand(monkeypatch):
+    marked = OBJECT.replace("<Index>", '<Index p:hint="1">')
+    reader = Reader()
+    for uri in ("urn:one", "urn:two"):
+        content = twice(TYPE, marked * 2).replace("<EtherCATInfo>", f'<EtherCATInfo xmlns:p="{uri}">').encode()
+        assert reader.read(content) == plain(content, monkeypatch)
+
+
+def test_a_full_memory_starts_anew(monkeypatch):
+    monkeypatch.setattr(Reader, "__init__", _small_reader)
+    reader = Reader()
+    contents = [twice(TYPE, OBJECT.replace("#x1000", f"#x{number:x}")).encode() for number in range(8)]
+    for content in contents * 2:
+        assert reader.read(content) == plain(content, monkeypatch)
+
+
+_init = Reader.__init__
+
+
+def _small_reader(self: Reader) -> None:
+    _init(self)
+    self._repeats._capacity_bytes = 300
+
+
+PIECES = st.sampled_from(
+    [TYPE, OBJECT, BROKEN, "\n", " ", "<!--", "-->", "<![CDATA[", "]]>", "</Object>", "<Object>", "<DataTypes>",
+     "</DataTypes>", "<Objects>", "</Objects>", "</Dictionary>", "<Object/>", "<Object a='1'>", "&amp;", "&x;", "<?p?>"]
+)  # fmt: skip
+
+
+@settings(max_examples=200)
+@given(st.lists(st.tuples(st.lists(PIECES, max_size=6), st.lists(PIECES, max_size=6)), min_size=1, max_size=3))
+def test_whatever_the_text_reading_is_the_same(documents):
+    reader = Reader()
+    reader.read(twice(TYPE, OBJECT).encode())
+    for types, objects in documents:
+        content = twice("".join(types), "".join(objects)).encode()
+        with pytest.MonkeyPatch.context() as monkeypatch:
+            monkeypatch.setattr(Repeats, "cut", lambda self, content: None)
+            expected = outcome(Reader(), content)
+        assert outcome(reader, content) == expected
+
+
+def outcome(reader: Reader, content: bytes) -> object:
+    try:
+        return reader.read(content)
+    except EsiCatalogError as error:
+        return str(error)
+
+
+@pytest.mark.corpus
+def test_every_real_document_reads_as_without_recognising(corpus: Path, monkeypatch):
+    reader, without = Reader(), Reader()
+    count = 0
+    for item in discover([corpus / "esi"]):
+        founds = archive_members(item) if isinstance(item, FoundArchive) else [item]
+        for found in founds:
+            if found.problem is not None or found.nested:
+                continue
+            content = _content(item, found)
+            with monkeypatch.context() as patched:
+                patched.setattr(Repeats, "cut", lambda self, content: None)
+                expected = outcome(without, content)
+            assert outcome(reader, content) == expected, found
+            count += 1
+    assert count > 300
+
+
+def _content(item: object, found: object) -> bytes:
+    from esicatalog.esi.containers import Archive
+
+    if isinstance(item, FoundArchive):
+        return Archive(Path(item.location)).read(found.name)  # type: ignore[attr-defined]
+    return Path(item.location).read_bytes()  # type: ignore[attr-defined]
