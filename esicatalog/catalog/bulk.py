@@ -1,6 +1,7 @@
 """Bulk inserts: rows of many documents are gathered per table and written parents first."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from operator import itemgetter
 from typing import Any
 
 import sqlalchemy as sa
@@ -10,6 +11,8 @@ from esicatalog.catalog.schema import metadata
 
 _CHUNK_ROWS = 10_000
 _MAX_QUEUED_ROWS = 50_000
+_SAMPLE_ROWS = 1_000
+_TABLES = metadata.sorted_tables
 
 
 class RowBuffer:
@@ -19,6 +22,7 @@ class RowBuffer:
         self._connection = connection
         self._next: dict[str, int] = {}
         self._rows: dict[str, list[tuple[Any, ...]]] = {}
+        self._shapes: dict[str, _Shape] = {}
 
     def take_ids(self, table: str, count: int = 1) -> int:
         """Reserve ``count`` consecutive row numbers of a table; returns the first."""
@@ -52,17 +56,57 @@ class RowBuffer:
 
     def flush(self) -> None:
         """Write all queued rows in an order that foreign keys allow."""
-        for table in metadata.sorted_tables:
+        for table in _TABLES:
             rows = self._rows.pop(table.name, None)
             if rows:
-                insert = self._statement(table)
-                for start in range(0, len(rows), _CHUNK_ROWS):
-                    self._connection.exec_driver_sql(insert, rows[start : start + _CHUNK_ROWS])
+                self._write(table, rows)
 
-    def _statement(self, table: sa.Table) -> str:
+    def _write(self, table: sa.Table, rows: list[tuple[Any, ...]]) -> None:
+        shape = self._shapes.get(table.name)
+        if shape is None:
+            shape = self._shapes[table.name] = _Shape(rows)
         mark = "?" if self._connection.dialect.paramstyle == "qmark" else "%s"
-        marks = ", ".join([mark] * len(table.columns))
-        return f"INSERT INTO {table.name} ({', '.join(c.name for c in table.columns)}) VALUES ({marks})"
+        names = table.columns.keys()
+        for start in range(0, len(rows), _CHUNK_ROWS):
+            for columns, part in shape.parts(rows[start : start + _CHUNK_ROWS]):
+                marks = ", ".join([mark] * len(columns))
+                insert = f"INSERT INTO {table.name} ({', '.join(names[at] for at in columns)}) VALUES ({marks})"
+                self._connection.exec_driver_sql(insert, part)
+
+
+class _Shape:
+    """Which columns of a table are seldom filled: handing over a NULL costs as much as a value, leaving it out nothing.
+
+    Learned from the first rows; rows that need more columns are inserted with all of them.
+    """
+
+    def __init__(self, rows: Sequence[tuple[Any, ...]]) -> None:
+        sample = rows[:_SAMPLE_ROWS]
+        self._all = range(len(rows[0]))
+        missing = [sum(value is None for value in column) for column in zip(*sample, strict=True)]
+        order = sorted(self._all, key=missing.__getitem__)
+        needed = sorted(
+            max((at for at, column in enumerate(order) if row[column] is not None), default=0) for row in sample
+        )
+        # As many leading columns as nine of ten rows need.
+        self._taken = order[: needed[len(needed) * 9 // 10] + 1]
+        self._take = itemgetter(*self._taken) if len(self._taken) > 1 else None
+        self._rest = order[len(self._taken) :]
+        self._leave = itemgetter(*self._rest) if len(self._rest) > 1 else None
+        self._nothing = (None,) * len(self._rest)
+
+    def parts(self, rows: list[tuple[Any, ...]]) -> Iterator[tuple[Sequence[int], list[tuple[Any, ...]]]]:
+        """Rows with the positions of the columns that they hold."""
+        if self._take is None or self._leave is None:
+            yield self._all, rows
+            return
+        leave, nothing = self._leave, self._nothing
+        full = [row for row in rows if leave(row) != nothing]
+        if full:
+            yield self._all, full
+            rows = [row for row in rows if leave(row) == nothing]
+        if rows:
+            yield self._taken, list(map(self._take, rows))
 
 
 def chunks(values: Iterable[Any], size: int = 500) -> Iterable[list[Any]]:
