@@ -151,6 +151,9 @@ TABLE_RECORDS: dict[str, type[Record]] = {
 _KINDS = {int: "int", bool: "bool", float: "float", str: "text"}
 _EXTENSION_OWNERS = (Device, Module, Profile, Mailbox, OpMode, Eeprom)
 
+_NOTHING: tuple[Any, ...] = ()
+"""Default of every field that collects repeated elements; there is one empty tuple only."""
+
 _encode_json = msgspec.json.Encoder().encode
 
 
@@ -214,8 +217,11 @@ class Codec:
             return taken
         values = list(taken)
         for at, convert in self._converters:
-            if values[at] is not None:
-                values[at] = convert(values[at])
+            value = values[at]
+            if value is None or value is _NOTHING:
+                values[at] = None
+            else:
+                values[at] = convert(value)
         for derive in self._derive:
             values.extend(self._derived_getter(derive(record)))
         return tuple(values)

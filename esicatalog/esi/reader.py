@@ -14,7 +14,7 @@ from esicatalog.esi.documents import ParsedDocument, parse_as_it_is, parse_docum
 from esicatalog.esi.notes import Finding, Notes, SubtreeCache
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import Diagnostics
-from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
+from esicatalog.esi.records.dictionary import DataType, Dictionary, Flags, Object
 from esicatalog.esi.records.document import (
     DiagInfo,
     DictInfo,
@@ -32,7 +32,7 @@ from esicatalog.esi.repeats import Repeats
 OWNERS: frozenset[type] = frozenset({Device, Module})
 """Records that keep the unmapped values found below them."""
 
-_CACHED: frozenset[type] = frozenset({DataType, Object, Pdo})
+_CACHED: frozenset[type] = frozenset({DataType, Flags, Object, Pdo})
 """Records that repeat from device to device and from revision to revision, or within one."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
 _MAX_STANDALONE = 1_000

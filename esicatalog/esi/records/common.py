@@ -26,6 +26,8 @@ class Property(Record):
 
 def display_text(names: tuple[Name, ...], lcid: int = ENGLISH) -> str | None:
     """The text to show: the asked language, else English, else the one without (or with zero) LcId, else the first."""
+    if not names:
+        return None
     for wanted in (lcid, ENGLISH, None, 0):
         for name in names:
             if name.lcid == wanted and name.text:
