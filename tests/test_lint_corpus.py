@@ -6,13 +6,13 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from lxml import etree
 
 from esicatalog.errors import EsiCatalogError
 from esicatalog.esi.containers import Archive
 from esicatalog.esi.documents import parse_document
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import Reader
+from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.registry import SEVERITY_WORDS
 from esicatalog.lint.schema import SchemaFolder
@@ -39,11 +39,14 @@ def linted(archives: list[Path], schema: SchemaFolder) -> Iterator[Linted]:
     for archive in archives:
         for name, content, container in documents(archive):
             try:
-                read = reader.read(content, name.partition("!")[2], container)
+                read, tree = reader.read_tree(content, name.partition("!")[2], container)
             except EsiCatalogError:
                 continue
-            root: etree._Element = parse_document(content).root
-            yield Linted(name, linter.document(read, lambda root=root: root, lambda _: True), schema.violations(root))
+            plain = DocumentTree(parse_document(content).root)
+            findings = linter.document(read, tree, lambda _: True)
+            # What was recognised before it was parsed is told with the same place and line.
+            assert findings == linter.document(read, lambda plain=plain: plain, lambda _: True), name
+            yield Linted(name, findings, schema.violations(plain.root))
 
 
 @pytest.fixture(scope="module")

@@ -6,6 +6,7 @@ from snippets import device, dictionary, esi, pdo
 from esicatalog.esi.documents import parse_document
 from esicatalog.esi.notes import local_path
 from esicatalog.esi.reader import Reader
+from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.dictionaries import IdentityMemo
 from esicatalog.lint.linter import RECORD_RULES, Linter
 from esicatalog.lint.locator import Locator
@@ -21,7 +22,7 @@ DEVICES = "EtherCATInfo/Descriptions/Devices"
 
 def locator(text: str) -> Locator:
     content = text.encode()
-    return Locator(Reader().read(content).document, lambda: parse_document(content).root)
+    return Locator(Reader().read(content).document, lambda: DocumentTree(parse_document(content).root))
 
 
 @pytest.mark.parametrize(

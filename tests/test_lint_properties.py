@@ -12,6 +12,7 @@ from esicatalog.errors import DocumentError
 from esicatalog.esi.documents import parse_document
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import Reader
+from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.library import device_facts, lint_library
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.registry import SEVERITY_WORDS
@@ -80,7 +81,7 @@ def mutated(root: etree._Element, chance: random.Random) -> bytes:
 def check(content: bytes, linter: Linter) -> list[Finding]:
     """Findings of a document; every one is fit to be stored and printed."""
     read = Reader().read(content)
-    findings = linter.document(read, lambda: parse_document(content).root, lambda _: False)
+    findings = linter.document(read, lambda: DocumentTree(parse_document(content).root), lambda _: False)
     facts = list(device_facts(read, "a.xml", lambda device, modules, vendor_id: repr(device.type).encode()))
     findings += [item.finding for item in lint_library([*facts, *facts], ALL_RULES)]
     lines = content.count(b"\n") + 1

@@ -216,19 +216,24 @@ class _Run:
     def _document(self, found: "Found", shown: str) -> "list[Finding]":
         from esicatalog.esi.containers import resolve_reference
         from esicatalog.esi.documents import parse_document
+        from esicatalog.esi.tree import DocumentTree
         from esicatalog.lint.library import device_facts
 
         container = self._container(found)
         pulled = self._reader.pulled(container, found.name)
         content = container.read(found.name)
-        read = self._reader.read(content, found.name, container) if pulled is None else pulled.document
+        if pulled is None:
+            read, tree = self._reader.read_tree(content, found.name, container)
+        else:
+            read, tree = pulled.document, lambda: DocumentTree(parse_document(content).root)
+        tree = _once(tree)
         self.document_count += 1
-        root = _once(lambda: parse_document(content).root)
         findings = self._linter.document(
-            read, root, lambda name: resolve_reference(container, found.name, name) is not None
+            read, tree, lambda name: resolve_reference(container, found.name, name) is not None
         )
         if self._schema is not None and any(rule.id == "L03" for rule in self._rules):
-            findings = sorted([*findings, *self._schema.violations(root())], key=lambda finding: finding.line)
+            violations = self._schema.violations(tree().whole())
+            findings = sorted([*findings, *violations], key=lambda finding: finding.line)
         self._facts.extend(device_facts(read, shown, self._signature))
         return findings
 

@@ -1,5 +1,6 @@
 """Reading documents into records, with everything they refer to."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -28,6 +29,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.repeats import Repeats
+from esicatalog.esi.tree import DocumentTree
 
 OWNERS: frozenset[type] = frozenset({Device, Module})
 """Records that keep the unmapped values found below them."""
@@ -36,6 +38,8 @@ _CACHED: frozenset[type] = frozenset({DataType, Flags, Object, Pdo})
 """Records that repeat from device to device and from revision to revision, or within one."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
 _MAX_STANDALONE = 1_000
+_COUNTED_LINES = 65_535
+"""libxml2 keeps the line of an element in 16 bits; beyond, it goes by the texts around, which must not be cut out."""
 
 
 class ReadDocument(msgspec.Struct, frozen=True):
@@ -73,14 +77,24 @@ class Reader:
         ``member`` is its name within ``container``, against which references are resolved; without a container
         they stay unresolved. Raises :class:`NotAnEsiDocument` and :class:`BrokenDocument`.
         """
+        return self.read_tree(content, member, container)[0]
+
+    def read_tree(
+        self, content: bytes, member: str = "", container: Container | None = None
+    ) -> tuple[ReadDocument, Callable[[], DocumentTree]]:
+        """:meth:`read`, and what gives the elements of the document."""
         cut = self._repeats.cut(content)
         if cut is not None:
             parsed = parse_as_it_is(cut.content)
             if parsed is not None:
                 read = self._read(parsed, Notes(self._cache, OWNERS, cut), member, container)
-                if cut.is_complete:
-                    return read
-        return self._read(parse_document(content), Notes(self._cache, OWNERS), member, container)
+                has_exact_lines = content.count(b"\n") < _COUNTED_LINES
+                if cut.is_complete and (has_exact_lines or not read.findings):
+                    if has_exact_lines:
+                        return read, DocumentTree(parsed.root, cut).itself
+                    return read, lambda: DocumentTree(parse_document(content).root)
+        parsed = parse_document(content)
+        return self._read(parsed, Notes(self._cache, OWNERS), member, container), DocumentTree(parsed.root).itself
 
     def _read(self, parsed: ParsedDocument, notes: Notes, member: str, container: Container | None) -> ReadDocument:
         if parsed.recovered:

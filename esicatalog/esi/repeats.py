@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 from lxml import etree
 
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
+from esicatalog.esi.documents import make_parser
 
 _MARK = f"repeated-{secrets.token_hex(8)}"
 _MARK_BYTES = _MARK.encode()
@@ -44,7 +45,12 @@ _TYPES = _Kind(re.compile(rb"<DataTypes>"), b"</DataTypes>", b"<DataType", b"</D
 _OBJECTS = _Kind(re.compile(rb"\s*<Objects>"), b"</Objects>", b"<Object", b"</Object>")
 
 
+LISTS = ("DataTypes", "Objects")
+"""Elements whose children may be cut out."""
+
+
 class _Known(NamedTuple):
+    words: bytes
     record: Any
     line_count: int
 
@@ -67,11 +73,12 @@ class Cut:
 
     def __init__(self, ascii_parts: _Parts, parts: _Parts, record_types: dict[type, _Kind]) -> None:
         self.content = b""
+        self.encoding: str | None = None
         self.learned_bytes = 0
         self._ascii = ascii_parts
         self._known = parts
         self._record_types = record_types
-        self._marks: list[tuple[_Kind, _New | list[Any]]] = []
+        self._marks: list[tuple[_Kind, _New | list[_Known]]] = []
         self._new: _Parts = {_TYPES: {}, _OBJECTS: {}}
         self._met = 0
 
@@ -87,15 +94,14 @@ class Cut:
     def mark_new(self, kind: _Kind, words: bytes) -> bytes:
         """The attribute that marks a new part."""
         new = _New(words)
-        self._new[kind][words] = _Known(new, words.count(b"\n"))
+        self._new[kind][words] = _Known(words, new, words.count(b"\n"))
         return self._mark(kind, new)
 
     def placeholder(self, kind: _Kind, run: list[_Known]) -> bytes:
         """An element for a run of known parts, as many lines long as they are: lines of findings stay right."""
-        mark = self._mark(kind, [known.record for known in run])
-        return kind.part_opening + mark + b"/>" + b"\n" * sum(known.line_count for known in run)
+        return kind.part_opening + self._mark(kind, run) + b"/>" + b"\n" * sum(known.line_count for known in run)
 
-    def _mark(self, kind: _Kind, part: _New | list[Any]) -> bytes:
+    def _mark(self, kind: _Kind, part: _New | list[_Known]) -> bytes:
         self._marks.append((kind, part))
         return b' %s="%d"' % (_MARK_BYTES, len(self._marks) - 1)
 
@@ -110,7 +116,7 @@ class Cut:
             del element.attrib[_MARK]
             self._met += expected is kind
             return part
-        records = tuple(record.record if type(record) is _New else record for record in part)
+        records = tuple(item.record.record if type(item.record) is _New else item.record for item in part)
         self._met += expected is kind and None not in records
         return records
 
@@ -120,6 +126,21 @@ class Cut:
         part = self._marks[int(number)][1] if number is not None else None
         return len(part) if isinstance(part, list) else 1
 
+    def unfold(self, around: etree._Element) -> None:
+        """Put the elements that were cut out back into a list of parts, each with its line."""
+        for element in list(around):
+            number = element.get(_MARK)
+            kind, run = self._marks[int(number)] if number is not None else (_TYPES, None)
+            if not isinstance(run, list):
+                continue
+            text = b"".join(item.words + kind.part_closing for item in run)
+            inside = etree.fromstring(b"<list>" + text + b"</list>", make_parser(encoding=self.encoding))
+            lines_before = (element.sourceline or 1) - 1
+            for item in inside.iter():
+                item.sourceline = (item.sourceline or 1) + lines_before  # type: ignore[misc]
+            at = around.index(element)
+            around[at : at + 1] = list(inside)
+
     def learn(self, record_type: type, new: _New, record: Any, element: etree._Element) -> None:
         """Remember what a new part means, unless names in it depend on where it stands."""
         words = new.words
@@ -128,7 +149,7 @@ class Cut:
         new.record = record
         parts = self._ascii if words.isascii() else self._known
         kind = self._record_types[record_type]
-        parts[kind][words] = _Known(record, self._new[kind][words].line_count)
+        parts[kind][words] = self._new[kind][words]._replace(record=record)
         self.learned_bytes += len(words)
 
 
@@ -157,6 +178,7 @@ class Repeats:
         if encoding is None:
             return None
         self._last = cut = Cut(self._known[_ASCII], self._known[encoding], self._record_types)
+        cut.encoding = encoding.decode() or None
         pieces: list[bytes] = []
         copied = 0
         for kind, start, end in _lists(content):

@@ -77,14 +77,14 @@ class Linter:
     def document(self, read: ReadDocument, tree: Tree, find_file: FileFinder | None = None) -> list[Finding]:
         """All findings about a document, those of its reader included, by line.
 
-        ``tree`` gives the root of the parsed document; it is called only when there is something to report, or for
+        ``tree`` gives the elements of the document; it is called only when there is something to report, or for
         the rules that look at elements (see :data:`RECORD_RULES`).
         ``find_file`` tells whether a file that the document names lies beside it.
         """
         findings = [finding for finding in read.findings if finding.rule in self._ids]
         hits = self._document(read.document, find_file)
         if self._checks[OrderSubject]:
-            hits += self._check(OrderSubject(read.document, tree(), self._order), OrderSubject)
+            hits += self._check(OrderSubject(read.document, tree().whole(), self._order), OrderSubject)
         if hits:
             locator = Locator(read.document, tree)
             for hit in hits:

@@ -11,10 +11,11 @@ from lxml import etree
 
 from esicatalog.esi.binding import Field, Record, fields_of
 from esicatalog.esi.records.document import DiagInfo, DictInfo, Document, EsiInfo, InfoList, ModuleInfo
+from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.registry import Place
 
-Tree = Callable[[], etree._Element]
-"""Gives the root element of a parsed document."""
+Tree = Callable[[], DocumentTree]
+"""Gives the elements of a document."""
 
 _ROOTS: dict[str, type[Record]] = {
     "EtherCATInfo": EsiInfo,
@@ -67,7 +68,7 @@ class Locator:
 
     def _root(self) -> _Known:
         record_type = _ROOTS[self._document.root]
-        return _Known(self._document, _fields(record_type), self._document.root, self._tree(), True)
+        return _Known(self._document, _fields(record_type), self._document.root, self._tree().root, True)
 
     def _step(self, place: Place) -> _Known:
         if place == _SECTION and (record_type := _ROOTS[self._document.root]) in _SINGLE_SECTION:
@@ -86,6 +87,9 @@ class Locator:
             shown += f"[{position}]" if len(value) > 1 else ""
             value = value[position]
         fields = _fields(type(value)) if isinstance(value, Record) else {}
+        if around.exact and field.many:
+            for holder in around.element.iterfind(path.rpartition("/")[0] or "."):
+                self._tree().unfold(holder)
         elements = _nth(path)(around.element, number=(position or 0) + 1) if around.exact else ()
         for element in elements:
             return _Known(value, fields, shown, element, True)
