@@ -6,6 +6,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from esicatalog.catalog.copy_rows import copy_rows
 from esicatalog.catalog.derived import DerivedRows
 from esicatalog.catalog.schema import metadata
 
@@ -33,6 +34,10 @@ class RowBuffer:
         self._next[table] = first + count
         return first
 
+    def forget_ids(self) -> None:
+        """After others wrote: the next row numbers are looked up again. Nothing may be queued."""
+        self._next.clear()
+
     def add(self, table: str, rows: Iterable[tuple[Any, ...]]) -> None:
         """Queue complete rows (all columns in the order of the table)."""
         self._rows.setdefault(table, []).extend(rows)
@@ -58,18 +63,19 @@ class RowBuffer:
         """Write all queued rows in an order that foreign keys allow."""
         for table in _TABLES:
             rows = self._rows.pop(table.name, None)
-            if rows:
+            if rows and self._connection.dialect.name != "sqlite":
+                copy_rows(self._connection, table, rows)
+            elif rows:
                 self._write(table, rows)
 
     def _write(self, table: sa.Table, rows: list[tuple[Any, ...]]) -> None:
         shape = self._shapes.get(table.name)
         if shape is None:
             shape = self._shapes[table.name] = _Shape(rows)
-        mark = "?" if self._connection.dialect.paramstyle == "qmark" else "%s"
         names = table.columns.keys()
         for start in range(0, len(rows), _CHUNK_ROWS):
             for columns, part in shape.parts(rows[start : start + _CHUNK_ROWS]):
-                marks = ", ".join([mark] * len(columns))
+                marks = ", ".join("?" * len(columns))
                 insert = f"INSERT INTO {table.name} ({', '.join(names[at] for at in columns)}) VALUES ({marks})"
                 self._connection.exec_driver_sql(insert, part)
 

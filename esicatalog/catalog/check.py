@@ -40,7 +40,7 @@ def check_catalog(connection: sa.Connection) -> CheckResult:
             f"{table}: row {row} refers to a missing row of {parent}"
             for table, row, parent, _ in connection.exec_driver_sql("PRAGMA foreign_key_check")
         ]
-        problems += _full_text_problems(connection)
+    problems += _full_text_problems(connection)
     problems += _orphans(connection)
     problems += _variant_problems(connection)
     recomputed = content_hash(connection)

@@ -105,7 +105,7 @@ def _findings(connection: sa.Connection, device_id: int) -> tuple[SourceFinding,
             findings.line < sa.func.coalesce(next_device.scalar_subquery(), sa.literal(_NO_LINE)),
             findings.line < sa.func.coalesce(next_module.scalar_subquery(), sa.literal(_NO_LINE)),
         )
-        .order_by(sources.member, findings.line)
+        .order_by(sources.member, findings.line, sources.location, findings.id)
         .limit(_MOST_FINDINGS)
     )
     return tuple(SourceFinding(*row) for row in connection.execute(query))

@@ -23,7 +23,13 @@ SUMMARY = (
         devices.c.name,
     )
     .outerjoin(vendors, vendors.c.vendor_id == devices.c.vendor_id)
-    .order_by(devices.c.vendor_id, devices.c.product_code, devices.c.revision_no, devices.c.variant)
+    .order_by(
+        devices.c.vendor_id.nulls_first(),
+        devices.c.product_code.nulls_first(),
+        devices.c.revision_no.nulls_first(),
+        devices.c.variant,
+        devices.c.type.nulls_first(),
+    )
 )
 """Descriptions as lists show them; :func:`summary` makes values of its rows."""
 

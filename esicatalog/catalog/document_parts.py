@@ -27,7 +27,7 @@ def document_parts(connection: sa.Connection, device_id: int) -> DocumentParts:
         sa.select(placed.source_id, placed.section)
         .join(schema.sources, sources.id == placed.source_id)
         .where(placed.device_id == device_id)
-        .order_by(sources.member, placed.line)
+        .order_by(sources.member, placed.line, sources.location)
         .limit(1)
     ).first()
     if section is None:

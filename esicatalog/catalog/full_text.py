@@ -2,6 +2,7 @@
 
 The FTS5 table splits at word boundaries (unicode61), so words of one or two characters are found. To find ``1100``
 in ``EL1100`` the column ``words`` holds the endings of types' and names' words, and a search word is a prefix.
+Other databases search the same words by :mod:`esicatalog.catalog.word_search`.
 """
 
 import re
@@ -9,7 +10,7 @@ from collections.abc import Iterable
 
 import sqlalchemy as sa
 
-from esicatalog.catalog import schema
+from esicatalog.catalog import schema, word_search
 from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.views import FULL_TEXT
 
@@ -24,12 +25,27 @@ def search_expression(text: str) -> str:
     A word matches the beginning of a word in vendor, type or name, from three characters on also the inside of one,
     or a whole number of the identity; ``#x…`` counts as ``0x…``.
     """
-    words = _WORD.findall(text.replace("#x", "0x").replace("#X", "0x"))
-    return " AND ".join(map(_word_expression, words)) or _NOTHING
+    return " AND ".join(map(_word_expression, _search_words(text))) or _NOTHING
+
+
+def _matches_inside(word: str) -> bool:
+    return len(word) >= _SHORTEST_ENDING
+
+
+def _search_words(text: str) -> list[str]:
+    return _WORD.findall(text.replace("#x", "0x").replace("#X", "0x"))
+
+
+def text_condition(text: str, dialect: str) -> sa.ColumnElement[bool]:
+    """The condition on ``devices`` for what a user typed."""
+    if dialect != "sqlite":
+        return word_search.condition([(word, _matches_inside(word)) for word in _search_words(text)])
+    match = sa.text(f"devices.id IN (SELECT rowid FROM {FULL_TEXT} WHERE {FULL_TEXT} MATCH :words)")
+    return match.bindparams(words=search_expression(text))
 
 
 def _word_expression(word: str) -> str:
-    columns = "vendor type name" if len(word) < _SHORTEST_ENDING else "vendor type name words"
+    columns = "vendor type name words" if _matches_inside(word) else "vendor type name"
     return f'({{{columns}}} : "{word}"* OR identity : "{word}")'
 
 
@@ -49,8 +65,7 @@ def word_endings(text: str) -> list[str]:
 
 def index_devices(connection: sa.Connection, device_ids: Iterable[int]) -> None:
     """Write the search rows of these devices anew; rows of devices that are gone disappear."""
-    if connection.dialect.name != "sqlite":
-        return
+    is_sqlite = connection.dialect.name == "sqlite"
     columns = schema.devices.c
     query = (
         sa.select(
@@ -81,6 +96,9 @@ def index_devices(connection: sa.Connection, device_ids: Iterable[int]) -> None:
             name = " ".join(dict.fromkeys(names.get(row.id, [])))
             endings = word_endings(f"{row.type or ''} {name}")
             rows.append((row.id, row.vendor, row.type, name, " ".join(identity), " ".join(endings)))
+        if not is_sqlite:
+            word_search.write(connection, part, rows)
+            continue
         connection.exec_driver_sql(
             f"DELETE FROM {FULL_TEXT} WHERE rowid IN ({', '.join('?' * len(part))})", tuple(part)
         )

@@ -20,13 +20,13 @@ _COLUMNS = "d.id, d.vendor_id, d.product_code, d.revision_no, d.variant, v.name,
 _OF_PRODUCT = (
     f"SELECT {_COLUMNS}, d.check_revision_no, f.image_signature FROM devices d "
     "LEFT JOIN vendors v ON v.vendor_id = d.vendor_id JOIN device_facts f ON f.device_id = d.id "
-    "WHERE d.vendor_id = ? AND d.product_code = ? ORDER BY d.revision_no, d.variant"
+    "WHERE d.vendor_id = ? AND d.product_code = ? ORDER BY d.revision_no NULLS FIRST, d.variant, d.type NULLS FIRST"
 )
 _SOURCES = (
     "SELECT s.member, s.location, x.line, x.group_type, y.file_version, s.status FROM device_sources x "
     "JOIN sources s ON s.id = x.source_id "
     "LEFT JOIN source_vendors y ON y.source_id = x.source_id AND y.position = x.section "
-    "WHERE x.device_id = ? ORDER BY s.member, x.line"
+    "WHERE x.device_id = ? ORDER BY s.member, x.line, s.location"
 )
 _LAYOUT = (
     "SELECT p.image_sm, e.image_bit_offset, e.entry_index, coalesce(e.subindex, 0), e.bit_length FROM pdos p "
@@ -38,7 +38,8 @@ _VENDOR = "SELECT name FROM vendors WHERE vendor_id = ?"
 _NEAR_PRODUCTS = (
     f"SELECT {_COLUMNS} FROM devices d LEFT JOIN vendors v ON v.vendor_id = d.vendor_id "
     "WHERE d.vendor_id = ? AND d.variant = 1 AND d.product_code IS NOT NULL "
-    f"ORDER BY abs(d.product_code - ?), d.product_code, d.hidden, d.revision_no LIMIT {NEAREST}"
+    "ORDER BY abs(d.product_code - ?), d.product_code, d.hidden, d.revision_no NULLS FIRST, d.type NULLS FIRST "
+    f"LIMIT {NEAREST}"
 )
 
 Query = Callable[[str, tuple[Any, ...]], Iterable[tuple[Any, ...]]]

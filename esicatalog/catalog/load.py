@@ -8,6 +8,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.settle import CONTENT_HASH, content_hash, read_state, write_state
+from esicatalog.catalog.turns import take_turn
 from esicatalog.errors import CatalogError
 
 _INDEXES_PENDING = "indexes_pending"
@@ -27,18 +28,14 @@ def prepare_load(connection: sa.Connection) -> None:
     if read_state(connection, _INDEXES_PENDING):
         _check_foreign_keys(connection)
         _create_indexes(connection)
-    if is_empty:
+    # A server's catalog may have others loading into it: it keeps its indexes and checks every key.
+    if is_empty and connection.dialect.name == "sqlite":
         write_state(connection, _INDEXES_PENDING, "1")
         for index in _secondary_indexes():
             connection.execute(sa.schema.DropIndex(index, if_exists=True))
     connection.commit()
     if is_empty:
         _enforce_foreign_keys(connection, False)
-
-
-def forget_content_hash(connection: sa.Connection) -> None:
-    """The catalog is about to change: until the load is finished there is no content hash."""
-    write_state(connection, CONTENT_HASH, None)
 
 
 def finish_load(connection: sa.Connection, changed: bool) -> None:
@@ -50,6 +47,7 @@ def finish_load(connection: sa.Connection, changed: bool) -> None:
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql("PRAGMA synchronous = FULL")
     if changed or read_state(connection, CONTENT_HASH) is None:
+        take_turn(connection)
         write_state(connection, CONTENT_HASH, content_hash(connection))
         connection.commit()
         if connection.dialect.name == "sqlite":

@@ -12,10 +12,9 @@ from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.conditions import Condition
 from esicatalog.catalog.device_filter import DeviceFilter
 from esicatalog.catalog.devices import find_device, summary
-from esicatalog.catalog.full_text import search_expression
+from esicatalog.catalog.full_text import text_condition
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import devices, vendors
-from esicatalog.catalog.views import FULL_TEXT
 from esicatalog.errors import InputError
 from esicatalog.identity import Identity
 
@@ -64,7 +63,13 @@ def device_query(found: Sequence[Condition], wanted: DeviceFilter) -> sa.Select[
         )
         .outerjoin(vendors, vendors.c.vendor_id == columns.vendor_id)
         .where(*_fulfilled(found, wanted))
-        .order_by(columns.vendor_id, columns.product_code, columns.revision_no, columns.type, columns.variant)
+        .order_by(
+            columns.vendor_id.nulls_first(),
+            columns.product_code.nulls_first(),
+            columns.revision_no.nulls_first(),
+            columns.type.nulls_first(),
+            columns.variant,
+        )
     )
     return query.limit(wanted.limit) if wanted.limit is not None else query
 
@@ -99,7 +104,7 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
     if wanted.product_code is not None:
         yield Condition(columns.product_code == wanted.product_code)
     if wanted.text is not None:
-        yield Condition(_text_condition(wanted.text, connection.dialect.name))
+        yield Condition(text_condition(wanted.text, connection.dialect.name))
     if wanted.profile_no is not None:
         yield content.profile(wanted.profile_no)
     yield from (capability.drive_mode(mode, wanted.strict) for mode in wanted.modes)
@@ -129,19 +134,3 @@ def _like_condition(connection: sa.Connection, identity: Identity) -> Condition:
     if facts.image_signature is None:
         raise InputError(f"{found.identity_text} has no process data by default; there is no layout to compare")
     return capability.like(number, f"{found.identity_text} {found.type or ''}".rstrip(), facts)
-
-
-def _text_condition(text: str, dialect: str) -> Any:
-    if dialect == "sqlite":
-        match = sa.text(f"devices.id IN (SELECT rowid FROM {FULL_TEXT} WHERE {FULL_TEXT} MATCH :words)")
-        return match.bindparams(words=search_expression(text))
-    texts = schema.device_names.c
-    words = [
-        sa.or_(
-            devices.c.type.icontains(word, autoescape=True),
-            vendors.c.name.icontains(word, autoescape=True),
-            devices.c.id.in_(sa.select(texts.device_id).where(texts.text.icontains(word, autoescape=True))),
-        )
-        for word in text.split()
-    ]
-    return sa.and_(sa.true(), *words)

@@ -314,6 +314,11 @@ def content_hash(connection: sa.Connection) -> str:
     return hashed.hexdigest()
 
 
+def forget_content_hash(connection: sa.Connection) -> None:
+    """The catalog is about to change: until a load is finished there is no content hash."""
+    write_state(connection, CONTENT_HASH, None)
+
+
 def write_state(connection: sa.Connection, key: str, value: str | None) -> None:
     """Set or delete (None) an entry of catalog_state."""
     state = schema.catalog_state

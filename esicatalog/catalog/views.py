@@ -13,6 +13,7 @@ from esicatalog.model.cia402 import CIA402, DRIVE_MODES
 from esicatalog.model.revisions import BECKHOFF
 
 FULL_TEXT = "device_search"
+TOKENIZER = "unicode61 remove_diacritics 2"
 FULL_TEXT_DOC = (
     "Full-text index over vendors, types, names and identities in every notation; words match from the start."
 )
@@ -28,8 +29,9 @@ class View(NamedTuple):
 
 def hex_text(expression: str, digits: int, dialect: str) -> str:
     """SQL for a number as ``0x…`` text with at least ``digits`` digits; NULL stays NULL."""
-    if dialect == "postgresql":
-        return f"'0x' || lpad(to_hex({expression}), {digits}, '0')"
+    if dialect != "sqlite":
+        digits_text = f"to_hex({expression})"
+        return f"'0x' || lpad({digits_text}, greatest({digits}, length({digits_text})), '0')"
     return f"CASE WHEN {expression} IS NOT NULL THEN printf('0x%0{digits}x', {expression}) END"
 
 
@@ -58,13 +60,20 @@ def _revision_text(dialect: str) -> str:
 
 
 def _dashed(expression: str, dialect: str) -> str:
-    if dialect == "postgresql":
-        return f"'-' || lpad({expression}::text, greatest(4, length({expression}::text)), '0')"
+    if dialect != "sqlite":
+        digits_text = f"CAST({expression} AS TEXT)"
+        return f"'-' || lpad({digits_text}, greatest(4, length({digits_text})), '0')"
     return f"printf('-%04d', {expression})"
 
 
 def _byte_bit(bits: str) -> str:
-    return f"({bits} / 8) || '.' || ({bits} % 8)"
+    # shifted, not divided: there are databases whose integers divide into fractions
+    return f"CAST({bits} >> 3 AS TEXT) || '.' || CAST({bits} & 7 AS TEXT)"
+
+
+def _number(bound: str) -> str:
+    """SQL for a bound that is an integer or a real; a real type for both would round 64-bit integers."""
+    return f"coalesce(CAST(z.{bound}_int AS NUMERIC), CAST(z.{bound}_real AS NUMERIC))"
 
 
 def _signed(data_type: str) -> str:
@@ -90,7 +99,7 @@ _MODULES = "FROM modules m LEFT JOIN vendors v ON v.vendor_id = m.vendor_id"
 
 
 def views(dialect: str) -> list[View]:
-    """All views in SQL of the dialect (``sqlite`` or ``postgresql``)."""
+    """All views in SQL of SQLite or, for any other dialect, of PostgreSQL."""
     return [
         _overview(dialect),
         *_owner_views("device", dialect),
@@ -175,8 +184,8 @@ def _pdo_entries_view(kind: str, identity: str, source: str, dialect: str) -> Vi
         f"coalesce({described(_signed('z.base_type'))}, {_signed('e.data_type')}) AS signed, "
         f"{described('o.name')} AS object_name, {described('z.name')} AS object_entry_name, "
         f"{described(hex_text('z.unit', 8, dialect))} AS unit_hex, "
-        f"{described('coalesce(z.min_int, z.min_real)')} AS minimum, "
-        f"{described('coalesce(z.max_int, z.max_real)')} AS maximum, "
+        f"{described(_number('min'))} AS minimum, "
+        f"{described(_number('max'))} AS maximum, "
         "(SELECT coalesce(sum(b.bit_length), 0) FROM pdo_entries b "
         "WHERE b.pdo_id = e.pdo_id AND b.position < e.position) AS bit_offset_in_pdo, "
         f"p.id AS pdo_id, p.position AS pdo_position, e.position {source} "
@@ -216,8 +225,8 @@ def _capabilities(dialect: str) -> list[View]:
             "AS layout_changed, "
             "f.output_bytes, f.input_bytes, f.image_signature "
             "FROM (SELECT id, vendor_id, product_code, coalesce("
-            "lag(id) OVER (PARTITION BY vendor_id, product_code, type ORDER BY revision_no), "
-            "lag(id) OVER (PARTITION BY vendor_id, product_code ORDER BY revision_no)) AS previous_id "
+            "lag(id) OVER (PARTITION BY vendor_id, product_code, type ORDER BY revision_no NULLS FIRST), "
+            "lag(id) OVER (PARTITION BY vendor_id, product_code ORDER BY revision_no NULLS FIRST)) AS previous_id "
             "FROM devices WHERE variant = 1 AND vendor_id IS NOT NULL AND product_code IS NOT NULL) r "
             "JOIN devices d ON d.id = r.id LEFT JOIN vendors v ON v.vendor_id = d.vendor_id "
             "JOIN device_facts f ON f.device_id = d.id LEFT JOIN device_facts b ON b.device_id = r.previous_id",
@@ -245,7 +254,7 @@ def _capabilities(dialect: str) -> list[View]:
                 for mode in DRIVE_MODES
             )
             + f" {_DEVICES} JOIN drive_modes m ON m.device_id = d.id AND m.kind = '{CIA402}' "
-            f"WHERE d.variant = 1 AND d.hidden = {'false' if dialect == 'postgresql' else '0'} "
+            f"WHERE d.variant = 1 AND d.hidden = {'0' if dialect == 'sqlite' else 'false'} "
             "GROUP BY d.vendor_id, v.name",
         ),
     ]
@@ -298,14 +307,17 @@ def _problems(dialect: str) -> list[View]:
 
 
 def create_views(connection: sa.Connection) -> None:
-    """Make all views and, on SQLite, the full-text table anew; the caller fills it."""
+    """Make all views and the full-text table anew; the caller fills it."""
     drop_views(connection)
     for view in views(connection.dialect.name):
         connection.exec_driver_sql(f"CREATE VIEW {view.name} AS {view.select}")
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql(
-            f"CREATE VIRTUAL TABLE {FULL_TEXT} USING fts5(vendor, type, name, identity, words, "
-            "tokenize = 'unicode61 remove_diacritics 2')"
+            f"CREATE VIRTUAL TABLE {FULL_TEXT} USING fts5(vendor, type, name, identity, words, tokenize = '{TOKENIZER}')"
+        )
+    else:
+        connection.exec_driver_sql(
+            f"CREATE TABLE {FULL_TEXT} (device_id BIGINT PRIMARY KEY, named TEXT, identity TEXT, words TEXT)"
         )
 
 
@@ -313,5 +325,4 @@ def drop_views(connection: sa.Connection) -> None:
     """Drop all views, those of older versions too, and the full-text table."""
     for name in sa.inspect(connection).get_view_names():
         connection.exec_driver_sql(f"DROP VIEW IF EXISTS {name}")
-    if connection.dialect.name == "sqlite":
-        connection.exec_driver_sql(f"DROP TABLE IF EXISTS {FULL_TEXT}")
+    connection.exec_driver_sql(f"DROP TABLE IF EXISTS {FULL_TEXT}")

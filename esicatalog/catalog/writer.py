@@ -23,7 +23,8 @@ from esicatalog.catalog.rows import (
     TypeRows,
     TypeSetRows,
 )
-from esicatalog.catalog.settle import Affected, collect_garbage, settle
+from esicatalog.catalog.settle import Affected, collect_garbage, forget_content_hash, settle
+from esicatalog.catalog.turns import take_turn
 from esicatalog.esi.content import digest
 from esicatalog.esi.records.document import Vendor
 
@@ -39,7 +40,7 @@ _PARENTS = {
 
 
 class SourceRow:
-    """Where a document came from and what became of it."""
+    """Where a document came from and what became of it; ``archive`` is the location of the archive it lies in."""
 
     def __init__(
         self,
@@ -49,7 +50,7 @@ class SourceRow:
         message: str | None = None,
         sha256: str | None = None,
         byte_count: int | None = None,
-        archive_id: int | None = None,
+        archive: str | None = None,
     ) -> None:
         self.location = location
         self.member = member
@@ -57,7 +58,7 @@ class SourceRow:
         self.message = message
         self.sha256 = sha256
         self.byte_count = byte_count
-        self.archive_id = archive_id
+        self.archive = archive
 
 
 class Writer:
@@ -80,10 +81,13 @@ class Writer:
                 "groups",
             )
         }
-        self._vendors = {row[0] for row in connection.execute(sa.select(schema.vendors.c.vendor_id))}
-        self._images = {row[0] for row in connection.execute(sa.select(schema.images.c.sha256))}
+        self._vendors: set[int] = set()
+        self._images: set[str] = set()
+        self._archives: dict[str, int] = {}
         self._affected = Affected()
         self._dropped = False
+        self._turn: int | None = None
+        self._is_writing = False
 
     def store(self, source: SourceRow, document: DocumentRows | None) -> None:
         """Store a document in place of what its location held before; None for skipped and failed ones."""
@@ -123,8 +127,29 @@ class Writer:
         self._add_notes(source_id, document)
         self._buffer.flush_if_full()
 
+    def _begin(self) -> None:
+        """Take a turn, if this is not one yet: what others wrote before is looked up again."""
+        if self._is_writing:
+            return
+        turn = take_turn(self._connection)
+        if self._turn is None or turn != self._turn + 1:
+            self._look_up()
+        self._turn = turn
+        self._is_writing = True
+        forget_content_hash(self._connection)
+
+    def _look_up(self) -> None:
+        """Forget what was known of the rows in the database. Nothing may be queued."""
+        self._buffer.forget_ids()
+        self._archives.clear()
+        for keys in self._keys.values():
+            keys.forget()
+        self._vendors = set(self._connection.execute(sa.select(schema.vendors.c.vendor_id)).scalars())
+        self._images = set(self._connection.execute(sa.select(schema.images.c.sha256)).scalars())
+
     def forget(self, location: str) -> None:
         """Drop what a location brought; descriptions that nobody else carries go with the next commit."""
+        self._begin()
         sources = schema.sources.c
         found = self._connection.execute(sa.select(sources.id).where(sources.location == location)).scalar()
         if found is None:
@@ -147,40 +172,45 @@ class Writer:
         self._connection.execute(sa.delete(schema.sources).where(sources.id == found))
         self._dropped = True
 
-    def archive(self, location: str) -> int:
-        """Row number of an archive that is being read; its sha256 follows with :meth:`archive_done`."""
-        archives = schema.archives
-        found = self._connection.execute(sa.select(archives.c.id).where(archives.c.location == location)).scalar()
-        if found is not None:
-            self._connection.execute(sa.update(archives).where(archives.c.id == found).values(sha256=""))
-            return int(found)
-        row = (location, "", self._reader_version)
-        number = self._buffer.add_numbered("archives", [row])
-        self._buffer.flush()
-        return number
-
-    def archive_done(self, archive_id: int, sha256: str) -> None:
-        """Every member of the archive is stored: from now on it can be skipped by its sha256."""
-        archives = schema.archives
+    def archive_begun(self, location: str) -> None:
+        """An archive is being read; its sha256 follows with :meth:`archive_done`."""
+        self._begin()
+        archives = schema.archives.c
         self._connection.execute(
-            sa.update(archives)
-            .where(archives.c.id == archive_id)
+            sa.update(schema.archives).where(archives.id == self._archive_id(location)).values(sha256="")
+        )
+
+    def archive_done(self, location: str, sha256: str) -> None:
+        """Every member of the archive is stored: from now on it can be skipped by its sha256."""
+        self._begin()
+        archives = schema.archives.c
+        self._connection.execute(
+            sa.update(schema.archives)
+            .where(archives.id == self._archive_id(location))
             .values(sha256=sha256, reader_version=self._reader_version)
         )
 
+    def _archive_id(self, location: str) -> int:
+        number = self._archives.get(location)
+        if number is None:
+            archives = schema.archives.c
+            number = self._connection.execute(sa.select(archives.id).where(archives.location == location)).scalar()
+            if number is None:
+                number = self._buffer.add_numbered("archives", [(location, "", self._reader_version)])
+                self._buffer.flush()
+            self._archives[location] = number
+        return number
+
     def commit(self) -> None:
-        """Write what is queued, put variants and vendors in order, commit."""
+        """Write what is queued, put variants and vendors in order, commit: the turn ends."""
         self._buffer.flush()
-        if self._dropped:
-            if collect_garbage(self._connection, self._affected):
-                for keys in self._keys.values():
-                    keys.forget()
-                self._vendors = set(self._connection.execute(sa.select(schema.vendors.c.vendor_id)).scalars())
-                self._images = set(self._connection.execute(sa.select(schema.images.c.sha256)).scalars())
-            self._dropped = False
+        if self._dropped and collect_garbage(self._connection, self._affected):
+            self._look_up()
+        self._dropped = False
         settle(self._connection, self._affected)
         self._affected = Affected()
         self._connection.commit()
+        self._is_writing = False
 
     def _add_vendor(self, vendor_id: int | None) -> None:
         if vendor_id is None:
@@ -202,7 +232,7 @@ class Writer:
             number,
             source.location,
             source.member,
-            source.archive_id,
+            self._archive_id(source.archive) if source.archive is not None else None,
             source.status,
             source.message,
             source.sha256,
@@ -355,7 +385,7 @@ class _KeyMap:
         self._connection = connection
         self._table = table
         self._known: dict[bytes | str, int] = {}
-        self._empty = connection.execute(sa.select(table.c.id).limit(1)).first() is None
+        self._empty = False
 
     def get(self, key: bytes | str) -> int | None:
         """Row number of a digest, None when it is not stored."""
@@ -385,6 +415,6 @@ class _KeyMap:
         self._known[key] = number
 
     def forget(self) -> None:
-        """After rows were deleted: nothing is known any more."""
+        """After rows were deleted or others wrote: nothing is known any more."""
         self._known.clear()
-        self._empty = False
+        self._empty = self._connection.execute(sa.select(self._table.c.id).limit(1)).first() is None

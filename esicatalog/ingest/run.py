@@ -10,7 +10,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.database import database_error
-from esicatalog.catalog.load import end_load, finish_load, forget_content_hash, prepare_load
+from esicatalog.catalog.load import end_load, finish_load, prepare_load
 from esicatalog.catalog.writer import SourceRow, Writer
 from esicatalog.ingest.plan import Held, HeldDocument, Plan, make_plan
 from esicatalog.ingest.reading import Reading
@@ -23,6 +23,8 @@ Progress = Callable[[DocumentLine, int, int], None]
 
 _COMMIT_SECONDS = 1.0
 """What a killed ingest has to read again at most; a commit costs the work of putting the catalog in order."""
+_MOST_GATHERED_BYTES = 16_000_000
+"""Documents that wait to be written together: they wait as rows, which take a multiple of their size."""
 
 
 def ingest(
@@ -81,33 +83,61 @@ def _write(
         tell(line)
     if plan.is_empty:
         return lines
-    forget_content_hash(connection)
     writer = Writer(connection, __version__)
     for location in plan.gone:
         writer.forget(location)
     writer.commit()
-    archive_ids = {location: writer.archive(location) for location in plan.archives}
+    for location in plan.archives:
+        writer.archive_begun(location)
     writer.commit()
-    committed = time.monotonic()
-    for outcome in outcomes:
-        item = plan.todo[outcome.number]
-        if outcome.status == "unchanged":
-            tell(held.documents[item.location].unchanged_line())
-        else:
-            archive_id = archive_ids.get(item.root) if item.is_archive else None
-            tell(_store(writer, item.location, item.member, archive_id, outcome))
-        if time.monotonic() - committed > _COMMIT_SECONDS:
-            writer.commit()
-            committed = time.monotonic()
+    for batch in _file_batches(outcomes) if connection.dialect.name == "sqlite" else _server_batches(outcomes):
+        for outcome in batch:
+            item = plan.todo[outcome.number]
+            if outcome.status == "unchanged":
+                tell(held.documents[item.location].unchanged_line())
+            else:
+                archive = item.root if item.is_archive else None
+                tell(_store(writer, item.location, item.member, archive, outcome))
+        writer.commit()
     for location, sha256 in plan.archives.items():
-        writer.archive_done(archive_ids[location], sha256)
+        writer.archive_done(location, sha256)
     writer.commit()
     return lines
 
 
-def _store(writer: Writer, location: str, member: str, archive_id: int | None, outcome: Outcome) -> DocumentLine:
+def _file_batches(outcomes: Iterator[Outcome]) -> Iterator[Iterable[Outcome]]:
+    """Outcomes by commit, each handed on when it comes: nobody else writes into the file."""
+    for first in outcomes:
+        yield _for_a_while(first, outcomes)
+
+
+def _for_a_while(first: Outcome, following: Iterator[Outcome]) -> Iterator[Outcome]:
+    until = time.monotonic() + _COMMIT_SECONDS
+    yield first
+    while time.monotonic() < until:
+        outcome = next(following, None)
+        if outcome is None:
+            return
+        yield outcome
+
+
+def _server_batches(outcomes: Iterator[Outcome]) -> Iterator[Iterable[Outcome]]:
+    """Outcomes by commit, handed on together: others write meanwhile, and wait only while these are written."""
+    gathered: list[Outcome] = []
+    until = time.monotonic() + _COMMIT_SECONDS
+    for outcome in outcomes:
+        gathered.append(outcome)
+        if time.monotonic() > until or sum(o.byte_count or 0 for o in gathered) > _MOST_GATHERED_BYTES:
+            yield gathered
+            gathered = []
+            until = time.monotonic() + _COMMIT_SECONDS
+    if gathered:
+        yield gathered
+
+
+def _store(writer: Writer, location: str, member: str, archive: str | None, outcome: Outcome) -> DocumentLine:
     source = SourceRow(
-        location, member, outcome.status, outcome.message, outcome.sha256, outcome.byte_count, archive_id
+        location, member, outcome.status, outcome.message, outcome.sha256, outcome.byte_count, archive
     )
     rows = outcome.rows
     writer.store(source, rows)
