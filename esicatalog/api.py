@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from esicatalog.catalog.identity import IdentityLookup
     from esicatalog.catalog.listing import Listing
     from esicatalog.catalog.results import FoundDevice, Identification
+    from esicatalog.catalog.snapshot import Snapshot
     from esicatalog.esi.records.device import Device
     from esicatalog.esi.records.module import Module
     from esicatalog.export.subject import Subject
@@ -51,7 +52,7 @@ class Catalog:
     def open(cls, target: str | os.PathLike[str], create: bool = False, read_only: bool = False) -> Self:
         """Open the catalog in a file or at a database URL; ``create`` makes a missing one on first use.
 
-        With ``read_only`` the database refuses every change, whatever asks for one (SQLite).
+        With ``read_only`` the database refuses every change, whatever asks for one.
         Raises :class:`~esicatalog.errors.CatalogError` with what to do when that is not possible.
         """
         return cls(target, create, read_only)
@@ -184,11 +185,13 @@ class Catalog:
 
         Raises :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
         """
+        from esicatalog.catalog.database import connection_query
         from esicatalog.catalog.description import read_description
+        from esicatalog.catalog.identity import IdentityLookup
 
         wanted = parse_identity(identity) if isinstance(identity, str) else identity
         with self._connection() as connection:
-            return read_description(connection, self._identities(), wanted)
+            return read_description(connection, IdentityLookup(connection_query(connection)), wanted)
 
     def device_of_row(self, number: int) -> "FoundDevice":
         """The device with a row number of this catalog, as ``device_id`` in its tables says it.
@@ -227,23 +230,34 @@ class Catalog:
         with self._connection() as connection:
             return check_catalog(connection)
 
+    def snapshot(self, to: str | os.PathLike[str]) -> "Snapshot":
+        """Copy the catalog into one read-only SQLite file; ``<hash>`` in its name becomes the content hash.
+
+        Raises :class:`~esicatalog.errors.CatalogError` while an ingest is under way, when the file holds another
+        catalog, and :class:`~esicatalog.errors.InputError` for a file that cannot be written.
+        """
+        from esicatalog.catalog.snapshot import write_snapshot
+
+        with self._connection() as connection:
+            return write_snapshot(connection, os.fspath(to))
+
     def _identities(self) -> "IdentityLookup":
-        from esicatalog.catalog.database import driver_query
+        from esicatalog.catalog.database import DriverQuery, shown_target
         from esicatalog.catalog.identity import IdentityLookup
 
         if self._lookup is None:
-            self._lookup = IdentityLookup(driver_query(self._open(create=True), str(self._target)))
+            self._lookup = IdentityLookup(DriverQuery(self._open(create=True), shown_target(self._target)))
         return self._lookup
 
     @contextlib.contextmanager
     def _connection(self) -> "Iterator[sa.Connection]":
         from sqlalchemy.exc import DBAPIError
 
-        from esicatalog.catalog.database import database_error
+        from esicatalog.catalog.database import database_error, reading_connection
 
         engine = self._open(create=True)
         try:
-            with engine.connect() as connection:
+            with reading_connection(engine) as connection:
                 yield connection
         except DBAPIError as error:
             raise database_error(str(engine.url.database), error) from error

@@ -1,16 +1,20 @@
 """Fixtures that several test files use. ``corpus`` names real files that are not part of the project."""
 
+import contextlib
 import os
 import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TypeVar
 
 import pytest
+from postgres_cluster import Cluster, NoServer, running_cluster
 
 from esicatalog import Catalog
 
 CHECKOUT = Path(__file__).parent.parent
+Target = TypeVar("Target", str, Path)
 SAMPLE_ARCHIVES = ("hpmicro+hpm_sdk.zip", "AIMEtherCAT+EcatV2_AX58100_H750_Universal.zip", "ruiofang+EU_EtherCAT.zip")
 """Small archives of the corpus: modules, a document that needs recovery, plain drives."""
 
@@ -36,10 +40,10 @@ def sample_archives(corpus: Path) -> list[Path]:
     return [corpus / "esi" / name for name in SAMPLE_ARCHIVES]
 
 
-def _ingested(path: Path, inputs: list[Path], jobs: int | None) -> Path:
-    with Catalog.open(path, create=True) as catalog:
+def _ingested(target: Target, inputs: list[Path], jobs: int | None) -> Target:
+    with Catalog.open(target, create=True) as catalog:
         catalog.ingest(inputs, jobs=jobs)
-    return path
+    return target
 
 
 @pytest.fixture(scope="session")
@@ -69,3 +73,27 @@ def sample_db(tmp_path_factory: pytest.TempPathFactory, sample_archives: list[Pa
 def corpus_db(tmp_path_factory: pytest.TempPathFactory, corpus: Path) -> Path:
     """A catalog of the whole corpus; takes some seconds."""
     return _ingested(tmp_path_factory.mktemp("corpus") / "corpus.db", [corpus / "esi"], jobs=None)
+
+
+@pytest.fixture(scope="session")
+def postgres_cluster() -> Iterator[Cluster]:
+    """A PostgreSQL server of our own, gone afterwards."""
+    pytest.importorskip("psycopg", reason="no psycopg here: pip install 'esicatalog[postgres]'")
+    with contextlib.ExitStack() as stack:
+        try:
+            cluster = stack.enter_context(running_cluster())
+        except NoServer as missing:
+            pytest.skip(str(missing))
+        yield cluster
+
+
+@pytest.fixture
+def postgres(postgres_cluster: Cluster) -> str:
+    """The URL of an empty PostgreSQL database."""
+    return postgres_cluster.new_database()
+
+
+@pytest.fixture(scope="session")
+def data_url(postgres_cluster: Cluster, data: Path) -> str:
+    """A catalog of our example files in PostgreSQL; read it, do not change it."""
+    return _ingested(postgres_cluster.new_database(), [data], jobs=1)

@@ -21,15 +21,29 @@ SCHEMA_VERSION = "0002"
 DEFAULT_CATALOG = "catalog.db"
 
 
+_DRIVERS = {"postgresql": "postgresql+psycopg", "postgres": "postgresql+psycopg"}
+"""What a URL without driver means."""
+_BACKENDS = ("sqlite", "postgresql", "cockroachdb")
+
+
 def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
-    """The SQLAlchemy URL of a file path or of a URL text."""
+    """The SQLAlchemy URL of a file path or of a URL text. Raises :class:`CatalogError`."""
     text = os.fspath(target)
-    if "://" in text:
-        try:
-            return sa.make_url(text)
-        except sa.exc.ArgumentError as error:
-            raise CatalogError(f"{text}: not a database URL") from error
-    return sa.URL.create("sqlite", database=text)
+    if "://" not in text:
+        return sa.URL.create("sqlite", database=text)
+    try:
+        url = sa.make_url(text)
+    except (sa.exc.ArgumentError, ValueError) as error:
+        raise CatalogError("not a database URL; write postgresql+psycopg://USER:PASSWORD@HOST/DATABASE") from error
+    if url.get_backend_name() not in _BACKENDS and url.drivername not in _DRIVERS:
+        raise CatalogError(f"{url!r}: a catalog is an SQLite file or lies at postgresql+psycopg://…")
+    return url.set(drivername=_DRIVERS.get(url.drivername, url.drivername))
+
+
+def shown_target(target: str | os.PathLike[str]) -> str:
+    """A catalog as messages name it: without the password."""
+    text = os.fspath(target)
+    return repr(catalog_url(text)) if "://" in text else text
 
 
 def sqlite_path(url: sa.URL) -> Path | None:
@@ -40,8 +54,18 @@ def sqlite_path(url: sa.URL) -> Path | None:
 
 
 def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
-    """An engine with foreign keys enforced and short waits for locks; ``read_only`` refuses every write."""
-    engine = sa.create_engine(url)
+    """An engine with foreign keys enforced and short waits for locks; ``read_only`` refuses every write.
+
+    Raises :class:`CatalogError` where the driver is missing.
+    """
+    options = {"postgresql_readonly": True} if read_only and url.get_backend_name() != "sqlite" else {}
+    try:
+        engine = sa.create_engine(url, execution_options=options)
+    except (ModuleNotFoundError, sa.exc.NoSuchModuleError) as error:
+        raise CatalogError(
+            f"{url!r}: the driver of {url.drivername} is not installed ({error}); "
+            "PostgreSQL's comes with: pip install 'esicatalog[postgres]'"
+        ) from error
     if url.get_backend_name() == "sqlite":
 
         @sa.event.listens_for(engine, "connect")
@@ -52,6 +76,17 @@ def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
                 connection.execute("PRAGMA query_only = ON")
 
     return engine
+
+
+def reading_connection(engine: sa.Engine) -> sa.Connection:
+    """A connection whose transactions see one state of the catalog, whatever others write meanwhile.
+
+    On SQLite every statement sees what is committed.
+    """
+    connection = engine.connect()
+    if connection.dialect.name == "sqlite":
+        return connection
+    return connection.execution_options(isolation_level="REPEATABLE READ", postgresql_readonly=True)
 
 
 def open_catalog(target: str | os.PathLike[str], create: bool = False, read_only: bool = False) -> sa.Engine:
@@ -65,12 +100,25 @@ def open_catalog(target: str | os.PathLike[str], create: bool = False, read_only
     engine, version = _connected(target, create, read_only)
     try:
         if version is None:
-            upgrade(engine)
-        elif version != SCHEMA_VERSION:
-            raise CatalogError(_version_message(str(target), version))
+            version = _create(engine)
+        if version != SCHEMA_VERSION:
+            raise CatalogError(_version_message(shown_target(target), version))
     except sa.exc.DBAPIError as error:
-        raise database_error(str(target), error) from error
+        raise database_error(shown_target(target), error) from error
     return engine
+
+
+def _create(engine: sa.Engine) -> str:
+    """Make the tables; of several that begin at once on a server one makes them, the others find them made."""
+    try:
+        upgrade(engine)
+    except sa.exc.DBAPIError:
+        with engine.connect() as connection:
+            made_by_another = schema_version(connection)
+        if made_by_another is None:
+            raise
+        return made_by_another
+    return SCHEMA_VERSION
 
 
 def _connected(target: str | os.PathLike[str], create: bool, read_only: bool = False) -> tuple[sa.Engine, str | None]:
@@ -84,9 +132,10 @@ def _connected(target: str | os.PathLike[str], create: bool, read_only: bool = F
         with engine.connect() as connection:
             version = schema_version(connection)
     except sa.exc.DBAPIError as error:
-        raise database_error(str(target), error) from error
+        raise database_error(shown_target(target), error) from error
     if version is None and not create:
-        raise CatalogError(f"{target}: not a catalog; make one with: esicatalog ingest PATH --db {target}")
+        shown = shown_target(target)
+        raise CatalogError(f"{shown}: not a catalog; make one with: esicatalog ingest PATH --db {shown}")
     return engine, version
 
 
@@ -99,11 +148,11 @@ def upgrade_catalog(target: str | os.PathLike[str]) -> tuple[str, str]:
     version = str(found)
     try:
         if version > SCHEMA_VERSION:
-            raise CatalogError(_version_message(str(target), version))
+            raise CatalogError(_version_message(shown_target(target), version))
         if version != SCHEMA_VERSION:
             upgrade(engine)
     except sa.exc.DBAPIError as error:
-        raise database_error(str(target), error) from error
+        raise database_error(shown_target(target), error) from error
     finally:
         engine.dispose()
     return version, SCHEMA_VERSION
@@ -130,6 +179,13 @@ def driver_message(target: str, error: BaseException | None) -> str:
         "readonly": "the file or its folder cannot be written",
         "unable to open": "the file or its folder cannot be opened",
         "full": "the disk is full; nothing of the last step was stored",
+        'role "': "name a user that the server knows",
+        "does not exist": "make the database first, with createdb or CREATE DATABASE",
+        "authentication": "user or password do not fit",
+        "server running": "no server answers there; look at host, port and whether it runs",
+        "resolve host": "no such host",
+        "permission denied": "the database user may not do that; ask for the right",
+        "read-only": "the database takes no changes; name the server that does",
     }
     hint = next((words for key, words in hints.items() if key in reason), "nothing of the last step was stored")
     return f"{target}: {reason}; {hint}"
@@ -140,27 +196,41 @@ def database_error(target: str, error: sa.exc.DBAPIError) -> CatalogError:
     return CatalogError(driver_message(target, error.orig))
 
 
-def driver_query(engine: sa.Engine, target: str) -> Query:
+class DriverQuery:
     """Runs ``?`` statements on the driver itself, on a connection of its own, for one thread at a time.
 
     The connection stays open until the engine is disposed of, and sees what others commit. The statements raise
     :class:`CatalogError`.
     """
-    connection = engine.connect().execution_options(isolation_level="AUTOCOMMIT")
-    driver: Any = connection.connection.driver_connection
-    dbapi: Any = engine.dialect.loaded_dbapi
-    driver_error: type[Exception] = dbapi.Error
-    mark = "?" if engine.dialect.paramstyle == "qmark" else "%s"
-    lock = threading.Lock()
+
+    def __init__(self, engine: sa.Engine, target: str) -> None:
+        # It would go back to the engine's pool, and be given to somebody else, if nobody held it.
+        self._connection = engine.connect().execution_options(isolation_level="AUTOCOMMIT")
+        driver: Any = self._connection.connection.driver_connection
+        dbapi: Any = engine.dialect.loaded_dbapi
+        self._execute = driver.execute
+        self._driver_error: type[Exception] = dbapi.Error
+        self._target = target
+        self._is_marked = engine.dialect.paramstyle == "qmark"
+        self._lock = threading.Lock()
+
+    def __call__(self, sql: str, values: tuple[Any, ...]) -> list[tuple[Any, ...]]:
+        """All rows of a statement."""
+        statement = sql if self._is_marked else sql.replace("?", "%s")
+        try:
+            with self._lock:
+                found: list[tuple[Any, ...]] = self._execute(statement, values).fetchall()
+        except self._driver_error as error:
+            raise CatalogError(driver_message(self._target, error)) from error
+        return found
+
+
+def connection_query(connection: sa.Connection) -> Query:
+    """Runs ``?`` statements within the transaction of a connection."""
+    mark = "?" if connection.dialect.paramstyle == "qmark" else "%s"
 
     def query(sql: str, values: tuple[Any, ...]) -> list[tuple[Any, ...]]:
-        statement = sql if mark == "?" else sql.replace("?", mark)
-        try:
-            with lock:
-                found: list[tuple[Any, ...]] = driver.execute(statement, values).fetchall()
-        except driver_error as error:
-            raise CatalogError(driver_message(target, error)) from error
-        return found
+        return [tuple(row) for row in connection.exec_driver_sql(sql.replace("?", mark), values)]
 
     return query
 

@@ -7,6 +7,7 @@ Other databases search the same words by :mod:`esicatalog.catalog.word_search`.
 
 import re
 from collections.abc import Iterable
+from typing import Any
 
 import sqlalchemy as sa
 
@@ -36,7 +37,7 @@ def _search_words(text: str) -> list[str]:
     return _WORD.findall(text.replace("#x", "0x").replace("#X", "0x"))
 
 
-def text_condition(text: str, dialect: str) -> sa.ColumnElement[bool]:
+def text_condition(text: str, dialect: str) -> Any:
     """The condition on ``devices`` for what a user typed."""
     if dialect != "sqlite":
         return word_search.condition([(word, _matches_inside(word)) for word in _search_words(text)])

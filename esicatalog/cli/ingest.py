@@ -72,9 +72,11 @@ def _print_summary(report: "IngestReport", db: str) -> None:
     for line in report.documents:
         if line.status in _NAMED_STATUSES:
             click.echo(f"{line.status:9}  {line.path}: {line.message}")
+    from esicatalog.catalog.database import shown_target
+
     counts = report.counts
     click.echo(
         f"{counts['stored']} stored ({counts['recovered']} after recovery), {counts['unchanged']} unchanged, "
         f"{counts['skipped']} skipped, {counts['failed']} failed; "
-        f"{report.devices} devices, {report.modules} modules in {report.seconds:.1f} s -> {db}"
+        f"{report.devices} devices, {report.modules} modules in {report.seconds:.1f} s -> {shown_target(db)}"
     )

@@ -17,6 +17,7 @@ COMMANDS = {
     "export": "Generate configuration for a master, an EEPROM image or ESI XML.",
     "lint": "Check ESI files by the rules L01 to L67.",
     "serve": "Browse the catalog in Datasette.",
+    "snapshot": "Copy a catalog into one read-only file.",
     "check": "Verify the catalog and print its content hash.",
     "migrate": "Bring a catalog of an older version up to date.",
 }

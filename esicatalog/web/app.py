@@ -10,7 +10,8 @@ from datasette.utils import parse_metadata
 from datasette.version import __version_info__ as datasette_version
 
 from esicatalog.api import Catalog
-from esicatalog.catalog.database import catalog_url, sqlite_path
+from esicatalog.catalog.database import catalog_url, shown_target, sqlite_path
+from esicatalog.catalog.inspect_data import read_inspect_data
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 from esicatalog.web.state import MOUNTED_AS
@@ -32,7 +33,9 @@ def catalog_file(target: str | os.PathLike[str]) -> Path:
     """The file of an SQLite catalog of the current version. Raises :class:`CatalogError`."""
     path = sqlite_path(catalog_url(target))
     if path is None:
-        raise CatalogError(f"{target}: Datasette reads SQLite files only; name the file of a catalog")
+        raise CatalogError(
+            f"{shown_target(target)}: the pages read SQLite files only; make one with: esicatalog snapshot --from URL --to FILE"
+        )
     if any(character in str(path) for character in _URI_CHARACTERS):
         # Datasette puts the path into a URI as it stands.
         raise CatalogError(f"{path}: Datasette opens no file with one of {' '.join(_URI_CHARACTERS)} in its path")
@@ -43,15 +46,23 @@ def catalog_file(target: str | os.PathLike[str]) -> Path:
 def datasette_app(path: str | os.PathLike[str], immutable: bool = False) -> Any:
     """A Datasette with this one database, under the name ``catalog``, and the metadata of the package.
 
-    ``immutable`` promises that nobody changes the file: row counts are kept and the file can be downloaded.
+    ``immutable`` promises that nobody changes the file: row counts are kept, those of a snapshot are taken from the
+    file beside it, and the file can be downloaded. Raises :class:`CatalogError` for counts of another file.
     """
+    file = Path(path)
+    counted: dict[str, Any] = {}
+    if immutable:
+        # A link may be switched to another file while this one is served.
+        file = file.resolve()
+        found = read_inspect_data(file)
+        counted = {MOUNTED_AS: found} if found is not None else {}
     metadata = parse_metadata(resource("datasette-metadata.yml").read_text(encoding="utf-8"))
-    arguments: dict[str, Any] = {"metadata": metadata, "settings": SETTINGS}
+    arguments: dict[str, Any] = {"metadata": metadata, "settings": SETTINGS, "inspect_data": counted}
     if datasette_version[0] != "0":
         # Datasette 1.0 takes canned queries from the configuration.
         arguments["config"] = metadata
     datasette = Datasette([], **arguments)
-    datasette.add_database(Database(datasette, path=os.fspath(path), is_mutable=not immutable), name=MOUNTED_AS)
+    datasette.add_database(Database(datasette, path=str(file), is_mutable=not immutable), name=MOUNTED_AS)
     # Without files Datasette mounts an empty database in memory.
     datasette.remove_database("_memory")
     return datasette

@@ -1,0 +1,121 @@
+"""Snapshots: one read-only SQLite file with all that a catalog on any engine holds, whatever the engine."""
+
+import json
+import os
+import tempfile
+from pathlib import Path
+from typing import NamedTuple
+
+import sqlalchemy as sa
+
+from esicatalog.catalog import schema
+from esicatalog.catalog.bulk import RowBuffer
+from esicatalog.catalog.database import open_catalog
+from esicatalog.catalog.full_text import index_devices
+from esicatalog.catalog.inspect_data import inspect_data, inspect_path
+from esicatalog.catalog.load import end_load, finish_load, prepare_load
+from esicatalog.catalog.settle import CONTENT_HASH, read_state
+from esicatalog.catalog.views import FULL_TEXT
+from esicatalog.errors import CatalogError, InputError
+
+HASH_PLACE = "<hash>"
+"""Stands for the content hash in the name of a snapshot."""
+_BATCH_ROWS = 10_000
+_READ_ONLY = 0o444
+
+
+class Snapshot(NamedTuple):
+    """A snapshot: its file, the content hash, and whether it was there before."""
+
+    path: Path
+    content_hash: str
+    was_there: bool
+
+
+def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
+    """Write a snapshot of what a transaction sees; a file that is there stays if it holds the same content.
+
+    The file appears under its name only when it is complete and its content hash was verified. Raises
+    :class:`CatalogError` and :class:`InputError`.
+    """
+    if source.dialect.name == "sqlite":
+        # Without it every SELECT would see what is committed by then.
+        source.exec_driver_sql("BEGIN")
+    expected = read_state(source, CONTENT_HASH)
+    if expected is None:
+        raise CatalogError("an ingest is under way or was cut short: wait for it or repeat it, then take the snapshot")
+    if "://" in name:
+        raise InputError(f"{name}: a snapshot is a file; name one, for example catalog-{HASH_PLACE}.db")
+    path = Path(name.replace(HASH_PLACE, expected))
+    if path.exists():
+        _check_same(path, expected)
+        return Snapshot(path, expected, was_there=True)
+    if not path.parent.is_dir():
+        raise InputError(f"{path.parent}: no such folder for the snapshot")
+    try:
+        with tempfile.TemporaryDirectory(prefix=".snapshot-", dir=path.parent) as folder:
+            unfinished = Path(folder, path.name)
+            _copy(source, unfinished, expected)
+            _publish(unfinished, path)
+    except OSError as error:
+        raise InputError(f"{path}: {error.strerror}; no snapshot was made") from error
+    return Snapshot(path, expected, was_there=False)
+
+
+def _check_same(path: Path, expected: str) -> None:
+    engine = open_catalog(path, read_only=True)
+    try:
+        with engine.connect() as connection:
+            found = read_state(connection, CONTENT_HASH)
+    finally:
+        engine.dispose()
+    if found != expected:
+        raise CatalogError(
+            f"{path}: holds another catalog (content hash {found}); name another file, for example "
+            f"{path.with_name(f'catalog-{HASH_PLACE}.db')}"
+        )
+
+
+def _copy(source: sa.Connection, file: Path, expected: str) -> None:
+    engine = open_catalog(file, create=True)
+    try:
+        with engine.connect() as target:
+            try:
+                prepare_load(target)
+                _copy_rows(source, target)
+                index_devices(target, target.execute(sa.select(schema.devices.c.id)).scalars().all())
+                target.exec_driver_sql(f"INSERT INTO {FULL_TEXT} ({FULL_TEXT}) VALUES ('optimize')")
+                target.commit()
+                finish_load(target, changed=True)
+                found = read_state(target, CONTENT_HASH)
+            finally:
+                end_load(target)
+    finally:
+        engine.dispose()
+    if found != expected:
+        raise CatalogError(
+            f"the rows have the content hash {found}, the catalog says {expected}; look at: esicatalog check"
+        )
+
+
+def _copy_rows(source: sa.Connection, target: sa.Connection) -> None:
+    buffer = RowBuffer(target)
+    for table in schema.metadata.sorted_tables:
+        if table is schema.catalog_state:
+            continue
+        query = sa.select(table).order_by(*table.primary_key.columns).execution_options(yield_per=_BATCH_ROWS)
+        for rows in source.execute(query).partitions():
+            buffer.add(table.name, map(tuple, rows))
+            buffer.flush()
+
+
+def _publish(unfinished: Path, path: Path) -> None:
+    """Write everything through, then give the files their names: the counts first, the file last."""
+    written = inspect_path(unfinished)
+    written.write_text(json.dumps(inspect_data(unfinished), indent=2) + "\n", encoding="utf-8")
+    for file in (written, unfinished):
+        with file.open("rb") as stream:
+            os.fsync(stream.fileno())
+        file.chmod(_READ_ONLY)
+    written.replace(inspect_path(path))
+    unfinished.replace(path)

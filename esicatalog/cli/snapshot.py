@@ -1,0 +1,23 @@
+"""esicatalog snapshot"""
+
+import click
+
+from esicatalog.cli.common import reporting_errors
+
+
+@click.command("snapshot")
+@click.option("--from", "source", metavar="FILE|URL", required=True, help="The catalog to copy.")
+@click.option("--to", "target", metavar="FILE", required=True, help="The file to make; <hash> = the content hash.")
+@reporting_errors
+def command(source: str, target: str) -> None:
+    """Copy a catalog into one read-only SQLite file, for `esicatalog serve --immutable`.
+
+    Prints the file, which appears only when it is complete and verified; FILE.inspect.json beside it holds its row
+    counts. A file that holds the same content already is left as it is, any other is not touched: exit code 2.
+    """
+    from esicatalog.api import Catalog
+
+    with Catalog.open(source, read_only=True) as catalog:
+        snapshot = catalog.snapshot(target)
+    click.echo(f"content hash {snapshot.content_hash}{', there already' if snapshot.was_there else ''}", err=True)
+    click.echo(snapshot.path)

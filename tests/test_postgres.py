@@ -1,0 +1,245 @@
+"""PostgreSQL beside SQLite: the same tables, rows and views, and the same answers."""
+
+import json
+import sqlite3
+from contextlib import closing
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+import pytest
+import sqlalchemy as sa
+from alembic import command
+from alembic.autogenerate import compare_metadata
+from alembic.config import Config
+from alembic.migration import MigrationContext
+from click.testing import CliRunner, Result
+from conftest import CHECKOUT
+from questions import FILTERS, answers
+from snippets import device, esi, write
+from test_upgrade import DERIVED, DUMPS
+
+from esicatalog import Catalog, CatalogError
+from esicatalog.catalog import database, schema
+from esicatalog.catalog.device_filter import DeviceFilter
+from esicatalog.catalog.views import FULL_TEXT, views
+from esicatalog.cli.main import cli
+
+TEXTS = (
+    *("el", "EL", "8", "808", "d808", "ecx-d808", "ECX_D808", "ecx d808", "digital 8", "gital", "gi", "servo motor"),
+    *("#x1097", "0x00001097", "0x109", "4247", "0x0d080808", "_", "'", '"', "%", "a|b", "é", "İ", ""),
+    *("ubertrager", "Übertrager", "träger", "rager", "ÜBERTRÄGER", "strasse", "STRASSE", "straße", "モータ", "タ", "m²"),
+)
+
+
+def words(*arguments: object) -> Result:
+    return CliRunner().invoke(cli, [str(argument) for argument in arguments], catch_exceptions=False)
+
+
+def plain(value: Any) -> Any:
+    """A value as SQLite has it: truth as 0 and 1, no exact decimals."""
+    if isinstance(value, Decimal):
+        return int(value) if value == value.to_integral_value() else float(value)
+    return int(value) if isinstance(value, bool) else value
+
+
+def content(engine: sa.Engine, name: str) -> list[str]:
+    with engine.connect() as connection:
+        found = connection.exec_driver_sql(f"SELECT * FROM {name}")
+        return sorted(repr([(column, plain(value)) for column, value in row.items()]) for row in found.mappings())
+
+
+@pytest.fixture(scope="module")
+def odd(tmp_path_factory) -> Path:
+    """Documents with what databases treat differently: case, diacritics, codes that are missing, ties in order."""
+    folder = tmp_path_factory.mktemp("odd")
+    names = ("Übertrager 24V", "UBERTRAGER", "ubertrager", "Straße", "モータ", "m² ﬁlter", "a|b", "a b", "É", "100%_x")
+    for number, name in enumerate(names):
+        content = device("<Odd/><Odd/>", name=name, type_text=name[:3], product=f"#x{number % 3:X}", revision=f"#x{number % 2:X}")
+        unnumbered = device(name=name, type_text=f"no code {number % 4}", product="")
+        vendor = f"<Id>{'#x5' if number % 2 else '4294967295'}</Id><Name>{name.swapcase()}</Name>"
+        write(folder, {f"{number % 5}/{number}.xml": esi(content + unnumbered, vendor=vendor)})
+    write(folder, {"broken.xml": b"<EtherCATInfo><Vendor><Id>1</Id>", "note.xml": b"<note/>"})
+    return folder
+
+
+@pytest.fixture(scope="module")
+def both(tmp_path_factory, postgres_cluster, data, odd) -> tuple[Path, str]:
+    """The same documents on both engines, read in the same order."""
+    targets = (tmp_path_factory.mktemp("both") / "c.db", postgres_cluster.new_database())
+    for target in targets:
+        with Catalog.open(target, create=True) as catalog:
+            assert catalog.ingest([data, odd], jobs=1).counts["stored"] == 16
+    return targets
+
+
+def test_migrations_lead_to_the_metadata(postgres):
+    engine = database.open_catalog(postgres, create=True)
+    options = {
+        "compare_type": True,
+        "include_object": lambda item, name, kind, *_: not (kind == "table" and str(name).startswith(FULL_TEXT)),
+    }
+    with engine.connect() as connection:
+        assert compare_metadata(MigrationContext.configure(connection, opts=options), schema.metadata) == []
+    engine.dispose()
+
+
+@pytest.mark.parametrize("table", [name for name in schema.metadata.tables if name != "catalog_state"])
+def test_rows_are_the_same(both, table):
+    here, there = (content(database.open_catalog(target), table) for target in both)
+    assert here == there
+
+
+@pytest.mark.parametrize("view", [view.name for view in views("sqlite")])
+def test_views_are_the_same(both, view):
+    here, there = (content(database.open_catalog(target), view) for target in both)
+    assert here == there
+
+
+def test_the_views_show_something(both):
+    engine = database.open_catalog(both[1])
+    empty = {view.name for view in views("sqlite") if not content(engine, view.name)}
+    assert empty <= {"module_initcmds"}
+
+
+def test_content_hashes_are_the_same_and_stored(both):
+    here, there = (Catalog.open(target).check() for target in both)
+    assert here == there
+    assert here.problems == []
+    assert Catalog.open(both[1]).content_hash() == here.content_hash
+
+
+def test_every_filter_is_asked():
+    asked = {name for wanted in FILTERS for name in wanted} | {"text", "like"}
+    assert asked == set(DeviceFilter.__struct_fields__)
+
+
+def test_devices_are_the_same_for_every_filter(both):
+    with Catalog.open(both[0]) as catalog:
+        like = [found.identity_text for found in catalog.devices(modes=["CSV"])]
+    here, there = (answers(target, FILTERS, TEXTS, like) for target in both)
+    assert here == there
+    assert here["{'text': 'ubertrager'}"] == here["{'text': 'ÜBERTRÄGER'}"] != []
+    assert here["{'text': ''}"] == here["{'text': '_'}"] == []
+
+
+def test_a_page_of_devices_is_the_same(both):
+    here, there = (Catalog.open(target).list_devices(DeviceFilter(limit=10), 2) for target in both)
+    assert here._replace(sql="") == there._replace(sql="")
+
+
+def test_identities_sheets_exports_and_findings_are_the_same(both):
+    identities = ("0x1097:0x2406:0x8f", "0xe5c:0x0d080808:0x00110000", "5:1:1", "0xffffffff:0:0", "4294967295:2")
+    for identity in identities:
+        numbers = identity.split(":")
+        for command_words in (
+            ("identify", *numbers, "--format", "json"),
+            ("identify", *numbers[:2], "0xabc", "--format", "json"),
+            ("identify", numbers[0], "0x77777777", "1", "--format", "json"),
+            ("show", identity, "--format", "json"),
+            ("show", identity),
+            ("export", "igh", identity),
+            ("export", "esi", identity),
+            ("diff", identity, identities[0]),
+        ):
+            here, there = (words(*command_words, "--db", target) for target in both)
+            assert (here.exit_code, here.stdout, here.stderr) == (there.exit_code, there.stdout, there.stderr)
+    here, there = (words("lint", "--format", "json", "--db", target) for target in both)
+    assert (here.exit_code, json.loads(here.stdout)) == (there.exit_code, json.loads(there.stdout))
+    assert here.stdout.count("message") > 5
+
+
+def test_what_is_unchanged_gone_or_new_is_told_apart(postgres, tmp_path):
+    folder = write(tmp_path / "esi", {"a.xml": esi(device()), "b.xml": esi(device(product="#x2"))})
+    with Catalog.open(postgres, create=True) as catalog:
+        assert catalog.ingest([folder], jobs=1).counts["stored"] == 2
+        assert catalog.ingest([folder], jobs=1).counts["unchanged"] == 2
+        (folder / "a.xml").unlink()
+        write(folder, {"b.xml": esi(device(product="#x3")), "c.xml": esi(device(product="#x4"))})
+        assert catalog.ingest([folder], jobs=1, prune=True).counts["stored"] == 2
+        assert [found.product_code for found in catalog.devices()] == [3, 4]
+        assert catalog.check().problems == []
+
+
+@pytest.mark.parametrize("dump", DUMPS, ids=lambda path: path.stem)
+def test_an_old_catalog_is_brought_up_to_date(postgres, tmp_path, dump):
+    """A catalog of an older version, row by row in PostgreSQL, becomes what the same one becomes in SQLite."""
+    old = tmp_path / "old.db"
+    with closing(sqlite3.connect(old)) as connection:
+        connection.executescript(dump.read_text())
+    engine = database.make_engine(database.catalog_url(postgres))
+    with engine.begin() as connection, closing(sqlite3.connect(old)) as file:
+        config = Config()
+        config.set_main_option("script_location", str(CHECKOUT / "migrations"))
+        config.attributes["connection"] = connection
+        command.upgrade(config, dump.stem)
+        made = sa.MetaData()
+        made.reflect(connection)
+        for table in made.sorted_tables:
+            names = [column.name for column in table.columns]
+            held = file.execute(f"SELECT {', '.join(names)} FROM {table.name}").fetchall()
+            if held and table.name != "alembic_version":
+                boolean = [isinstance(column.type, sa.Boolean) for column in table.columns]
+                values = [
+                    {n: bool(v) if b and v is not None else v for n, v, b in zip(names, row, boolean, strict=True)}
+                    for row in held
+                ]
+                connection.execute(sa.insert(table), values)
+    result = words("devices", "--db", postgres)
+    assert (result.exit_code, "esicatalog migrate" in result.stderr) == (2, True)
+    assert words("migrate", "--db", postgres).stdout.endswith(f"schema {dump.stem} -> {database.SCHEMA_VERSION}\n")
+    Catalog.migrate(old)
+    for query in DERIVED:
+        found = []
+        for target in (old, postgres):
+            with database.open_catalog(target).connect() as connection:
+                found.append(sorted(repr([*map(plain, row)]) for row in connection.exec_driver_sql(query)))
+        assert found[0] == found[1] != []
+    assert Catalog.open(old).check() == Catalog.open(postgres).check()
+    assert answers(old, FILTERS, TEXTS) == answers(postgres, FILTERS, TEXTS)
+    engine.dispose()
+
+
+def test_a_read_only_catalog_takes_no_changes(postgres, data):
+    Catalog.open(postgres, create=True).close()
+    with Catalog.open(postgres, read_only=True) as catalog:
+        with pytest.raises(CatalogError, match="read-only transaction; the database takes no changes"):
+            catalog.ingest([data / "io_terminal_8di_8do.xml"], jobs=1)
+        assert catalog.devices() == []
+
+
+def test_another_database_is_left_alone(postgres):
+    engine = database.make_engine(database.catalog_url(postgres))
+    with engine.begin() as connection:
+        connection.exec_driver_sql("CREATE TABLE orders (id INT)")
+    with pytest.raises(CatalogError, match="other tables"):
+        Catalog.open(postgres, create=True)
+    engine.dispose()
+
+
+def test_what_stands_in_the_way_is_one_line_without_the_password(postgres, data, tmp_path):
+    host = f"host={tmp_path}"
+    cases = {
+        f"postgresql+psycopg://me:secret@/c?{host}": "no server answers there",
+        "postgresql+psycopg://me:secret@127.0.0.1:1/c": "no server answers there",
+        "postgresql+psycopg://me:secret@no-such-host.invalid/c": "no such host",
+        postgres.replace("catalog_", "missing_"): "make the database first",
+        postgres: "not a catalog; make one with: esicatalog ingest",
+        "mysql://me:secret@host/c": "postgresql+psycopg://",
+        "postgresql://me:secret@host:port/c": "not a database URL",
+    }
+    for target, words_expected in cases.items():
+        result = words("devices", "--db", target)
+        (line,) = result.stderr.splitlines()
+        assert result.exit_code == 2
+        assert words_expected in line
+        assert "secret" not in line
+    result = words("serve", "--db", postgres)
+    assert (result.exit_code, "esicatalog snapshot" in result.stderr) == (2, True)
+
+
+def test_without_psycopg_it_says_what_to_install(monkeypatch):
+    monkeypatch.setitem(__import__("sys").modules, "psycopg", None)
+    result = words("devices", "--db", "postgresql://me:secret@host/c")
+    (line,) = result.stderr.splitlines()
+    assert (result.exit_code, "pip install 'esicatalog[postgres]'" in line, "secret" in line) == (2, True, False)
