@@ -35,14 +35,20 @@ class Affected:
 
 def settle(connection: sa.Connection, affected: Affected) -> None:
     """Bring everything that depends on several documents up to date."""
+    searched = set(affected.devices)
     if affected.vendors:
-        _settle_vendors(connection, affected.vendors)
+        renamed = _settle_vendors(connection, affected.vendors)
+        for part in chunks(sorted(renamed)):
+            searched.update(connection.execute(sa.select(devices.c.id).where(devices.c.vendor_id.in_(part))).scalars())
     if affected.devices or affected.identities:
         _settle_devices(connection, affected)
+    index_devices(connection, searched)
     settle_hidden(connection, affected.vendors | {identity[0] for identity in affected.identities})
 
 
-def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> None:
+def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> set[int]:
+    """Names and image of vendors; returns those whose shown name changed."""
+    shown: dict[int, str | None] = {}
     spellings: dict[int, Counter[tuple[int | None, str]]] = defaultdict(Counter)
     images: dict[int, set[str]] = defaultdict(set)
     vendor_codec = codec(Vendor)
@@ -53,6 +59,8 @@ def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> None:
             spellings[vendor.vendor_id].update({(name.lcid, name.text) for name in vendor.names})
             if vendor.image_data:
                 images[vendor.vendor_id].add(vendor.image_data)
+        known = sa.select(vendors.c.vendor_id, vendors.c.name).where(vendors.c.vendor_id.in_(part))
+        shown.update((vendor_id, name) for vendor_id, name in connection.execute(known))
         connection.execute(sa.delete(vendor_names).where(vendor_names.c.vendor_id.in_(part)))
     for vendor_id in sorted(vendor_ids):
         counted = spellings[vendor_id]
@@ -67,6 +75,7 @@ def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> None:
             .where(vendors.c.vendor_id == vendor_id)
             .values(name=_shown_name(counted), image_sha256=min(images[vendor_id], default=None))
         )
+    return {vendor_id for vendor_id, name in shown.items() if name != _shown_name(spellings[vendor_id])}
 
 
 def _shown_name(counted: Counter[tuple[int | None, str]]) -> str | None:
@@ -110,7 +119,6 @@ def _settle_devices(connection: sa.Connection, affected: Affected) -> None:
             )
         identities.update(map(tuple, connection.execute(sa.select(*identity).where(devices.c.id.in_(part)))))
     _number_variants(connection, identities)
-    index_devices(connection, affected.devices)
 
 
 def variant_group(vendor_id: int | None, product: int | None, revision: int | None, type_text: str | None) -> Any:
