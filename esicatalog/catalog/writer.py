@@ -25,6 +25,7 @@ from esicatalog.catalog.rows import (
 )
 from esicatalog.catalog.settle import Affected, collect_garbage, forget_content_hash, settle
 from esicatalog.catalog.turns import take_turn
+from esicatalog.errors import CatalogError
 from esicatalog.esi.content import digest
 from esicatalog.esi.records.document import Vendor
 
@@ -394,10 +395,15 @@ class _KeyMap:
         return self._known.get(key)
 
     def require(self, key: bytes | str) -> int:
-        """Row number of a digest that must be there: its rows came earlier."""
+        """Row number of a digest that must be there: its rows came earlier in this run.
+
+        Raises :class:`CatalogError` when another ingest meanwhile dropped the documents that it came with.
+        """
         number = self.get(key)
         if number is None:
-            raise LookupError(f"content {key!r} of {self._table.name} was referred to before it was handed over")
+            raise CatalogError(
+                f"another ingest dropped documents that this one had just stored ({self._table.name}); repeat this one"
+            )
         return number
 
     def load(self, keys: Sequence[bytes | str]) -> None:

@@ -1,0 +1,147 @@
+"""Snapshots: one read-only file with the same content, complete or not there at all, and served as it is."""
+
+import json
+import sqlite3
+import stat
+import subprocess
+import sys
+import urllib.request
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from questions import FILTERS, answers
+from snippets import device, esi, one, rows, write
+from test_schema import described
+
+from esicatalog import Catalog, CatalogError, InputError
+from esicatalog.catalog.inspect_data import inspect_path
+from esicatalog.catalog.schema import metadata
+from esicatalog.cli.main import cli
+from esicatalog.web.app import datasette_app
+
+
+def words(*arguments: object):
+    return CliRunner().invoke(cli, [str(argument) for argument in arguments], catch_exceptions=False)
+
+
+@pytest.fixture(scope="module")
+def snapshot(data_db, tmp_path_factory) -> Path:
+    with Catalog.open(data_db, read_only=True) as catalog:
+        return catalog.snapshot(tmp_path_factory.mktemp("snapshot") / "catalog-<hash>.db").path
+
+
+def test_the_name_holds_the_content_hash(snapshot, data_db):
+    assert snapshot.name == f"catalog-{Catalog.open(data_db).content_hash()}.db"
+    assert sorted(path.name for path in snapshot.parent.iterdir()) == [snapshot.name, f"{snapshot.name}.inspect.json"]
+
+
+def test_it_holds_what_the_catalog_holds(snapshot, data_db):
+    assert described(snapshot) == described(data_db)
+    for table in metadata.tables.keys() - {"catalog_state"}:
+        assert rows(snapshot, f"SELECT * FROM {table}") == rows(data_db, f"SELECT * FROM {table}")
+    assert answers(snapshot, FILTERS, ["808", "eyou", "0x1097"]) == answers(data_db, FILTERS, ["808", "eyou", "0x1097"])
+    assert Catalog.open(snapshot).check() == Catalog.open(data_db).check()
+    assert one(snapshot, "SELECT value FROM catalog_state WHERE key = 'content_hash'") in snapshot.name
+
+
+def test_nobody_may_write_into_it(snapshot):
+    for path in (snapshot, inspect_path(snapshot)):
+        assert stat.S_IMODE(path.stat().st_mode) == 0o444
+    assert one(snapshot, "PRAGMA journal_mode") == "delete"
+
+
+def test_a_snapshot_of_postgresql_is_one_of_sqlite(data_url, data_db, tmp_path):
+    result = words("snapshot", "--from", data_url, "--to", tmp_path / "c.db")
+    assert (result.exit_code, result.stdout) == (0, f"{tmp_path / 'c.db'}\n")
+    assert described(tmp_path / "c.db") == described(data_db)
+    for table in metadata.tables.keys() - {"catalog_state"}:
+        assert rows(tmp_path / "c.db", f"SELECT * FROM {table}") == rows(data_db, f"SELECT * FROM {table}")
+    assert Catalog.open(tmp_path / "c.db").check() == Catalog.open(data_db).check()
+    assert answers(tmp_path / "c.db", (), ["808", "eyou", "0x1097"]) == answers(data_db, (), ["808", "eyou", "0x1097"])
+
+
+def test_the_counts_are_those_of_datasette_inspect(snapshot):
+    command = [sys.executable, "-m", "datasette", "inspect", str(snapshot)]
+    said = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    written = json.loads(inspect_path(snapshot).read_text())
+    assert written.keys() == said.keys() == {snapshot.stem}
+    ours, theirs = written[snapshot.stem], said[snapshot.stem]
+    assert (ours["hash"], ours["size"]) == (theirs["hash"], theirs["size"])
+    counted = {name: table for name, table in theirs["tables"].items() if table["count"] is not None}
+    assert ours["tables"].items() >= counted.items()
+    assert ours["tables"]["devices"] == {"count": 6}
+
+
+def test_the_same_content_again_is_no_error_and_other_content_is(tmp_path, snapshot, data_db):
+    result = words("snapshot", "--from", data_db, "--to", snapshot.parent / "catalog-<hash>.db")
+    assert (result.exit_code, result.stdout) == (0, f"{snapshot}\n")
+    assert "there already" in result.stderr
+    folder = write(tmp_path, {"a.xml": esi(device())})
+    with Catalog.open(tmp_path / "other.db", create=True) as other:
+        other.ingest([folder / "a.xml"], jobs=1)
+    before = snapshot.read_bytes()
+    result = words("snapshot", "--from", tmp_path / "other.db", "--to", snapshot)
+    (line,) = result.stderr.splitlines()
+    assert (result.exit_code, "holds another catalog" in line) == (2, True)
+    assert snapshot.read_bytes() == before
+
+
+def test_an_unfinished_catalog_gives_none(tmp_path, data_db):
+    with closing(sqlite3.connect(data_db)) as source, closing(sqlite3.connect(tmp_path / "c.db")) as copy:
+        source.backup(copy)
+    for change, message in (
+        ("UPDATE catalog_state SET value = 'abc' WHERE key = 'content_hash'", "the catalog says abc"),
+        ("DELETE FROM catalog_state WHERE key = 'content_hash'", "an ingest is under way or was cut short"),
+    ):
+        with closing(sqlite3.connect(tmp_path / "c.db")) as copy:
+            copy.execute(change)
+            copy.commit()
+        with Catalog.open(tmp_path / "c.db") as catalog, pytest.raises(CatalogError, match=message):
+            catalog.snapshot(tmp_path / "to.db")
+    assert [path.name for path in tmp_path.iterdir()] == ["c.db"]
+
+
+def test_a_place_that_cannot_be_written_is_named(data_db, tmp_path):
+    with Catalog.open(data_db) as catalog:
+        for place in (tmp_path / "no" / "c.db", "postgresql://host/c"):
+            with pytest.raises(InputError):
+                catalog.snapshot(place)
+
+
+async def test_counts_of_another_file_are_not_believed(snapshot, tmp_path):
+    copy = tmp_path / "c.db"
+    copy.write_bytes(snapshot.read_bytes())
+    datasette_app(copy, immutable=True)
+    for text, message in (
+        (inspect_path(snapshot).read_text().replace('"hash": "', '"hash": "0'), "does not describe c.db as it is"),
+        ("[]", "delete it"),
+        ("{", "delete it"),
+    ):
+        inspect_path(copy).write_text(text)
+        with pytest.raises(CatalogError, match=message):
+            datasette_app(copy, immutable=True)
+        datasette_app(copy)
+    inspect_path(copy).write_text(inspect_path(snapshot).read_text())
+    application = datasette_app(copy, immutable=True)
+    assert application.get_database("catalog").cached_table_counts["devices"] == 6
+
+
+def test_serve_shows_a_snapshot_behind_a_link(snapshot, tmp_path):
+    (tmp_path / "current.db").symlink_to(snapshot)
+    command = [sys.executable, "-m", "esicatalog", "serve", "--immutable", "--port", "0"]
+    process = subprocess.Popen([*command, "--db", str(tmp_path / "current.db")], stdout=subprocess.PIPE, text=True)
+    try:
+        assert process.stdout is not None
+        address = process.stdout.readline().strip().removesuffix("/catalog")
+        with urllib.request.urlopen(f"{address}/-/databases.json", timeout=60) as answer:
+            (shown,) = json.load(answer)
+        assert (shown["is_mutable"], shown["hash"], shown["path"]) == (
+            False,
+            json.loads(inspect_path(snapshot).read_text())[snapshot.stem]["hash"],
+            str(snapshot),
+        )
+    finally:
+        process.terminate()
+        process.wait()
