@@ -47,6 +47,7 @@ bench: install
 	$(BIN)/python benchmarks/queries.py $(CORPUS)/esi
 	$(BIN)/python benchmarks/identify.py $(CORPUS)/esi
 	$(BIN)/python benchmarks/pages.py $(CORPUS)/esi
+	$(BIN)/python benchmarks/postgres.py $(CORPUS)/esi
 
 docs: install
 	$(BIN)/python docs/generate.py

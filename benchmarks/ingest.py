@@ -108,7 +108,7 @@ def measure_floor(corpus: Path) -> Floor:
         return executor.submit(parse_everything, corpus).result()
 
 
-def timed_ingest(corpus: Path, database: Path, jobs: int) -> Ingested:
+def timed_ingest(corpus: Path, database: Path | str, jobs: int) -> Ingested:
     """Ingest in a new interpreter; seconds include its start."""
     started = time.perf_counter()
     command = [sys.executable, "-c", _INGEST, str(database), str(corpus), str(jobs)]

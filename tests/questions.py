@@ -24,11 +24,7 @@ FILTERS: tuple[dict[str, Any], ...] = (
     *({name: True} for name in ("complete_access", "pdo_assign", "pdo_config", "bootstrap", "needs_dc", "no_lrw")),
     *({"identification": method} for method in IDENTIFICATIONS),
     *({"physics": ports} for ports in ("YY", "KK", "YY  ")),
-    *(
-        {name: bounds}
-        for name in ("bytes_in", "bytes_out", "min_cycle_ns", "e_bus_ma", "axes")
-        for bounds in BOUNDS
-    ),
+    *({name: bounds} for name in ("bytes_in", "bytes_out", "min_cycle_ns", "e_bus_ma", "axes") for bounds in BOUNDS),
     {"maps": ((0x6040, 0),)},
     {"maps": ((0x60FF, None),), "bits": 32},
     {"maps": ((0x6040, None),), "not_maps": ((0x6840, None),)},

@@ -28,7 +28,19 @@ from esicatalog.cli.main import cli
 TEXTS = (
     *("el", "EL", "8", "808", "d808", "ecx-d808", "ECX_D808", "ecx d808", "digital 8", "gital", "gi", "servo motor"),
     *("#x1097", "0x00001097", "0x109", "4247", "0x0d080808", "_", "'", '"', "%", "a|b", "é", "İ", ""),
-    *("ubertrager", "Übertrager", "träger", "rager", "ÜBERTRÄGER", "strasse", "STRASSE", "straße", "モータ", "タ", "m²"),
+    *(
+        "ubertrager",
+        "Übertrager",
+        "träger",
+        "rager",
+        "ÜBERTRÄGER",
+        "strasse",
+        "STRASSE",
+        "straße",
+        "モータ",
+        "タ",
+        "m²",
+    ),
 )
 
 
@@ -55,7 +67,9 @@ def odd(tmp_path_factory) -> Path:
     folder = tmp_path_factory.mktemp("odd")
     names = ("Übertrager 24V", "UBERTRAGER", "ubertrager", "Straße", "モータ", "m² ﬁlter", "a|b", "a b", "É", "100%_x")
     for number, name in enumerate(names):
-        content = device("<Odd/><Odd/>", name=name, type_text=name[:3], product=f"#x{number % 3:X}", revision=f"#x{number % 2:X}")
+        content = device(
+            "<Odd/><Odd/>", name=name, type_text=name[:3], product=f"#x{number % 3:X}", revision=f"#x{number % 2:X}"
+        )
         unnumbered = device(name=name, type_text=f"no code {number % 4}", product="")
         vendor = f"<Id>{'#x5' if number % 2 else '4294967295'}</Id><Name>{name.swapcase()}</Name>"
         write(folder, {f"{number % 5}/{number}.xml": esi(content + unnumbered, vendor=vendor)})

@@ -168,7 +168,7 @@ def test_content_that_another_dropped_and_that_does_not_come_again_is_no_half_do
     one, two = machines
     one.store("a", esi(device()))
     two.drop("a", of="one")
-    with pytest.raises(CatalogError, match="another ingest dropped .* repeat this one"):
+    with pytest.raises(CatalogError, match=r"another ingest dropped .* repeat this one"):
         one.store("b", esi(device()))
     one.connection.rollback()
     assert held(two, schema.sources) == held(two, schema.devices) == 0

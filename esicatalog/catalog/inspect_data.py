@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import os
 import sqlite3
 from contextlib import closing
 from pathlib import Path
@@ -36,7 +35,7 @@ def read_inspect_data(file: Path) -> dict[str, Any] | None:
     path = inspect_path(file)
     try:
         (found,) = json.loads(path.read_text(encoding="utf-8")).values()
-        if found["size"] == os.path.getsize(file) and found["hash"] == _sha256(file):
+        if found["size"] == file.stat().st_size and found["hash"] == _sha256(file):
             return {"hash": found["hash"], "size": found["size"], "tables": dict(found["tables"])}
     except FileNotFoundError:
         return None

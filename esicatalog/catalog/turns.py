@@ -7,7 +7,9 @@ of the process that held it.
 import sqlalchemy as sa
 
 _TURNS = "turns"
-_TAKE = sa.text("UPDATE catalog_state SET value = CAST(CAST(value AS BIGINT) + 1 AS TEXT) WHERE key = :key RETURNING value")
+_TAKE = sa.text(
+    "UPDATE catalog_state SET value = CAST(CAST(value AS BIGINT) + 1 AS TEXT) WHERE key = :key RETURNING value"
+)
 _FIRST = sa.text("INSERT INTO catalog_state (key, value) VALUES (:key, '0') ON CONFLICT DO NOTHING")
 
 

@@ -313,7 +313,8 @@ def create_views(connection: sa.Connection) -> None:
         connection.exec_driver_sql(f"CREATE VIEW {view.name} AS {view.select}")
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql(
-            f"CREATE VIRTUAL TABLE {FULL_TEXT} USING fts5(vendor, type, name, identity, words, tokenize = '{TOKENIZER}')"
+            f"CREATE VIRTUAL TABLE {FULL_TEXT} USING fts5(vendor, type, name, identity, words, "
+            f"tokenize = '{TOKENIZER}')"
         )
     else:
         connection.exec_driver_sql(

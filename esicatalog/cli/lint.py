@@ -125,8 +125,10 @@ def _stored(db: str) -> "Iterator[DocumentFinding]":
     from esicatalog.lint.report import DocumentFinding
 
     columns = (sources.c.member, *(findings.c[name] for name in Finding.__struct_fields__))
-    query = sa.select(*columns).join_from(findings, sources).order_by(
-        sources.c.member, findings.c.line, sources.c.location, findings.c.id
+    query = (
+        sa.select(*columns)
+        .join_from(findings, sources)
+        .order_by(sources.c.member, findings.c.line, sources.c.location, findings.c.id)
     )
     engine = open_catalog(db, read_only=True)
     try:

@@ -136,9 +136,7 @@ def _server_batches(outcomes: Iterator[Outcome]) -> Iterator[Iterable[Outcome]]:
 
 
 def _store(writer: Writer, location: str, member: str, archive: str | None, outcome: Outcome) -> DocumentLine:
-    source = SourceRow(
-        location, member, outcome.status, outcome.message, outcome.sha256, outcome.byte_count, archive
-    )
+    source = SourceRow(location, member, outcome.status, outcome.message, outcome.sha256, outcome.byte_count, archive)
     rows = outcome.rows
     writer.store(source, rows)
     devices, modules = (len(rows.devices), len(rows.modules)) if rows is not None else (0, 0)

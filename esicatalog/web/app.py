@@ -34,7 +34,8 @@ def catalog_file(target: str | os.PathLike[str]) -> Path:
     path = sqlite_path(catalog_url(target))
     if path is None:
         raise CatalogError(
-            f"{shown_target(target)}: the pages read SQLite files only; make one with: esicatalog snapshot --from URL --to FILE"
+            f"{shown_target(target)}: the pages read SQLite files only; make one with: "
+            "esicatalog snapshot --from URL --to FILE"
         )
     if any(character in str(path) for character in _URI_CHARACTERS):
         # Datasette puts the path into a URI as it stands.
