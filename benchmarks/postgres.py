@@ -57,7 +57,7 @@ def main() -> None:
     parser.add_argument("--processes", type=int, default=4, help="ingests at once")
     given = parser.parse_args()
     try:
-        with running_cluster() as cluster:
+        with running_cluster(durable=True) as cluster:
             runs = []
             for number in range(given.runs):
                 runs.append(measure(cluster, given.corpus, given.jobs))

@@ -292,7 +292,8 @@ def _schema_lines() -> Iterator[str]:
         "",
         "## Full-text index",
         "",
-        f"`{FULL_TEXT}` (SQLite only): {FULL_TEXT_DOC} Its rowid is `devices.id`.",
+        f"`{FULL_TEXT}`: {FULL_TEXT_DOC} On SQLite it is an FTS5 table whose rowid is `devices.id`, on PostgreSQL a "
+        "plain table of the same words.",
     )
     yield from ("", "## Tables")
     for table in sorted(metadata.tables.values(), key=lambda table: table.name):

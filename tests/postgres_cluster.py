@@ -11,8 +11,9 @@ from pathlib import Path
 _DEBIAN_FOLDERS = Path("/usr/lib/postgresql")
 _SERVER_USER = "postgres"
 """Who runs the server where we are root, which PostgreSQL refuses to be; and the owner of all databases."""
-_SETTINGS = {"listen_addresses": "''", "fsync": "on", "max_connections": "40"}
-"""No network: the socket's folder is all there is to reach it by."""
+_NO_NETWORK = "-c listen_addresses=''"
+"""The socket's folder is all there is to reach the server by."""
+_CARELESS = "-c fsync=off -c full_page_writes=off"
 
 
 class NoServer(Exception):
@@ -50,8 +51,11 @@ def server_programs() -> Path:
 
 
 @contextlib.contextmanager
-def running_cluster() -> Iterator[Cluster]:
-    """Make a cluster, start it, and remove it with all its databases. Raises :class:`NoServer`."""
+def running_cluster(durable: bool = False) -> Iterator[Cluster]:
+    """Make a cluster, start it, and remove it with all its databases. Raises :class:`NoServer`.
+
+    Unless ``durable`` it does not wait for the disk: what is thrown away need not survive a power failure.
+    """
     programs = server_programs()
     run: list[str] = []
     with tempfile.TemporaryDirectory(prefix="pg-") as folder:
@@ -75,8 +79,8 @@ def running_cluster() -> Iterator[Cluster]:
                     raise NoServer(f"{program}: {output.read().decode('utf-8', 'replace').strip()}")
 
         call("initdb", "-U", _SERVER_USER, "-A", "trust", "-E", "UTF8", "--locale=C.UTF-8", "--no-sync")
-        settings = " ".join(f"-c {name}={value}" for name, value in _SETTINGS.items())
-        call("pg_ctl", "start", "-w", "-l", str(log), "-o", f"-k {folder} {settings}")
+        settings = f"-k {folder} {_NO_NETWORK} {'' if durable else _CARELESS}"
+        call("pg_ctl", "start", "-w", "-l", str(log), "-o", settings)
         try:
             yield Cluster(Path(folder), run, programs)
         finally:

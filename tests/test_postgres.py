@@ -55,8 +55,8 @@ def plain(value: Any) -> Any:
     return int(value) if isinstance(value, bool) else value
 
 
-def content(engine: sa.Engine, name: str) -> list[str]:
-    with engine.connect() as connection:
+def content(target: str | Path, name: str) -> list[str]:
+    with database.make_engine(database.catalog_url(target)).connect() as connection:
         found = connection.exec_driver_sql(f"SELECT * FROM {name}")
         return sorted(repr([(column, plain(value)) for column, value in row.items()]) for row in found.mappings())
 
@@ -100,19 +100,18 @@ def test_migrations_lead_to_the_metadata(postgres):
 
 @pytest.mark.parametrize("table", [name for name in schema.metadata.tables if name != "catalog_state"])
 def test_rows_are_the_same(both, table):
-    here, there = (content(database.open_catalog(target), table) for target in both)
+    here, there = (content(target, table) for target in both)
     assert here == there
 
 
 @pytest.mark.parametrize("view", [view.name for view in views("sqlite")])
 def test_views_are_the_same(both, view):
-    here, there = (content(database.open_catalog(target), view) for target in both)
+    here, there = (content(target, view) for target in both)
     assert here == there
 
 
 def test_the_views_show_something(both):
-    engine = database.open_catalog(both[1])
-    empty = {view.name for view in views("sqlite") if not content(engine, view.name)}
+    empty = {view.name for view in views("sqlite") if not content(both[1], view.name)}
     assert empty <= {"module_initcmds"}
 
 
@@ -155,7 +154,7 @@ def test_identities_sheets_exports_and_findings_are_the_same(both):
             ("export", "igh", identity),
             ("export", "esi", identity),
             ("diff", identity, identities[0]),
-        ):
+        )[:: 1 if identity in identities[:2] else 3]:
             here, there = (words(*command_words, "--db", target) for target in both)
             assert (here.exit_code, here.stdout, here.stderr) == (there.exit_code, there.stdout, there.stderr)
     here, there = (words("lint", "--format", "json", "--db", target) for target in both)

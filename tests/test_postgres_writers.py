@@ -74,7 +74,12 @@ def test_four_at_once_make_the_catalog_that_one_makes(postgres, quarters, whole)
     assert_holds(postgres, whole)
 
 
-def test_the_same_folder_twice_at_once(postgres, quarters, whole):
+def test_the_same_folder_twice_at_once_where_the_server_isolates_more(postgres, quarters, whole):
+    engine = database.make_engine(database.catalog_url(postgres))
+    with engine.begin() as connection:
+        name = connection.engine.url.database
+        connection.exec_driver_sql(f"ALTER DATABASE {name} SET default_transaction_isolation = 'serializable'")
+    engine.dispose()
     assert_done([started(postgres, quarters), started(postgres, quarters)])
     assert_holds(postgres, whole)
 

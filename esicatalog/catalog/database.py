@@ -58,9 +58,12 @@ def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
 
     Raises :class:`CatalogError` where the driver is missing.
     """
-    options = {"postgresql_readonly": True} if read_only and url.get_backend_name() != "sqlite" else {}
+    options: dict[str, Any] = {}
+    if url.get_backend_name() != "sqlite":
+        # Whoever waited for its turn to write has to see what the others wrote, whatever the server's default is.
+        options = {"isolation_level": "READ COMMITTED", "execution_options": {"postgresql_readonly": read_only}}
     try:
-        engine = sa.create_engine(url, execution_options=options)
+        engine = sa.create_engine(url, **options)
     except (ModuleNotFoundError, sa.exc.NoSuchModuleError) as error:
         raise CatalogError(
             f"{url!r}: the driver of {url.drivername} is not installed ({error}); "
