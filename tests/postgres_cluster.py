@@ -29,11 +29,11 @@ class Cluster:
         self._programs = programs
         self._count = 0
 
-    def new_database(self) -> str:
-        """The URL of an empty database."""
+    def new_database(self, *options: str) -> str:
+        """The URL of an empty database; ``options`` are those of createdb."""
         self._count += 1
         name = f"catalog_{self._count}"
-        command = [self._programs / "createdb", "-h", self._socket_folder, "-U", _SERVER_USER, name]
+        command = [self._programs / "createdb", "-h", self._socket_folder, "-U", _SERVER_USER, *options, name]
         subprocess.run([*self._run, *map(str, command)], check=True, capture_output=True)
         return f"postgresql+psycopg://{_SERVER_USER}@/{name}?host={self._socket_folder}"
 

@@ -221,6 +221,38 @@ def test_a_read_only_catalog_takes_no_changes(postgres, data):
         assert catalog.devices() == []
 
 
+def test_who_only_reads_needs_no_right_to_write(postgres_cluster, tmp_path, data):
+    url = postgres_cluster.new_database()
+    with Catalog.open(url, create=True) as catalog:
+        catalog.ingest([data], jobs=1)
+    engine = database.make_engine(database.catalog_url(url))
+    with engine.begin() as connection:
+        connection.exec_driver_sql("CREATE ROLE reader LOGIN")
+        connection.exec_driver_sql("GRANT SELECT ON ALL TABLES IN SCHEMA public TO reader")
+    engine.dispose()
+    reader = url.replace("//postgres@", "//reader@")
+    identity = "0x1097:0x2406:0x8f"
+    for asked in (
+        ("devices",),
+        ("devices", "--text", "eyou"),
+        ("identify", *identity.split(":")),
+        ("show", identity),
+        ("export", "igh", identity),
+        ("check",),
+    ):
+        assert words(*asked, "--db", reader).exit_code == 0
+    assert words("snapshot", "--from", reader, "--to", tmp_path / "c.db").exit_code == 0
+    refused = words("ingest", write(tmp_path, {"a.xml": esi(device())}) / "a.xml", "--db", reader, "--jobs", "1")
+    (line,) = refused.stderr.splitlines()
+    assert (refused.exit_code, "permission denied" in line) == (2, True)
+
+
+def test_a_database_that_cannot_hold_every_text_is_refused(postgres_cluster):
+    url = postgres_cluster.new_database("-E", "SQL_ASCII", "-T", "template0", "--locale=C")
+    with pytest.raises(CatalogError, match="encoding SQL_ASCII; make one with: createdb -E UTF8"):
+        Catalog.open(url, create=True)
+
+
 def test_another_database_is_left_alone(postgres):
     engine = database.make_engine(database.catalog_url(postgres))
     with engine.begin() as connection:

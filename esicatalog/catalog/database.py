@@ -12,6 +12,7 @@ from esicatalog.catalog import schema, views
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.identity import Query
 from esicatalog.catalog.rederive import derive_again
+from esicatalog.catalog.turns import take_turn
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 
@@ -61,7 +62,11 @@ def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
     options: dict[str, Any] = {}
     if url.get_backend_name() != "sqlite":
         # Whoever waited for its turn to write has to see what the others wrote, whatever the server's default is.
-        options = {"isolation_level": "READ COMMITTED", "execution_options": {"postgresql_readonly": read_only}}
+        options = {
+            "isolation_level": "READ COMMITTED",
+            "execution_options": {"postgresql_readonly": read_only},
+            "connect_args": {"client_encoding": "utf8"},
+        }
     try:
         engine = sa.create_engine(url, **options)
     except (ModuleNotFoundError, sa.exc.NoSuchModuleError) as error:
@@ -248,6 +253,12 @@ def schema_version(connection: sa.Connection) -> str | None:
     return None
 
 
+def _require_unicode(connection: sa.Connection) -> None:
+    encoding = connection.exec_driver_sql("SHOW server_encoding").scalar_one()
+    if encoding not in ("UTF8", "UTF-8"):
+        raise CatalogError(f"the database has the encoding {encoding}; make one with: createdb -E UTF8 -T template0")
+
+
 def upgrade(engine: sa.Engine) -> None:
     """Bring a database to the current schema; a new catalog is made the same way."""
     from alembic import command
@@ -260,6 +271,10 @@ def upgrade(engine: sa.Engine) -> None:
             # Python's sqlite3 begins no transaction for CREATE: a killed upgrade would leave half a catalog
             connection.exec_driver_sql("BEGIN IMMEDIATE")
         is_new = schema_version(connection) is None
+        if not is_new:
+            take_turn(connection)
+        elif connection.dialect.name != "sqlite":
+            _require_unicode(connection)
         views.drop_views(connection)
         config.attributes["connection"] = connection
         command.upgrade(config, "head")
