@@ -114,6 +114,26 @@ def test_a_killed_ingest_harms_nobody(postgres, quarters, whole, moment):
     assert_holds(postgres, whole)
 
 
+def test_a_lost_connection_is_one_line_and_what_was_stored_stays(postgres, quarters, whole):
+    engine = database.make_engine(database.catalog_url(postgres))
+
+    def cut(line: object, done: int, total: int) -> None:
+        if done == 10:
+            with engine.connect() as other:
+                others = "FROM pg_stat_activity WHERE datname = current_database() AND pid <> pg_backend_pid()"
+                other.exec_driver_sql(f"SELECT pg_terminate_backend(pid) {others}")
+
+    with Catalog.open(postgres, create=True) as catalog:
+        catalog.ingest(quarters[:1], jobs=1)
+        with pytest.raises(CatalogError, match="nothing of the last step was stored"):
+            catalog.ingest(quarters, jobs=1, progress=cut)
+    engine.dispose()
+    with Catalog.open(postgres) as catalog:
+        assert len(catalog.devices()) > 0
+        catalog.ingest(quarters, jobs=1)
+    assert_holds(postgres, whole)
+
+
 class Machine:
     """One of several that write in turns. What it has handed over once it does not hand over again."""
 
@@ -179,7 +199,7 @@ def test_content_that_another_dropped_and_that_does_not_come_again_is_no_half_do
     assert held(two, schema.sources) == held(two, schema.devices) == 0
 
 
-def test_there_is_no_content_hash_while_anybody_has_something_to_come(postgres, machines):
+def test_a_stored_content_hash_is_that_of_what_is_stored(postgres, machines):
     one, two = machines
     with Catalog.open(postgres) as catalog:
         one.store("a", esi(device()))

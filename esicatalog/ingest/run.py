@@ -123,15 +123,15 @@ def _for_a_while(first: Outcome, following: Iterator[Outcome]) -> Iterator[Outco
 
 def _server_batches(outcomes: Iterator[Outcome]) -> Iterator[Iterable[Outcome]]:
     """Outcomes by commit, handed on together: others write meanwhile, and wait only while these are written."""
-    gathered: list[Outcome] = []
-    until = time.monotonic() + _COMMIT_SECONDS
-    for outcome in outcomes:
-        gathered.append(outcome)
-        if time.monotonic() > until or sum(o.byte_count or 0 for o in gathered) > _MOST_GATHERED_BYTES:
-            yield gathered
-            gathered = []
-            until = time.monotonic() + _COMMIT_SECONDS
-    if gathered:
+    for first in outcomes:
+        gathered, byte_count = [first], first.byte_count or 0
+        until = time.monotonic() + _COMMIT_SECONDS
+        while time.monotonic() < until and byte_count < _MOST_GATHERED_BYTES:
+            outcome = next(outcomes, None)
+            if outcome is None:
+                break
+            gathered.append(outcome)
+            byte_count += outcome.byte_count or 0
         yield gathered
 
 
