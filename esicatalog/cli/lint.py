@@ -199,6 +199,10 @@ class _Run:
                     self.skipped_count += 1
             except DocumentError as error:
                 yield from self._refused(shown, "L01", error)
+            except InputError as error:
+                self.unreadable.append(f"{shown}: {error}")
+            except (MemoryError, RecursionError):
+                self.unreadable.append(f"{shown}: too large or too deep to be checked")
         yield from lint_library(self._facts, self._rules)
 
     def _found(self) -> "Iterator[Found]":

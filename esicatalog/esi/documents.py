@@ -1,7 +1,9 @@
 """Opening documents: bytes in, an XML tree out, hardened and tolerant.
 
 External entities are never loaded, DTDs never fetched. What a strict parser refuses is tried again, first with the
-encoding that the bytes really have, then with the recovery of libxml2; the reason is reported, never hidden.
+encoding that the bytes really have, then with the recovery of libxml2; the reason is reported, never hidden. A document
+beyond a limit that bounds time and memory is refused, not cut: those of libxml2 (256 elements deep, 10 MB of text or
+start tag, entities that expand the document five times) and those below.
 """
 
 import codecs
@@ -15,7 +17,22 @@ from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
 
 ESI_ROOTS = ("EtherCATInfo", "EtherCATInfoList", "EtherCATModule", "EtherCATDict", "EtherCATDiag")
 _OTHER_ROOTS = {"EtherCATConfig": "an ENI file (EtherCATConfig: master configuration), not ESI"}
-_BOMS = (codecs.BOM_UTF8, codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+MAX_ATTRIBUTES = 1_000
+"""Of one element; the schema has 12 at most. Reading them takes time that grows with the square of their number."""
+MAX_NAMESPACES = 100
+"""Declared in one document; real ones declare two. Each is repeated by every part of the document that is written."""
+_BOMS = (codecs.BOM_UTF8, codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE, codecs.BOM_UTF32_BE)
+_LIMITS = {
+    "amplification": "its entities and attribute defaults expand too far",
+    "depth": "nests more than 256 elements",
+    "Text node": "holds a text of more than 10 MB",
+    "Buffer size": "holds a start tag of more than 10 MB",
+}
+"""What libxml2 says beyond a limit, in words that name the limit."""
+_PARAMETER_ENTITY = re.compile(rb"<!ENTITY\s+%")
+_HAS_TOO_MANY_ATTRIBUTES = etree.XPath(f"boolean(//@*[position() > {MAX_ATTRIBUTES}])")
+_UNSAFE_ENCODINGS = ("UTF-7", "UTF7")
+"""They spell the same text in many ways, so that no look at the bytes tells what it says."""
 _LEADING_MARKUP = re.compile(rb"\s*<")
 
 
@@ -55,21 +72,33 @@ def parse_document(content: bytes) -> ParsedDocument:
         raise BrokenDocument("the file is empty")
     if not _looks_like_xml(content):
         raise NotAnEsiDocument("no XML document")
+    _check_declarations(content)
     try:
         return _known(etree.fromstring(content, make_parser()), None, 0)
     except etree.XMLSyntaxError as error:
         return _recover(content, error)
 
 
+def _check_declarations(content: bytes) -> None:
+    text = content.replace(b"\0", b"")  # UTF-16 and UTF-32
+    if text.count(b"xmlns") > MAX_NAMESPACES:
+        raise BrokenDocument(f"more than {MAX_NAMESPACES} namespaces declared; no ESI document does")
+    if _PARAMETER_ENTITY.search(text) is not None:
+        raise BrokenDocument("parameter entities declared; no ESI document does: remove its DOCTYPE")
+
+
 def _looks_like_xml(content: bytes) -> bool:
     head = content[:4096]
-    if head.startswith(_BOMS[1:]) or head[:4] in (b"<\0?\0", b"\0<\0?"):
+    if head.startswith(_BOMS[1:]) or head[:4] in (b"<\0?\0", b"\0<\0?", b"<\0\0\0", b"\0\0\0<"):
         return True
     return _LEADING_MARKUP.match(head.removeprefix(codecs.BOM_UTF8)) is not None
 
 
 def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
     line, reason = error.lineno or 0, _one_line(error)
+    if error.code == etree.ErrorTypes.ERR_RESOURCE_LIMIT:
+        words = next((words for part, words in _LIMITS.items() if part in reason), reason)
+        raise BrokenDocument(f"{words}; no ESI document does", line)
     if b"<EtherCAT" not in content and not content.startswith(_BOMS[1:]):
         raise NotAnEsiDocument(f"XML without an EtherCAT root, and not well-formed: {reason}", line)
     if "encoding" in reason.lower() or "utf-8" in reason.lower():
@@ -91,6 +120,10 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
 def _known(root: etree._Element, recovered: str | None, line: int) -> ParsedDocument:
     if root.tag in ESI_ROOTS:
         encoding = root.getroottree().docinfo.encoding or "UTF-8"
+        if encoding.upper() in _UNSAFE_ENCODINGS:
+            raise BrokenDocument(f"encoded as {encoding}: save it as UTF-8")
+        if _HAS_TOO_MANY_ATTRIBUTES(root):
+            raise BrokenDocument(f"an element has more than {MAX_ATTRIBUTES} attributes; none of ESI has")
         entity = next(root.iter(etree.Entity), None)
         if entity is not None:
             left_out = f"entity {entity.text} and others are not expanded; left out"

@@ -73,7 +73,7 @@ class Reader:
         they stay unresolved. Raises :class:`NotAnEsiDocument` and :class:`BrokenDocument`.
         """
         parsed = parse_document(content)
-        notes = Notes(self._cache, OWNERS)
+        notes = Notes(self._cache, OWNERS, len(content))
         if parsed.recovered:
             notes.findings.append(Finding("L01", "E", parsed.recovered, parsed.error_line))
         if parsed.root.tag == "EtherCATDict":
