@@ -29,6 +29,7 @@ _LIMITS = {
     "Buffer size": "holds a start tag of more than 10 MB",
 }
 """What libxml2 says beyond a limit, in words that name the limit."""
+_LONGEST_REASON = 200
 _PARAMETER_ENTITY = re.compile(rb"<!ENTITY\s+%")
 _HAS_TOO_MANY_ATTRIBUTES = etree.XPath(f"boolean(//@*[position() > {MAX_ATTRIBUTES}])")
 _UNSAFE_ENCODINGS = ("UTF-7", "UTF7")
@@ -137,4 +138,5 @@ def _known(root: etree._Element, recovered: str | None, line: int) -> ParsedDocu
 
 def _one_line(error: etree.XMLSyntaxError) -> str:
     message = " ".join((error.msg or str(error)).split())
-    return re.sub(r"\s*\((<string>|line).*?\)$", "", message)
+    message = re.sub(r"\s*\((<string>|line).*?\)$", "", message)
+    return message if len(message) <= _LONGEST_REASON else message[: _LONGEST_REASON - 1] + "…"

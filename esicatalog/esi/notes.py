@@ -12,6 +12,7 @@ from esicatalog.esi.numbers import Remark
 
 MAX_FINDINGS = 100_000
 """That reading one document may bring, and values outside the schema that it may hold; real ones bring hundreds."""
+_LONGEST_MESSAGE = 300
 _TOO_MANY = f"more than {MAX_FINDINGS} values outside the schema or against its rules; no ESI document holds"
 
 
@@ -90,6 +91,8 @@ class Notes:
 
     def find(self, element: etree._Element, rule: str, severity: str, message: str) -> None:
         """A finding at ``element``."""
+        if len(message) > _LONGEST_MESSAGE:
+            message = message[: _LONGEST_MESSAGE - 1] + "…"
         if len(self.findings) >= MAX_FINDINGS:
             raise BrokenDocument(_TOO_MANY, element.sourceline or 0)
         self.findings.append(Finding(rule, severity, message, element.sourceline or 0, self.path(element)))
