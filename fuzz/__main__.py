@@ -54,7 +54,9 @@ def run(target: str, seconds: int) -> None:
                 return bytes(atheris.Mutate(data, max_size))
             return module.mutate(data, seed)[:max_size]
 
-        atheris.Setup([f"fuzz.{target}", *options, corpus], lambda data: module.check(data) and None, custom_mutator=mutate)
+        atheris.Setup(
+            [f"fuzz.{target}", *options, corpus], lambda data: module.check(data) and None, custom_mutator=mutate
+        )
         atheris.Fuzz()
 
 

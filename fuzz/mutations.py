@@ -32,7 +32,9 @@ def mutated_tree(root: etree._Element, chance: Random) -> bytes:
             case "remove":
                 parent.remove(element)
             case "double":
-                parent.insert(chance.randint(0, len(parent)), etree.fromstring(etree.tostring(element, with_tail=False)))
+                parent.insert(
+                    chance.randint(0, len(parent)), etree.fromstring(etree.tostring(element, with_tail=False))
+                )
             case "move":
                 target = chance.choice(elements)
                 if target not in element.iter():

@@ -106,5 +106,5 @@ def seeds() -> Iterator[bytes]:
 
 def mutate(data: bytes, seed: int) -> bytes:
     """Another listing."""
-    chance = random.Random(seed)  # noqa: S311
+    chance = random.Random(seed)
     return mutated_lines(data, chance) if chance.random() < 0.7 else mutated_bytes(data, chance)

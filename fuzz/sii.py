@@ -14,8 +14,8 @@ from fuzz.seeds import real_files
 
 _HEADER = bytes.fromhex("80030066") + bytes(4) + bytes(6) + b"\x9e\x00" + bytes(112)
 _STRINGS = bytes.fromhex("0a000300") + b"\x01\x04Name"
-_MANAGERS = bytes.fromhex("29000800") + bytes.fromhex("0010800026000101" "0014800022000102")
-_PDO = bytes.fromhex("32000800") + bytes.fromhex("001a010300000000" "0060010100100000")
+_MANAGERS = bytes.fromhex("29000800") + bytes.fromhex("00108000260001010014800022000102")
+_PDO = bytes.fromhex("32000800") + bytes.fromhex("001a0103000000000060010100100000")
 _CLOCK = bytes.fromhex("3c000c00") + bytes(24)
 
 
@@ -41,4 +41,4 @@ def seeds() -> Iterator[bytes]:
 
 def mutate(data: bytes, seed: int) -> bytes:
     """Another image."""
-    return mutated_bytes(data, random.Random(seed))  # noqa: S311
+    return mutated_bytes(data, random.Random(seed))

@@ -1,5 +1,6 @@
 """esicatalog lint"""
 
+import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
@@ -186,7 +187,7 @@ class _Run:
         from esicatalog.lint.library import lint_library
         from esicatalog.lint.report import DocumentFinding
 
-        named = {str(Path(path).resolve()) for path in self._paths}
+        named = {os.path.realpath(path) for path in self._paths}
         for found in self._found():
             shown = _shown(found.location)
             try:

@@ -97,6 +97,8 @@ def _looks_like_xml(content: bytes) -> bool:
 
 def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
     line, reason = error.lineno or 0, _one_line(error)
+    if error.code == etree.ErrorTypes.ERR_NO_MEMORY:
+        raise MemoryError
     if error.code == etree.ErrorTypes.ERR_RESOURCE_LIMIT:
         words = next((words for part, words in _LIMITS.items() if part in reason), reason)
         raise BrokenDocument(f"{words}; no ESI document does", line)
@@ -109,7 +111,10 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
             pass
         else:
             return _known(root, f"{reason}; read as windows-1252", line)
-    root = etree.fromstring(content, make_parser(recover=True))
+    try:
+        root = etree.fromstring(content, make_parser(recover=True))
+    except etree.XMLSyntaxError:
+        root = None
     if root is None:
         raise BrokenDocument(f"not well-formed and nothing could be recovered: {reason}", line)
     try:

@@ -65,7 +65,10 @@ class DocumentWorker:
             place = f"line {error.line}: " if error.line else ""
             outcome.status, outcome.message = "failed", f"{place}{error}"
         except (MemoryError, RecursionError) as error:
-            outcome.status, outcome.message = "failed", f"too large or too deep to read ({type(error).__name__})"
+            outcome.status, outcome.message = (
+                "failed",
+                f"takes too much memory or is nested too deep ({type(error).__name__})",
+            )
         except Exception as error:  # a fault of the reader costs its document, not the run
             outcome.status = "failed"
             outcome.message = f"not foreseen by the reader ({type(error).__name__}); please report it with the document"
