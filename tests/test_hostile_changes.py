@@ -13,6 +13,7 @@ import pytest
 from snippets import device, esi, write
 
 from esicatalog import Catalog
+from esicatalog.esi.reader import Reader
 from esicatalog.ingest import plan as planning
 from esicatalog.ingest import run as _run  # noqa: F401  (it must not be loaded while a test has changed the plan)
 from esicatalog.ingest.pool import Pool
@@ -150,6 +151,23 @@ def test_members_of_a_changed_archive_go_whatever_the_folder_is_called(tmp_path)
     assert sorted(line.path for line in report.documents) == ["a.zip!a.xml", GOOD]
 
 
+def test_a_fault_of_the_reader_costs_its_document(tmp_path, folder, monkeypatch):
+    read = Reader.read
+
+    def faulty(self, content, member="", container=None):
+        if member == "victim.xml":
+            raise KeyError("a fault")
+        return read(self, content, member, container)
+
+    monkeypatch.setattr(Reader, "read", faulty)
+    lines = ingest_changed(tmp_path, monkeypatch, lambda: None, jobs=1)
+    assert lines["victim.xml"] == (
+        "failed",
+        "not foreseen by the reader (KeyError); please report it with the document",
+    )
+    assert lines[GOOD] == ("stored", None)
+
+
 def children(process: int) -> list[int]:
     """Processes that a process has started."""
     tasks = Path(f"/proc/{process}/task").glob("*/children")
@@ -179,7 +197,7 @@ def test_a_killed_worker_costs_one_document(tmp_path):
 
 
 def test_a_document_past_its_deadline_is_given_up_and_the_next_is_read(tmp_path):
-    slow = esi(device("<Sm>Outputs</Sm>" * 400_000))
+    slow = esi(device("<Sm>Outputs</Sm>" * 50_000))
     write(tmp_path, {"slow.xml": slow, GOOD: esi(device())})
     tasks = [Task(number, str(tmp_path), False, (), name) for number, name in enumerate(("slow.xml", GOOD))]
     pool = Pool(tasks[:1], 1, deadline_seconds=0.01)

@@ -7,6 +7,7 @@ start tag, entities that expand the document five times) and those below.
 """
 
 import codecs
+import contextlib
 import re
 from typing import NamedTuple
 
@@ -111,10 +112,9 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
             pass
         else:
             return _known(root, f"{reason}; read as windows-1252", line)
-    try:
+    root: etree._Element | None = None
+    with contextlib.suppress(etree.XMLSyntaxError):
         root = etree.fromstring(content, make_parser(recover=True))
-    except etree.XMLSyntaxError:
-        root = None
     if root is None:
         raise BrokenDocument(f"not well-formed and nothing could be recovered: {reason}", line)
     try:

@@ -80,7 +80,7 @@ class Reader:
             return self._read_dictionary(parsed, notes)
         if parsed.root.tag == "EtherCATDiag":
             diag = read_record(DiagInfo, parsed.root, notes)
-            return _result(parsed, notes, diag_messages=diag.diag_messages)
+            return _result(parsed, notes, schema_version=diag.schema_version, diag_messages=diag.diag_messages)
         elements, infos = _sections(parsed.root, notes)
         lines = _lines(elements, "Descriptions/Devices/Device"), _lines(elements, "Descriptions/Modules/Module")
         if parsed.root.tag == "EtherCATModule":
@@ -104,7 +104,7 @@ class Reader:
 
     def _read_dictionary(self, parsed: ParsedDocument, notes: Notes) -> ReadDocument:
         found = read_record(DictInfo, parsed.root, notes)
-        return _result(parsed, notes, dictionary=found.dictionary)
+        return _result(parsed, notes, schema_version=found.schema_version, dictionary=found.dictionary)
 
     def external(self, kind: str, container: Container, member: str, content: bytes, sha256: str) -> Any:
         """Dictionary, diagnosis texts or modules of a referenced document; raises :class:`DocumentError`."""
