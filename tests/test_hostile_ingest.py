@@ -87,6 +87,9 @@ DOCUMENTS = {
         "stored",
     ),
     "deep.xml": Case(lambda: vendor_specific("<a>" * 10**6 + "</a>" * 10**6), "failed", "more than 256 elements"),
+    "deep-after-a-fault.xml": Case(
+        lambda: vendor_specific("A & B" + "<a>" * 300 + "</a>" * 300), "failed", "more than 256 elements"
+    ),
     "long-text.xml": Case(lambda: esi(device(name="x" * 30_000_000)), "failed", "a text of more than 10 MB"),
     "attributes.xml": Case(
         lambda: esi(device(f"<X {attributes(10**6)}/>")),

@@ -98,11 +98,7 @@ def _looks_like_xml(content: bytes) -> bool:
 
 def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
     line, reason = error.lineno or 0, _one_line(error)
-    if error.code == etree.ErrorTypes.ERR_NO_MEMORY:
-        raise MemoryError
-    if error.code == etree.ErrorTypes.ERR_RESOURCE_LIMIT:
-        words = next((words for part, words in _LIMITS.items() if part in reason), reason)
-        raise BrokenDocument(f"{words}; no ESI document does", line)
+    _check_limits(error.code, reason, line)
     if b"<EtherCAT" not in content and not content.startswith(_BOMS[1:]):
         raise NotAnEsiDocument(f"XML without an EtherCAT root, and not well-formed: {reason}", line)
     if "encoding" in reason.lower() or "utf-8" in reason.lower():
@@ -112,15 +108,26 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
             pass
         else:
             return _known(root, f"{reason}; read as windows-1252", line)
-    root: etree._Element | None = None
+    parser, rest = make_parser(recover=True), None
     with contextlib.suppress(etree.XMLSyntaxError):
-        root = etree.fromstring(content, make_parser(recover=True))
-    if root is None:
+        rest = etree.fromstring(content, parser)
+    for entry in parser.error_log:
+        _check_limits(entry.type, entry.message, entry.line)
+    if rest is None:
         raise BrokenDocument(f"not well-formed and nothing could be recovered: {reason}", line)
     try:
-        return _known(root, f"{reason}; read by recovery", line)
+        return _known(rest, f"{reason}; read by recovery", line)
     except NotAnEsiDocument as other:
         raise BrokenDocument(f"not well-formed: {reason}", line) from other
+
+
+def _check_limits(code: int, reason: str, line: int) -> None:
+    """Refuse a document that libxml2 read to a limit only: recovery would leave out all that follows."""
+    if code == etree.ErrorTypes.ERR_NO_MEMORY:
+        raise MemoryError
+    if code == etree.ErrorTypes.ERR_RESOURCE_LIMIT:
+        words = next((words for part, words in _LIMITS.items() if part in reason), reason)
+        raise BrokenDocument(f"{words}; no ESI document does", line)
 
 
 def _known(root: etree._Element, recovered: str | None, line: int) -> ParsedDocument:
