@@ -104,6 +104,7 @@ DOCUMENTS = {
         "failed",
         "100 namespaces",
     ),
+    "same-namespace.xml": Case(lambda: vendor_specific('<a xmlns:n="urn:n" n:b="1"/>' * 200), "stored"),
     "long-namespace.xml": Case(
         lambda: esi(device("<RxPdo><Index>1</Index></RxPdo>" * 10_000)).replace(
             "<EtherCATInfo", f'<EtherCATInfo xmlns:n="urn:{"n" * 4_000_000}"', 1

@@ -21,7 +21,7 @@ _OTHER_ROOTS = {"EtherCATConfig": "an ENI file (EtherCATConfig: master configura
 MAX_ATTRIBUTES = 1_000
 """Of one element; the schema has 12 at most. Reading them takes time that grows with the square of their number."""
 MAX_NAMESPACES = 100
-"""Declared in one document; real ones declare two. Each is repeated by every part of the document that is written."""
+"""Prefixes declared in one document; real ones declare two. Each is repeated by every part of the document that is written."""
 _BOMS = (codecs.BOM_UTF8, codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE, codecs.BOM_UTF32_BE)
 _LIMITS = {
     "amplification": "its entities and attribute defaults expand too far",
@@ -32,7 +32,8 @@ _LIMITS = {
 """What libxml2 says beyond a limit, in words that name the limit."""
 _LONGEST_REASON = 200
 _PARAMETER_ENTITY = re.compile(rb"<!ENTITY\s+%")
-_HAS_TOO_MANY_ATTRIBUTES = etree.XPath(f"boolean(//@*[position() > {MAX_ATTRIBUTES}])")
+_PREFIX = re.compile(rb"xmlns:([^\s=]+)")
+_HAS_TOO_MANY_ATTRIBUTES = etree.XPath(f"boolean(/descendant::*/@*[{MAX_ATTRIBUTES + 1}])")
 _UNSAFE_ENCODINGS = ("UTF-7", "UTF7")
 """They spell the same text in many ways, so that no look at the bytes tells what it says."""
 _LEADING_MARKUP = re.compile(rb"\s*<")
@@ -74,19 +75,28 @@ def parse_document(content: bytes) -> ParsedDocument:
         raise BrokenDocument("the file is empty")
     if not _looks_like_xml(content):
         raise NotAnEsiDocument("no XML document")
-    _check_declarations(content)
+    _check_namespaces(content)
     try:
-        return _known(etree.fromstring(content, make_parser()), None, 0)
+        return _known(content, etree.fromstring(content, make_parser()), None, 0)
     except etree.XMLSyntaxError as error:
         return _recover(content, error)
 
 
-def _check_declarations(content: bytes) -> None:
-    text = content.replace(b"\0", b"")  # UTF-16 and UTF-32
-    if text.count(b"xmlns") > MAX_NAMESPACES:
+def _check_namespaces(content: bytes) -> None:
+    text = _plain(content)
+    if text.count(b"xmlns") > MAX_NAMESPACES and len(set(_PREFIX.findall(text))) > MAX_NAMESPACES:
         raise BrokenDocument(f"more than {MAX_NAMESPACES} namespaces declared; no ESI document does")
-    if _PARAMETER_ENTITY.search(text) is not None:
+
+
+def _check_doctype(content: bytes, root: etree._Element) -> None:
+    """Refuse parameter entities: they could declare what nobody sees in the bytes."""
+    if root.getroottree().docinfo.internalDTD is not None and _PARAMETER_ENTITY.search(_plain(content)) is not None:
         raise BrokenDocument("parameter entities declared; no ESI document does: remove its DOCTYPE")
+
+
+def _plain(content: bytes) -> bytes:
+    """ASCII as such, whether the bytes are UTF-8, UTF-16 or UTF-32."""
+    return content.replace(b"\0", b"") if b"\0" in content else content
 
 
 def _looks_like_xml(content: bytes) -> bool:
@@ -107,7 +117,7 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
         except etree.XMLSyntaxError:
             pass
         else:
-            return _known(root, f"{reason}; read as windows-1252", line)
+            return _known(content, root, f"{reason}; read as windows-1252", line)
     parser, rest = make_parser(recover=True), None
     with contextlib.suppress(etree.XMLSyntaxError):
         rest = etree.fromstring(content, parser)
@@ -116,7 +126,7 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
     if rest is None:
         raise BrokenDocument(f"not well-formed and nothing could be recovered: {reason}", line)
     try:
-        return _known(rest, f"{reason}; read by recovery", line)
+        return _known(content, rest, f"{reason}; read by recovery", line)
     except NotAnEsiDocument as other:
         raise BrokenDocument(f"not well-formed: {reason}", line) from other
 
@@ -130,9 +140,10 @@ def _check_limits(code: int, reason: str, line: int) -> None:
         raise BrokenDocument(f"{words}; no ESI document does", line)
 
 
-def _known(root: etree._Element, recovered: str | None, line: int) -> ParsedDocument:
+def _known(content: bytes, root: etree._Element, recovered: str | None, line: int) -> ParsedDocument:
     if root.tag in ESI_ROOTS:
         encoding = root.getroottree().docinfo.encoding or "UTF-8"
+        _check_doctype(content, root)
         if encoding.upper() in _UNSAFE_ENCODINGS:
             raise BrokenDocument(f"encoded as {encoding}: save it as UTF-8")
         if _HAS_TOO_MANY_ATTRIBUTES(root):
