@@ -21,7 +21,7 @@ _OTHER_ROOTS = {"EtherCATConfig": "an ENI file (EtherCATConfig: master configura
 MAX_ATTRIBUTES = 1_000
 """Of one element; the schema has 12 at most. Reading them takes time that grows with the square of their number."""
 MAX_NAMESPACES = 100
-"""Prefixes declared in one document; real ones declare two. Each is repeated by every part of the document that is written."""
+"""Prefixes declared in one document; real ones declare two. Each is written with every part of the document."""
 _BOMS = (codecs.BOM_UTF8, codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE, codecs.BOM_UTF32_BE)
 _LIMITS = {
     "amplification": "its entities and attribute defaults expand too far",
