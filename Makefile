@@ -6,9 +6,10 @@ BIN := $(VENV)/bin
 ESI ?= data
 DB ?= catalog.db
 PORT ?= 8001
+FUZZ_SECONDS ?= 60
 CORPUS ?= $(or $(ESICATALOG_CORPUS),../shared/corpus)
 
-.PHONY: install serve test test-datasette-1 lint test-corpus bench docs screenshots clean
+.PHONY: install serve test test-datasette-1 lint test-corpus fuzz bench docs screenshots clean
 
 install: $(VENV)/installed
 
@@ -41,6 +42,11 @@ lint: install
 
 test-corpus: install
 	ESICATALOG_CORPUS=$(CORPUS) $(BIN)/python -m pytest -m corpus
+
+# Looks for inputs that are answered neither with a result nor with a named error, FUZZ_SECONDS for each target.
+fuzz: install
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[fuzz]'
+	ESICATALOG_CORPUS=$(CORPUS) FUZZ_SECONDS=$(FUZZ_SECONDS) $(BIN)/python -m fuzz
 
 bench: install
 	$(BIN)/python benchmarks/ingest.py $(CORPUS)/esi

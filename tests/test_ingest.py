@@ -292,14 +292,6 @@ def test_a_missing_path_is_an_error(tmp_path):
         catalog.ingest([tmp_path / "gone"])
 
 
-def test_a_link_out_of_the_folder_is_skipped(tmp_path, library):
-    write(tmp_path, {"secret.xml": FULL.replace("#x10", "#x99")})
-    (library / "link.xml").symlink_to(tmp_path / "secret.xml")
-    report, _ = ingest(tmp_path / "c.db", library)
-    assert statuses(report)["link.xml"] == "skipped"
-    assert one(tmp_path / "c.db", "SELECT count(*) FROM devices WHERE product_code = 153") == 0
-
-
 STEPS = st.lists(
     st.tuples(
         st.sampled_from("abc"), st.sampled_from(["", *(rich("#x1", value=v) for v in ("01", "02")), rich("#x2")])

@@ -4,7 +4,7 @@ import pytest
 from snippets import device, dictionary, esi, pdo
 
 from esicatalog.esi.documents import parse_document
-from esicatalog.esi.notes import local_path
+from esicatalog.esi.notes import Notes
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.dictionaries import IdentityMemo
@@ -75,7 +75,7 @@ def test_what_the_document_does_not_have_lies_at_the_element_around_it():
 def test_every_kind_of_document(text, place, path):
     root = parse_document(text.encode()).root
     (element,) = root.iter(path)
-    assert locator(text).position(place) == (local_path(element, None), 3)
+    assert locator(text).position(place) == (Notes().path(element), 3)
 
 
 def test_lines_beyond_what_libxml2_counts():

@@ -55,6 +55,9 @@ def reporting_errors(function: Function) -> Function:
         except EsiCatalogError as error:
             click.echo(f"esicatalog: {error}", err=True)
             sys.exit(EXIT_NO if isinstance(error, NotFound) else EXIT_UNUSABLE)
+        except (MemoryError, RecursionError):
+            click.echo("esicatalog: the input is too large or too deep to be read", err=True)
+            sys.exit(EXIT_UNUSABLE)
         except BrokenPipeError:
             sys.stderr.close()
             sys.exit(EXIT_NO)
@@ -89,10 +92,19 @@ PLUGGED = _Parsed("slot=ident", parse_plugged)
 
 def read_bytes(path: Path) -> bytes:
     """The bytes of a file, of standard input for ``-``. Raises :class:`InputError`."""
+    from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
+
     try:
-        return sys.stdin.buffer.read() if str(path) == "-" else path.read_bytes()
-    except OSError as error:
-        raise InputError(f"{path}: {error.strerror}") from error
+        if str(path) == "-":
+            content = sys.stdin.buffer.read(MAX_DOCUMENT_BYTES + 1)
+        else:
+            with path.open("rb") as stream:  # a pipe too: <(ethercat slaves -v)
+                content = stream.read(MAX_DOCUMENT_BYTES + 1)
+    except (OSError, ValueError) as error:
+        raise InputError(f"{path}: {getattr(error, 'strerror', None) or error}") from error
+    if len(content) > MAX_DOCUMENT_BYTES:
+        raise InputError(f"{path}: larger than {MAX_DOCUMENT_BYTES // 2**20} MB; give what a master or a device wrote")
+    return content
 
 
 def read_text(path: Path) -> str:

@@ -1,5 +1,6 @@
 """esicatalog lint"""
 
+import os
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
@@ -190,7 +191,7 @@ class _Run:
         from esicatalog.lint.library import lint_library
         from esicatalog.lint.report import DocumentFinding
 
-        named = {str(Path(path).resolve()) for path in self._paths}
+        named = {os.path.realpath(path) for path in self._paths}
         for found in self._found():
             shown = _shown(found.location)
             try:
@@ -203,6 +204,10 @@ class _Run:
                     self.skipped_count += 1
             except DocumentError as error:
                 yield from self._refused(shown, "L01", error)
+            except InputError as error:
+                self.unreadable.append(f"{shown}: {error}")
+            except (MemoryError, RecursionError):
+                self.unreadable.append(f"{shown}: too large or too deep to be checked")
         yield from lint_library(self._facts, self._rules)
 
     def _found(self) -> "Iterator[Found]":

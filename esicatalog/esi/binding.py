@@ -160,8 +160,14 @@ def _mark_plain(node: _Node) -> None:
 
 
 def canonical_xml(element: etree._Element) -> str:
-    """The subtree as exclusive canonical XML: the same text whatever the document's prefixes and layout."""
-    text: bytes = etree.tostring(element, method="c14n", exclusive=True, with_tail=False)  # type: ignore[call-overload]
+    """The subtree as exclusive canonical XML: the same text whatever the document's prefixes and layout.
+
+    Where a namespace is no URI there is no canonical form; then it stands as it is.
+    """
+    try:
+        text: bytes = etree.tostring(element, method="c14n", exclusive=True, with_tail=False)  # type: ignore[call-overload]
+    except etree.C14NError:
+        return etree.tostring(element, encoding="unicode", with_tail=False)
     return text.decode("utf-8")
 
 

@@ -5,20 +5,32 @@ with Windows separators and another letter case than on disk. Member names are r
 """
 
 import io
+import os
 import posixpath
+import stat
 import zipfile
+from collections import Counter
 from pathlib import Path, PurePosixPath
 from typing import Protocol
 
 from esicatalog.errors import BrokenDocument, InputError
 
-MAX_DOCUMENT_BYTES = 256 * 1024 * 1024
-"""Largest document that is read; real ESI files end at about 4 MB."""
+MAX_DOCUMENT_BYTES = 64 * 1024 * 1024
+"""Largest document that is read, and largest archive inside another; real ESI files end at about 4 MB."""
 MAX_MEMBERS = 100_000
 MAX_EXPANDED_BYTES = 8 * 1024**3
+"""Of all members of an archive together."""
+MAX_RATIO = 500
+"""Expanded to packed size of a member; real ESI files end at 70, deflate at 1030."""
 MAX_NESTING = 3
+_SMALL_BYTES = 1024 * 1024
+"""Members up to here may have any ratio."""
+_MAX_DIRECTORY_BYTES = 256 * MAX_MEMBERS
 NESTED = "!"
 """Separates an archive from its member: ``vendor.zip!EL/EL1xxx.xml``."""
+
+
+TOO_LARGE = f"larger than {MAX_DOCUMENT_BYTES // 2**20} MB; no ESI document is"
 
 
 class Container(Protocol):
@@ -42,6 +54,27 @@ def resolve_reference(container: Container, document: str, reference: str) -> st
     return container.find(joined)
 
 
+def open_regular(path: str | Path) -> io.FileIO:
+    """Open a regular file for reading; raises :class:`OSError` for pipes and devices instead of waiting for them."""
+    stream = io.FileIO(path, opener=lambda name, flags: os.open(name, flags | getattr(os, "O_NONBLOCK", 0)))
+    if not stat.S_ISREG(os.fstat(stream.fileno()).st_mode):
+        stream.close()
+        raise OSError("not a regular file")
+    return stream
+
+
+def read_file(path: Path) -> bytes:
+    """The bytes of a regular file; raises :class:`BrokenDocument` for anything else, and never waits for a writer."""
+    try:
+        with open_regular(path) as stream:
+            content = stream.read(MAX_DOCUMENT_BYTES + 1)
+    except OSError as error:
+        raise BrokenDocument(f"cannot be read: {error.strerror or error}") from error
+    if len(content) > MAX_DOCUMENT_BYTES:
+        raise BrokenDocument(TOO_LARGE)
+    return content
+
+
 class Folder:
     """Documents below a folder; symbolic links that lead outside are not followed."""
 
@@ -51,13 +84,7 @@ class Folder:
 
     def read(self, member: str) -> bytes:
         """Bytes of the file ``member`` below the folder."""
-        path = self.root / member
-        try:
-            if path.stat().st_size > MAX_DOCUMENT_BYTES:
-                raise BrokenDocument(f"larger than {MAX_DOCUMENT_BYTES // 2**20} MB; no ESI document is")
-            return path.read_bytes()
-        except OSError as error:
-            raise BrokenDocument(f"cannot be read: {error.strerror or error}") from error
+        return read_file(self.root / member)
 
     def find(self, member: str) -> str | None:
         """The file with this path in any letter case."""
@@ -82,20 +109,39 @@ class Folder:
         return listing
 
 
+class _Guarded(io.BufferedReader):
+    """A file that refuses to read a directory of more than all members could need: zipfile reads it at once."""
+
+    is_directory_read = False
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        if not self.is_directory_read and size is not None and size > _MAX_DIRECTORY_BYTES:
+            raise zipfile.BadZipFile("its directory is too large")
+        return super().read(size)
+
+    def __del__(self) -> None:
+        self.close()
+
+
 class Archive:
     """Documents in a zip archive, itself possibly a member of another one."""
 
     def __init__(self, source: Path | bytes) -> None:
         try:
-            self._zip = zipfile.ZipFile(io.BytesIO(source) if isinstance(source, bytes) else source)
+            stream = _Guarded(io.BytesIO(source) if isinstance(source, bytes) else open_regular(source))
+            self._zip = zipfile.ZipFile(stream)
+            stream.is_directory_read = True
         except (OSError, zipfile.BadZipFile, ValueError, NotImplementedError) as error:
             raise InputError(f"not a usable zip archive: {error}") from error
         infos = [info for info in self._zip.infolist() if not info.is_dir()]
         if len(infos) > MAX_MEMBERS:
             raise InputError(f"archive with more than {MAX_MEMBERS} members")
-        if sum(info.file_size for info in infos) > MAX_EXPANDED_BYTES:
+        self.expanded_bytes = sum(info.file_size for info in infos)
+        if self.expanded_bytes > MAX_EXPANDED_BYTES:
             raise InputError(f"archive expands to more than {MAX_EXPANDED_BYTES // 2**30} GB")
         self._infos = {info.filename: info for info in infos}
+        self.repeated = sorted(name for name, count in Counter(info.filename for info in infos).items() if count > 1)
+        """Names that several members have; the last one is meant, as in a folder that the archive is unpacked to."""
         self._by_lower = {name.lower().replace("\\", "/"): name for name in sorted(self._infos, reverse=True)}
 
     def members(self) -> list[tuple[str, int]]:
@@ -104,13 +150,19 @@ class Archive:
 
     def read(self, member: str) -> bytes:
         """Expanded bytes of ``member``; never more than its header announces."""
-        info = self._infos[member]
+        info = self._infos.get(member)
+        if info is None:
+            raise BrokenDocument("the archive holds it no longer: it was changed while it was read; ingest again")
         if info.file_size > MAX_DOCUMENT_BYTES:
-            raise BrokenDocument(f"larger than {MAX_DOCUMENT_BYTES // 2**20} MB; no ESI document is")
+            raise BrokenDocument(TOO_LARGE)
+        if info.file_size > max(_SMALL_BYTES, MAX_RATIO * info.compress_size):
+            raise BrokenDocument(f"expands to more than {MAX_RATIO} times its packed size; no ESI document does")
+        if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+            raise BrokenDocument("packed by another method than deflate; pack it anew")
         try:
             with self._zip.open(info) as stream:
                 content = stream.read(info.file_size + 1)
-        except Exception as error:  # zlib.error and lzma.LZMAError share no base but Exception
+        except Exception as error:  # zlib.error, RuntimeError (encrypted) and OSError share no base but Exception
             raise BrokenDocument(f"cannot be unpacked: {error}") from error
         if len(content) > info.file_size:
             raise BrokenDocument("expands to more than its header announces")

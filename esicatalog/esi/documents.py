@@ -1,10 +1,13 @@
 """Opening documents: bytes in, an XML tree out, hardened and tolerant.
 
 External entities are never loaded, DTDs never fetched. What a strict parser refuses is tried again, first with the
-encoding that the bytes really have, then with the recovery of libxml2; the reason is reported, never hidden.
+encoding that the bytes really have, then with the recovery of libxml2; the reason is reported, never hidden. A document
+beyond a limit that bounds time and memory is refused, not cut: those of libxml2 (256 elements deep, 10 MB of text or
+start tag, entities that expand the document five times) and those below.
 """
 
 import codecs
+import contextlib
 import re
 from typing import NamedTuple
 
@@ -15,7 +18,24 @@ from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
 
 ESI_ROOTS = ("EtherCATInfo", "EtherCATInfoList", "EtherCATModule", "EtherCATDict", "EtherCATDiag")
 _OTHER_ROOTS = {"EtherCATConfig": "an ENI file (EtherCATConfig: master configuration), not ESI"}
-_BOMS = (codecs.BOM_UTF8, codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+MAX_ATTRIBUTES = 1_000
+"""Of one element; the schema has 12 at most. Reading them takes time that grows with the square of their number."""
+MAX_NAMESPACES = 100
+"""Prefixes declared in one document; real ones declare two. Each is written with every part of the document."""
+_BOMS = (codecs.BOM_UTF8, codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE, codecs.BOM_UTF32_BE)
+_LIMITS = {
+    "amplification": "its entities and attribute defaults expand too far",
+    "depth": "nests more than 256 elements",
+    "Text node": "holds a text of more than 10 MB",
+    "Buffer size": "holds a start tag of more than 10 MB",
+}
+"""What libxml2 says beyond a limit, in words that name the limit."""
+_LONGEST_REASON = 200
+_PARAMETER_ENTITY = re.compile(rb"<!ENTITY\s+%")
+_PREFIX = re.compile(rb"xmlns:([^\s=]+)")
+_HAS_TOO_MANY_ATTRIBUTES = etree.XPath(f"boolean(/descendant::*/@*[{MAX_ATTRIBUTES + 1}])")
+_UNSAFE_ENCODINGS = ("UTF-7", "UTF7")
+"""They spell the same text in many ways, so that no look at the bytes tells what it says."""
 _LEADING_MARKUP = re.compile(rb"\s*<")
 
 
@@ -55,30 +75,50 @@ def parse_document(content: bytes) -> ParsedDocument:
         raise BrokenDocument("the file is empty")
     if not _looks_like_xml(content):
         raise NotAnEsiDocument("no XML document")
+    _check_namespaces(content)
     try:
-        return _known(etree.fromstring(content, make_parser()), None, 0)
+        return _known(content, etree.fromstring(content, make_parser()), None, 0)
     except etree.XMLSyntaxError as error:
         return _recover(content, error)
 
 
 def parse_as_it_is(content: bytes) -> ParsedDocument | None:
     """Parse an ESI document that needs no leniency; None for one that :func:`parse_document` has to look at."""
+    _check_namespaces(content)
     try:
         root = etree.fromstring(content, make_parser())
     except etree.XMLSyntaxError:
         return None
-    return _known(root, None, 0) if root.tag in ESI_ROOTS else None
+    return _known(content, root, None, 0) if root.tag in ESI_ROOTS else None
+
+
+def _check_namespaces(content: bytes) -> None:
+    text = _plain(content)
+    if text.count(b"xmlns") > MAX_NAMESPACES and len(set(_PREFIX.findall(text))) > MAX_NAMESPACES:
+        raise BrokenDocument(f"more than {MAX_NAMESPACES} namespaces declared; no ESI document does")
+
+
+def _check_doctype(content: bytes, root: etree._Element) -> None:
+    """Refuse parameter entities: they could declare what nobody sees in the bytes."""
+    if root.getroottree().docinfo.internalDTD is not None and _PARAMETER_ENTITY.search(_plain(content)) is not None:
+        raise BrokenDocument("parameter entities declared; no ESI document does: remove its DOCTYPE")
+
+
+def _plain(content: bytes) -> bytes:
+    """ASCII as such, whether the bytes are UTF-8, UTF-16 or UTF-32."""
+    return content.replace(b"\0", b"") if b"\0" in content else content
 
 
 def _looks_like_xml(content: bytes) -> bool:
     head = content[:4096]
-    if head.startswith(_BOMS[1:]) or head[:4] in (b"<\0?\0", b"\0<\0?"):
+    if head.startswith(_BOMS[1:]) or head[:4] in (b"<\0?\0", b"\0<\0?", b"<\0\0\0", b"\0\0\0<"):
         return True
     return _LEADING_MARKUP.match(head.removeprefix(codecs.BOM_UTF8)) is not None
 
 
 def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
     line, reason = error.lineno or 0, _one_line(error)
+    _check_limits(error.code, reason, line)
     if b"<EtherCAT" not in content and not content.startswith(_BOMS[1:]):
         raise NotAnEsiDocument(f"XML without an EtherCAT root, and not well-formed: {reason}", line)
     if "encoding" in reason.lower() or "utf-8" in reason.lower():
@@ -87,19 +127,37 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
         except etree.XMLSyntaxError:
             pass
         else:
-            return _known(root, f"{reason}; read as windows-1252", line)
-    root = etree.fromstring(content, make_parser(recover=True))
-    if root is None:
+            return _known(content, root, f"{reason}; read as windows-1252", line)
+    parser, rest = make_parser(recover=True), None
+    with contextlib.suppress(etree.XMLSyntaxError):
+        rest = etree.fromstring(content, parser)
+    for entry in parser.error_log:
+        _check_limits(entry.type, entry.message, entry.line)
+    if rest is None:
         raise BrokenDocument(f"not well-formed and nothing could be recovered: {reason}", line)
     try:
-        return _known(root, f"{reason}; read by recovery", line)
+        return _known(content, rest, f"{reason}; read by recovery", line)
     except NotAnEsiDocument as other:
         raise BrokenDocument(f"not well-formed: {reason}", line) from other
 
 
-def _known(root: etree._Element, recovered: str | None, line: int) -> ParsedDocument:
+def _check_limits(code: int, reason: str, line: int) -> None:
+    """Refuse a document that libxml2 read to a limit only: recovery would leave out all that follows."""
+    if code == etree.ErrorTypes.ERR_NO_MEMORY:
+        raise MemoryError
+    if code == etree.ErrorTypes.ERR_RESOURCE_LIMIT:
+        words = next((words for part, words in _LIMITS.items() if part in reason), reason)
+        raise BrokenDocument(f"{words}; no ESI document does", line)
+
+
+def _known(content: bytes, root: etree._Element, recovered: str | None, line: int) -> ParsedDocument:
     if root.tag in ESI_ROOTS:
         encoding = root.getroottree().docinfo.encoding or "UTF-8"
+        _check_doctype(content, root)
+        if encoding.upper() in _UNSAFE_ENCODINGS:
+            raise BrokenDocument(f"encoded as {encoding}: save it as UTF-8")
+        if _HAS_TOO_MANY_ATTRIBUTES(root):
+            raise BrokenDocument(f"an element has more than {MAX_ATTRIBUTES} attributes; none of ESI has")
         entity = next(root.iter(etree.Entity), None)
         if entity is not None:
             left_out = f"entity {entity.text} and others are not expanded; left out"
@@ -113,4 +171,5 @@ def _known(root: etree._Element, recovered: str | None, line: int) -> ParsedDocu
 
 def _one_line(error: etree.XMLSyntaxError) -> str:
     message = " ".join((error.msg or str(error)).split())
-    return re.sub(r"\s*\((<string>|line).*?\)$", "", message)
+    message = re.sub(r"\s*\((<string>|line).*?\)$", "", message)
+    return message if len(message) <= _LONGEST_REASON else message[: _LONGEST_REASON - 1] + "…"

@@ -1,13 +1,20 @@
 """What the reader notices while it reads: findings with line numbers, and values that no record field holds."""
 
+from collections import Counter
 from collections.abc import Callable
 from typing import Any
 
 import msgspec
 from lxml import etree
 
+from esicatalog.errors import BrokenDocument
 from esicatalog.esi.numbers import Remark
 from esicatalog.esi.repeats import Cut
+
+MAX_FINDINGS = 100_000
+"""That reading one document may bring, and values outside the schema that it may hold; real ones bring hundreds."""
+_LONGEST_MESSAGE = 300
+_TOO_MANY = f"more than {MAX_FINDINGS} values outside the schema or against its rules; no ESI document holds"
 
 
 class Finding(msgspec.Struct, frozen=True, gc=False):
@@ -31,26 +38,31 @@ def _one(element: etree._Element) -> int:
     return 1
 
 
-def local_path(
-    element: etree._Element, base: etree._Element | None, count: Callable[[etree._Element], int] = _one
-) -> str:
-    """Path of ``element`` below ``base`` (or the root), with a position wherever a tag repeats: ``Sm[2]/Foo``.
+class _Positions:
+    """Positions of elements among their siblings of the same tag; each family is counted once.
 
     ``count`` tells how many elements of the document an element stands for.
     """
-    steps: list[str] = []
-    node: etree._Element | None = element
-    while node is not None and node is not base:
-        parent = node.getparent()
-        tag = str(node.tag)
-        if parent is not None:
-            same = [child for child in parent if child.tag == node.tag]
-            counts = [count(child) for child in same]
-            if sum(counts) > 1:
-                tag = f"{tag}[{sum(counts[: same.index(node)])}]"
-        steps.append(tag)
-        node = parent
-    return "/".join(reversed(steps))
+
+    def __init__(self, count: Callable[[etree._Element], int]) -> None:
+        self._count = count
+        self._families: dict[etree._Element, dict[etree._Element, int]] = {}
+
+    def of(self, element: etree._Element, parent: etree._Element) -> int | None:
+        """The position from 0, None for the only one of its tag."""
+        family = self._families.get(parent)
+        if family is None:
+            counts = [(child, self._count(child)) for child in parent]
+            sizes: Counter[object] = Counter()
+            for child, count in counts:
+                sizes[child.tag] += count
+            seen: Counter[object] = Counter()
+            family = self._families[parent] = {}
+            for child, count in counts:
+                if sizes[child.tag] > 1:
+                    family[child] = seen[child.tag]
+                    seen[child.tag] += count
+        return family.get(element)
 
 
 class Notes:
@@ -61,17 +73,34 @@ class Notes:
     """
 
     def __init__(
-        self, cache: "SubtreeCache | None" = None, owners: frozenset[type] = frozenset(), cut: Cut | None = None
+        self,
+        cache: "SubtreeCache | None" = None,
+        owners: frozenset[type] = frozenset(),
+        document_bytes: int = 0,
+        cut: Cut | None = None,
     ) -> None:
+        self._subtree_budget = 20 * document_bytes + 16_000_000
         self.findings: list[Finding] = []
         self.unmapped: list[Unmapped] = []
+        self._kept_count = 0
         self._base: etree._Element | None = None
+        self._cut = cut
+        self._positions = _Positions(cut.count if cut is not None else _one)
         self._cache = cache
         self._owners = owners
-        self._cut = cut
-        self._count = cut.count if cut is not None else _one
         self.watched: frozenset[Any] = owners | (cache.record_types if cache is not None else frozenset())
         """Record types that :meth:`read_child` has to be asked for."""
+
+    def path(self, element: etree._Element, base: etree._Element | None = None) -> str:
+        """Path of ``element`` below ``base`` (or the root), with a position wherever a tag repeats: ``Sm[2]/Foo``."""
+        steps: list[str] = []
+        node: etree._Element | None = element
+        while node is not None and node is not base:
+            parent = node.getparent()
+            position = self._positions.of(node, parent) if parent is not None else None
+            steps.append(str(node.tag) if position is None else f"{node.tag!s}[{position}]")
+            node = parent
+        return "/".join(reversed(steps))
 
     def remark(self, element: etree._Element, remark: Remark) -> None:
         """A scalar that breaks the format, at ``element``."""
@@ -79,26 +108,30 @@ class Notes:
 
     def find(self, element: etree._Element, rule: str, severity: str, message: str) -> None:
         """A finding at ``element``."""
-        self.findings.append(Finding(rule, severity, message, element.sourceline or 0, self._path(element, None)))
+        if len(message) > _LONGEST_MESSAGE:
+            message = message[: _LONGEST_MESSAGE - 1] + "…"
+        if len(self.findings) >= MAX_FINDINGS:
+            raise BrokenDocument(_TOO_MANY, element.sourceline or 0)
+        self.findings.append(Finding(rule, severity, message, element.sourceline or 0, self.path(element)))
 
     def unmapped_attribute(self, element: etree._Element, name: str, text: str, repeated: bool = False) -> None:
         """An attribute that no field takes."""
         words = "repeats a value given before" if repeated else "is unknown"
         self.find(element, "L05", "W", f"attribute {element.tag!s}/@{name} {words}; kept in unmapped")
-        self._keep(f"{self._path(element, self._base)}/@{name}", text)
+        self._keep(f"{self.path(element, self._base)}/@{name}", text)
 
     def unmapped_text(self, element: etree._Element, text: str, repeated: bool = False) -> None:
         """Text where the schema has none, or a second value for a single field."""
         words = "occurs again" if repeated else "holds stray text"
         self.find(element, "L05", "W", f"{element.tag!s} {words}; kept in unmapped")
-        self._keep(self._path(element, self._base), text.strip())
+        self._keep(self.path(element, self._base), text.strip())
 
     def unmapped_element(self, element: etree._Element, repeated: bool = False) -> None:
         """An element that no field takes: one finding, every value of its subtree kept."""
         words = "occurs again" if repeated else "is unknown here"
         self.find(element, "L05", "W", f"element {element.tag!s} {words}; kept in unmapped")
         for part in element.iter():
-            path = self._path(part, self._base)
+            path = self.path(part, self._base)
             if part is element and not len(part) and not part.text and not part.attrib:
                 self._keep(path, "")
             if part.text and part.text.strip():
@@ -109,10 +142,10 @@ class Notes:
                 self._keep(f"{path}/@{name}", str(text))
 
     def _keep(self, path: str, value: str) -> None:
+        self._kept_count += 1
+        if self._kept_count > MAX_FINDINGS:
+            raise BrokenDocument(_TOO_MANY)
         self.unmapped.append(Unmapped(path, value))
-
-    def _path(self, element: etree._Element, base: etree._Element | None) -> str:
-        return local_path(element, base, self._count)
 
     def read_child(
         self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]
@@ -135,6 +168,9 @@ class Notes:
     def _read_cached(self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]) -> Any:
         assert self._cache is not None
         subtree = _serialise(element, encoding="unicode", with_tail=False)
+        self._subtree_budget -= len(subtree)
+        if self._subtree_budget < 0:
+            raise BrokenDocument("its namespace declarations take more room than all else; no ESI document's do")
         record = self._cache.records[record_type].get(subtree)
         if record is None:
             before = len(self.findings)

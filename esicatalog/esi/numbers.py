@@ -68,6 +68,10 @@ class Scalar:
         return parsed
 
 
+def _quoted(text: str) -> str:
+    return repr(text if len(text) <= 80 else text[:80] + "…")
+
+
 def parse_hex_dec(text: str) -> int | None:
     """The value of a HexDecValue (``402``, ``#x1A00``; tolerated: ``0x1a00``, ``#x0x1a00``), or None."""
     match = _HEX_DEC.fullmatch(text.strip())
@@ -80,13 +84,13 @@ def _hex_dec(limit: int) -> Callable[[str], tuple[int | None, Remark | None]]:
     def parse(text: str) -> tuple[int | None, Remark | None]:
         value = parse_hex_dec(text)
         if value is None:
-            return None, Remark("L06", "E", f"{text!r} is not a HexDecValue; kept as text")
+            return None, Remark("L06", "E", f"{_quoted(text)} is not a HexDecValue; kept as text")
         if value > limit or (value < 0 and limit == UINT32_MAX) or value < -limit:
-            return None, Remark("L06", "E", f"{text!r} is out of range; kept as text")
+            return None, Remark("L06", "E", f"{_quoted(text)} is out of range; kept as text")
         if text[:1] == "#" and text[2:4].lower() == "0x":
-            return value, Remark("L06", "E", f"{text!r} carries two prefixes; read as {value}")
+            return value, Remark("L06", "E", f"{_quoted(text)} carries two prefixes; read as {value}")
         if text[:2].lower() == "0x":
-            return value, Remark("L06", "E", f"{text!r} has a C prefix instead of #x; read as {value}")
+            return value, Remark("L06", "E", f"{_quoted(text)} has a C prefix instead of #x; read as {value}")
         return value, None
 
     return parse
@@ -95,16 +99,18 @@ def _hex_dec(limit: int) -> Callable[[str], tuple[int | None, Remark | None]]:
 def _int(text: str) -> tuple[int | None, Remark | None]:
     value = parse_hex_dec(text)
     if value is None or abs(value) > MAX_STORED:
-        return None, Remark("L06", "E", f"{text!r} is not an integer; kept as text")
+        return None, Remark("L06", "E", f"{_quoted(text)} is not an integer; kept as text")
     if text[:1] in "#0" and text[1:2].lower() == "x":
-        return value, Remark("L06", "W", f"{text!r} is hexadecimal where the schema asks for decimal; read as {value}")
+        return value, Remark(
+            "L06", "W", f"{_quoted(text)} is hexadecimal where the schema asks for decimal; read as {value}"
+        )
     return value, None
 
 
 def _boolean(text: str) -> tuple[bool | None, Remark | None]:
     value = _BOOLEANS.get(text.lower())
     if value is None:
-        return None, Remark("L03", "W", f"{text!r} is not a boolean; kept as text")
+        return None, Remark("L03", "W", f"{_quoted(text)} is not a boolean; kept as text")
     return value, None
 
 
@@ -112,9 +118,9 @@ def _float(text: str) -> tuple[float | None, Remark | None]:
     try:
         value = float(text)
     except ValueError:
-        return None, Remark("L03", "W", f"{text!r} is not a number; kept as text")
+        return None, Remark("L03", "W", f"{_quoted(text)} is not a number; kept as text")
     if value != value or value in (float("inf"), float("-inf")):
-        return None, Remark("L03", "W", f"{text!r} is not a finite number; kept as text")
+        return None, Remark("L03", "W", f"{_quoted(text)} is not a finite number; kept as text")
     return value, None
 
 

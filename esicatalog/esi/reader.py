@@ -87,14 +87,15 @@ class Reader:
         if cut is not None:
             parsed = parse_as_it_is(cut.content)
             if parsed is not None:
-                read = self._read(parsed, Notes(self._cache, OWNERS, cut), member, container)
+                read = self._read(parsed, Notes(self._cache, OWNERS, len(content), cut), member, container)
                 has_exact_lines = content.count(b"\n") < _COUNTED_LINES
                 if cut.is_complete and (has_exact_lines or not read.findings):
                     if has_exact_lines:
                         return read, DocumentTree(parsed.root, cut).itself
                     return read, lambda: DocumentTree(parse_document(content).root)
         parsed = parse_document(content)
-        return self._read(parsed, Notes(self._cache, OWNERS), member, container), DocumentTree(parsed.root).itself
+        read = self._read(parsed, Notes(self._cache, OWNERS, len(content)), member, container)
+        return read, DocumentTree(parsed.root).itself
 
     def _read(self, parsed: ParsedDocument, notes: Notes, member: str, container: Container | None) -> ReadDocument:
         if parsed.recovered:
@@ -103,7 +104,7 @@ class Reader:
             return self._read_dictionary(parsed, notes)
         if parsed.root.tag == "EtherCATDiag":
             diag = read_record(DiagInfo, parsed.root, notes)
-            return _result(parsed, notes, diag_messages=diag.diag_messages)
+            return _result(parsed, notes, schema_version=diag.schema_version, diag_messages=diag.diag_messages)
         elements, infos = _sections(parsed.root, notes)
         lines = _lines(elements, "Descriptions/Devices/Device"), _lines(elements, "Descriptions/Modules/Module")
         if parsed.root.tag == "EtherCATModule":
@@ -127,7 +128,7 @@ class Reader:
 
     def _read_dictionary(self, parsed: ParsedDocument, notes: Notes) -> ReadDocument:
         found = read_record(DictInfo, parsed.root, notes)
-        return _result(parsed, notes, dictionary=found.dictionary)
+        return _result(parsed, notes, schema_version=found.schema_version, dictionary=found.dictionary)
 
     def external(self, kind: str, container: Container, member: str, content: bytes, sha256: str) -> Any:
         """Dictionary, diagnosis texts or modules of a referenced document; raises :class:`DocumentError`."""

@@ -28,7 +28,8 @@ _MARK_BYTES = _MARK.encode()
 _ASCII = b"us-ascii"
 _ASCII_BASED = re.compile(rb"(us-ascii|utf-?8|iso-?8859-\d+|windows-125\d)?")
 _DECLARED_ENCODING = re.compile(rb"""\s*<\?xml[^>]*?encoding\s*=\s*["']([\w.-]+)["']""")
-_CLOSED = re.compile(rb"<!\[CDATA\[.*?\]\]>|<!--.*?-->", re.DOTALL)
+_LONGEST_HEAD = 10_000
+_SECTIONS = ((b"<!--", b"-->"), (b"<![CDATA[", b"]]>"))
 _LEADING = re.compile(rb"(?:\s+|<!--.*?-->)*", re.DOTALL)
 
 
@@ -194,7 +195,10 @@ class Repeats:
 
 def _encoding(content: bytes) -> bytes | None:
     """The declared encoding, in which ASCII is ASCII; None for documents that are better left alone."""
-    head = content[: content.find(b"<EtherCAT")].removeprefix(codecs.BOM_UTF8)
+    begins = content.find(b"<EtherCAT", 0, _LONGEST_HEAD)
+    if begins < 0:
+        return None
+    head = content[:begins].removeprefix(codecs.BOM_UTF8)
     declared = _DECLARED_ENCODING.match(head)
     encoding = declared[1].lower() if declared else b""
     return encoding if b"<!DOCTYPE" not in head and _ASCII_BASED.fullmatch(encoding) else None
@@ -240,11 +244,26 @@ def _cut_list(kind: _Kind, text: bytes, cut: Cut) -> Iterator[bytes]:
 
 def _is_whole(kind: _Kind, words: bytes) -> bool:
     """Whether a part is one element, but for its end tag, whose words mean the same wherever they stand."""
-    words = (_CLOSED.sub(b"", words) if b"<!" in words else words).lstrip()
+    plain = _without_sections(words).lstrip()
     opening = kind.part_opening
     return (
-        words.startswith((opening + b">", opening + b" "))
-        and words.count(opening + b">") + words.count(opening + b" ") == 1
-        and b"<!" not in words
-        and b"<?" not in words
+        plain.startswith((opening + b">", opening + b" "))
+        and plain.count(opening + b">") + plain.count(opening + b" ") == 1
+        and b"<!" not in plain
+        and b"<?" not in plain
     )
+
+
+def _without_sections(words: bytes) -> bytes:
+    """Words without comments and CDATA sections; one that is not closed stays."""
+    kept: list[bytes] = []
+    at = 0
+    while (start := words.find(b"<!", at)) >= 0:
+        section = next((section for section in _SECTIONS if words.startswith(section[0], start)), None)
+        end = words.find(section[1], start + len(section[0])) if section is not None else -1
+        if section is None or end < 0:
+            break
+        kept.append(words[at:start])
+        at = end + len(section[1])
+    kept.append(words[at:])
+    return b"".join(kept)

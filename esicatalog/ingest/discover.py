@@ -1,12 +1,14 @@
 """Finding documents: folders (recursive), single files, zip archives (nested ones too)."""
 
 import os
+import re
 import stat
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from esicatalog.errors import EsiCatalogError, InputError
+from esicatalog.esi import containers
 from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive
 
 
@@ -33,6 +35,11 @@ class FoundArchive(NamedTuple):
     member: str
 
 
+Item = TypeVar("Item", bound=Found | FoundArchive)
+
+_UNUSABLE_NAME = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
+
+
 def discover(paths: Iterable[str | os.PathLike[str]]) -> Iterator[Found | FoundArchive]:
     """Everything below the paths, each location once, sorted by name; archives are not opened.
 
@@ -42,7 +49,7 @@ def discover(paths: Iterable[str | os.PathLike[str]]) -> Iterator[Found | FoundA
     # Outer folders first: what lies below two of the paths is named relative to the outer one, whatever the order.
     for real in sorted(map(_existing, paths)):
         found = _folder(real) if real.is_dir() else [_file(real, real.parent, archive_by_content=True)]
-        for item in found:
+        for item in map(_with_usable_name, found):
             if item.location not in seen:
                 seen.add(item.location)
                 yield item
@@ -64,6 +71,10 @@ def _folder(root: Path) -> Iterator[Found | FoundArchive]:
 
     for folder, subfolders, names in os.walk(root, onerror=unreadable):
         subfolders.sort()
+        for name in subfolders:
+            path = Path(folder, name)
+            if path.is_symlink():
+                yield _problem(path, root, "skipped", "symbolic link to a folder; name the folder itself to read it")
         for name in sorted(names):
             yield _file(Path(folder, name), root)
     yield from problems
@@ -86,6 +97,19 @@ def _file(path: Path, root: Path, archive_by_content: bool = False) -> Found | F
     return Found(str(path), member, str(root), False, (), member, status.st_size)
 
 
+def _with_usable_name(item: Item) -> Item | Found:
+    """An input as it is, or the problem that its name can be neither stored nor printed."""
+    if _UNUSABLE_NAME.search(item.location) is None:
+        return item
+    location, member = (_UNUSABLE_NAME.sub(_escaped, text) for text in (item.location, item.member))
+    words = "its name holds control characters or is not UTF-8; rename it"
+    return Found(location, member, location, False, (), member, 0, ("failed", words))
+
+
+def _escaped(match: re.Match[str]) -> str:
+    return match[0].encode("unicode_escape").decode("ascii")
+
+
 def _problem(path: Path, root: Path, status: str, words: str) -> Found:
     return Found(str(path), path.relative_to(root).as_posix(), str(root), False, (), path.name, 0, (status, words))
 
@@ -95,23 +119,39 @@ def archive_members(archive: FoundArchive) -> Iterator[Found]:
     try:
         opened = Archive(Path(archive.location))
     except InputError as error:
-        yield Found(archive.location, archive.member, archive.location, True, (), "", 0, ("failed", str(error)))
+        yield unreadable_archive(archive, str(error))
         return
-    yield from _members(archive, opened, ())
+    yield from map(_with_usable_name, _members(archive, opened, (), _Allowance()))
 
 
-def _members(archive: FoundArchive, opened: Archive, nested: tuple[str, ...]) -> Iterator[Found]:
+def unreadable_archive(archive: FoundArchive, words: str) -> Found:
+    """The line of an archive that cannot be opened."""
+    return Found(archive.location, archive.member, archive.location, True, (), "", 0, ("failed", words))
+
+
+class _Allowance:
+    """What an archive and all archives inside it may hold together."""
+
+    def __init__(self) -> None:
+        self._members = containers.MAX_MEMBERS
+        self._bytes = containers.MAX_EXPANDED_BYTES
+
+    def take(self, opened: Archive) -> None:
+        """Raise :class:`InputError` when there is too much with what ``opened`` holds."""
+        self._members -= len(opened.members())
+        self._bytes -= opened.expanded_bytes
+        if self._members < 0 or self._bytes < 0:
+            raise InputError("too much in the archives inside the archive; unpack it and name the folder")
+
+
+def _members(archive: FoundArchive, opened: Archive, nested: tuple[str, ...], allowance: _Allowance) -> Iterator[Found]:
+    allowance.take(opened)
+    for name in opened.repeated:
+        found = _member(archive, nested, name, 0)
+        words = ("failed", "another member has the same name, and is the one that is read; pack the archive anew")
+        yield found._replace(location=f"{found.location} (earlier)", member=f"{found.member} (earlier)", problem=words)
     for name, size in opened.members():
-        inside = NESTED.join((*nested, name))
-        found = Found(
-            f"{archive.location}{NESTED}{inside}",
-            f"{archive.member}{NESTED}{inside}",
-            archive.location,
-            True,
-            nested,
-            name,
-            size,
-        )
+        found = _member(archive, nested, name, size)
         if not name.lower().endswith(".zip"):
             yield found
             continue
@@ -119,7 +159,19 @@ def _members(archive: FoundArchive, opened: Archive, nested: tuple[str, ...]) ->
             if len(nested) + 1 >= MAX_NESTING:
                 raise InputError(f"archives nested deeper than {MAX_NESTING}")
             inner = Archive(opened.read(name))
+            yield from _members(archive, inner, (*nested, name), allowance)
         except EsiCatalogError as error:
             yield found._replace(problem=("failed", str(error)))
-        else:
-            yield from _members(archive, inner, (*nested, name))
+
+
+def _member(archive: FoundArchive, nested: tuple[str, ...], name: str, size: int) -> Found:
+    inside = NESTED.join((*nested, name))
+    return Found(
+        f"{archive.location}{NESTED}{inside}",
+        f"{archive.member}{NESTED}{inside}",
+        archive.location,
+        True,
+        nested,
+        name,
+        size,
+    )

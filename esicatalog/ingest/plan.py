@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from esicatalog.errors import DocumentError
-from esicatalog.esi.containers import Folder
+from esicatalog.esi.containers import NESTED, Folder, open_regular
 from esicatalog.esi.content import sha256_hex
-from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover
+from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover, unreadable_archive
 from esicatalog.ingest.report import DocumentLine
 from esicatalog.ingest.tasks import Known, Outcome, Task
 from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
@@ -37,6 +37,10 @@ class Held(NamedTuple):
 
     documents: dict[str, HeldDocument]
     archives: dict[str, tuple[int, str]]
+
+    def inside(self, archive_id: int) -> dict[str, HeldDocument]:
+        """The documents of an archive by location."""
+        return {where: document for where, document in self.documents.items() if document.archive_id == archive_id}
 
 
 NOTHING_HELD = Held({}, {})
@@ -78,10 +82,15 @@ def make_plan(paths: Iterable[str | os.PathLike[str]], held: Held = NOTHING_HELD
         if not isinstance(item, FoundArchive):
             pending.append(item)
             continue
-        sha256 = _file_sha256(item.location)
         number, known_sha256 = held.archives.get(item.location, (0, None))
+        try:
+            sha256 = _file_sha256(item.location)
+        except OSError as error:
+            seen.update(held.inside(number))
+            pending.append(unreadable_archive(item, f"cannot be read: {error.strerror or error}"))
+            continue
         if sha256 == known_sha256:
-            inside = {where: document for where, document in held.documents.items() if document.archive_id == number}
+            inside = held.inside(number)
             seen.update(inside)
             unchanged.extend(document.unchanged_line() for document in inside.values())
         else:
@@ -120,7 +129,8 @@ def _task(number: int, item: Found, held: Held) -> Task:
 
 
 def _is_gone(location: str, archives: Iterable[str], prune: bool, paths: list[str]) -> bool:
-    if location.split("!", 1)[0] in archives:
+    steps = location.split(NESTED)
+    if any(NESTED.join(steps[:count]) in archives for count in range(1, len(steps))):
         return True
     return prune and any(location == path or location.startswith(path + os.sep) for path in paths)
 
@@ -138,5 +148,5 @@ def _file_unchanged(item: Found, document: HeldDocument) -> bool:
 
 
 def _file_sha256(path: str) -> str:
-    with open(path, "rb") as stream:
+    with open_regular(path) as stream:
         return hashlib.file_digest(stream, "sha256").hexdigest()

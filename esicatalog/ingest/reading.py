@@ -8,6 +8,9 @@ from typing import Self
 from esicatalog.ingest.plan import Plan
 from esicatalog.ingest.tasks import Outcome
 
+_SMALL_BYTES = 1024 * 1024
+"""A single document up to here is read without a worker process, its memory limit and its deadline."""
+
 
 class Reading:
     """The documents of a plan being read, in worker processes or (``jobs`` 1) in this one."""
@@ -32,7 +35,8 @@ class Reading:
             # Loads the reader, which an ingest that finds nothing new does not need.
             from esicatalog.ingest.pool import Pool, read_here
 
-            if self._jobs == 1 or len(plan.tasks) == 1:
+            is_small = sum(item.size_bytes for item in plan.todo) <= _SMALL_BYTES
+            if self._jobs == 1 or (len(plan.tasks) == 1 and is_small):
                 self.outcomes = chain(plan.problems, read_here(plan.tasks))
             else:
                 pool = Pool(plan.tasks, self._jobs)

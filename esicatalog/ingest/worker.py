@@ -65,7 +65,13 @@ class DocumentWorker:
             place = f"line {error.line}: " if error.line else ""
             outcome.status, outcome.message = "failed", f"{place}{error}"
         except (MemoryError, RecursionError) as error:
-            outcome.status, outcome.message = "failed", f"too large or too deep to read ({type(error).__name__})"
+            outcome.status, outcome.message = (
+                "failed",
+                f"takes too much memory or is nested too deep ({type(error).__name__})",
+            )
+        except Exception as error:  # a fault of the reader costs its document, not the run
+            outcome.status = "failed"
+            outcome.message = f"not foreseen by the reader ({type(error).__name__}); please report it with the document"
         return outcome
 
     def _container(self, task: Task) -> tuple[Container, ReferenceHashes]:
@@ -120,7 +126,9 @@ def main() -> None:
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource
 
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT_BYTES, MEMORY_LIMIT_BYTES))
+        limits = [limit for limit in resource.getrlimit(resource.RLIMIT_AS) if limit != resource.RLIM_INFINITY]
+        limit = min([MEMORY_LIMIT_BYTES, *limits])
+        resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
     # Records and rows hold no cycles: looking for some again and again costs more than reading many a document.
     gc.set_threshold(100_000, 20, 100)
     answers = os.fdopen(os.dup(1), "wb")

@@ -109,6 +109,8 @@ class Document(Record):
     encoding: str = ""
     recovered: str | None = None
     """What was wrong when the document could only be read by recovery."""
+    schema_version: str | None = None
+    """Schema version that the author of an EtherCATDict or EtherCATDiag document used; others say it in ``infos``."""
     infos: tuple[EsiInfo, ...] = ()
     """The EtherCATInfo elements; an EtherCATModule document counts as one without devices."""
     dictionary: Dictionary | None = None

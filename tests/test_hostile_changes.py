@@ -1,0 +1,212 @@
+"""What changes, vanishes or dies while it is read costs its own document and nothing else."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+import pytest
+from snippets import device, esi, write
+
+from esicatalog import Catalog
+from esicatalog.esi.reader import Reader
+from esicatalog.ingest import plan as planning
+from esicatalog.ingest import run as _run  # noqa: F401  (it must not be loaded while a test has changed the plan)
+from esicatalog.ingest.pool import Pool
+from esicatalog.ingest.tasks import Task
+
+GOOD = "good.xml"
+
+
+def ingest_changed(tmp_path, monkeypatch, change, jobs: int = 2) -> dict[str, tuple[str, str | None]]:
+    """Ingest a folder that ``change`` alters between finding and reading its documents."""
+    make_plan = planning.make_plan
+
+    def planned(*arguments):
+        made = make_plan(*arguments)
+        change()
+        return made
+
+    monkeypatch.setattr(planning, "make_plan", planned)
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        report = catalog.ingest([tmp_path / "in"], jobs=jobs)
+        assert catalog.check().problems == []
+    return {line.path: (line.status, line.message) for line in report.documents}
+
+
+@pytest.fixture
+def folder(tmp_path) -> Path:
+    return write(tmp_path / "in", {GOOD: esi(device()), "victim.xml": esi(device(product="#x2"))})
+
+
+def becomes_a_pipe(path: Path) -> None:
+    path.unlink()
+    os.mkfifo(path)
+
+
+def becomes_a_folder(path: Path) -> None:
+    path.unlink()
+    path.mkdir()
+
+
+def becomes_huge(path: Path) -> None:
+    os.truncate(path, 2**40)
+
+
+def becomes_a_device(path: Path) -> None:
+    path.unlink()
+    path.symlink_to("/dev/zero")
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (Path.unlink, "No such file"),
+        (becomes_a_pipe, "not a regular file"),
+        (becomes_a_device, "not a regular file"),
+        (becomes_a_folder, "cannot be read"),
+        (becomes_huge, "larger than 64 MB"),
+        (lambda path: os.truncate(path, 0), "the file is empty"),
+    ],
+)
+def test_a_file_that_changes_between_finding_and_reading(tmp_path, folder, monkeypatch, change, words, jobs):
+    lines = ingest_changed(tmp_path, monkeypatch, lambda: change(folder / "victim.xml"), jobs)
+    status, message = lines["victim.xml"]
+    assert status == "failed"
+    assert words in message
+    assert lines[GOOD] == ("stored", None)
+
+
+def packed(path: Path, *names: str) -> None:
+    with zipfile.ZipFile(path, "w") as archive:
+        for name in names:
+            archive.writestr(name, esi(device(product="#x3")))
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (Path.unlink, "No such file"),
+        (becomes_a_pipe, "not a regular file"),
+        (lambda path: os.truncate(path, 30), "not a usable zip archive"),
+        (lambda path: packed(path, "other.xml"), "ingest again"),
+    ],
+)
+def test_an_archive_that_changes_between_finding_and_reading(tmp_path, folder, monkeypatch, change, words, jobs):
+    packed(folder / "a.zip", "a.xml")
+    lines = ingest_changed(tmp_path, monkeypatch, lambda: change(folder / "a.zip"), jobs)
+    status, message = lines["a.zip!a.xml"]
+    assert status == "failed"
+    assert words in message
+    assert lines[GOOD] == ("stored", None)
+
+
+def test_an_archive_that_vanishes_before_it_is_looked_into(tmp_path, folder, monkeypatch):
+    packed(folder / "a.zip", "a.xml")
+    discover = planning.discover
+
+    def vanishing(paths):
+        for item in discover(paths):
+            if item.member == "a.zip":
+                (folder / "a.zip").unlink()
+            yield item
+
+    monkeypatch.setattr(planning, "discover", vanishing)
+    lines = ingest_changed(tmp_path, monkeypatch, lambda: None)
+    assert lines["a.zip"][0] == "failed"
+    assert lines[GOOD] == ("stored", None)
+
+
+def test_what_an_unreadable_archive_brought_before_stays(tmp_path, folder, monkeypatch):
+    packed(folder / "a.zip", "a.xml")
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([tmp_path / "in"], jobs=1)
+        digest = planning._file_sha256
+
+        def closed(path: str) -> str:
+            if path.endswith("a.zip"):
+                raise PermissionError(13, "Permission denied")
+            return digest(path)
+
+        monkeypatch.setattr(planning, "_file_sha256", closed)
+        report = catalog.ingest([tmp_path / "in"], jobs=1, prune=True)
+        assert ("a.zip", "failed") in {(line.path, line.status) for line in report.documents}
+        assert [device.product_code for device in catalog.devices() if device.product_code == 3] == [3]
+
+
+def test_members_of_a_changed_archive_go_whatever_the_folder_is_called(tmp_path):
+    folder = write(tmp_path / "in!side", {GOOD: esi(device())})
+    packed(folder / "a.zip", "a.xml", "b.xml")
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([folder], jobs=1)
+        packed(folder / "a.zip", "a.xml")
+        catalog.ingest([folder], jobs=1)
+        report = catalog.ingest([folder], jobs=1)
+    assert sorted(line.path for line in report.documents) == ["a.zip!a.xml", GOOD]
+
+
+def test_a_fault_of_the_reader_costs_its_document(tmp_path, folder, monkeypatch):
+    read = Reader.read
+
+    def faulty(self, content, member="", container=None):
+        if member == "victim.xml":
+            raise KeyError("a fault")
+        return read(self, content, member, container)
+
+    monkeypatch.setattr(Reader, "read", faulty)
+    lines = ingest_changed(tmp_path, monkeypatch, lambda: None, jobs=1)
+    assert lines["victim.xml"] == (
+        "failed",
+        "not foreseen by the reader (KeyError); please report it with the document",
+    )
+    assert lines[GOOD] == ("stored", None)
+
+
+def children(process: int) -> list[int]:
+    """Processes that a process has started."""
+    tasks = Path(f"/proc/{process}/task").glob("*/children")
+    return [int(child) for task in tasks for child in task.read_text().split()]
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="finds the workers through /proc")
+def test_a_killed_worker_costs_one_document(tmp_path):
+    names = [f"{number:02}.xml" for number in range(20)]
+    content = "".join(device("<Sm>Outputs</Sm>" * 20, product=f"#x{n:X}") for n in range(1, 400))
+    write(tmp_path / "in", dict.fromkeys(names, esi(content)))
+    command = [sys.executable, "-m", "esicatalog", "ingest", str(tmp_path / "in"), "--db", str(tmp_path / "c.db")]
+    process = subprocess.Popen([*command, "--jobs", "2", "--format", "json"], stdout=subprocess.PIPE, text=True)
+    while not (workers := children(process.pid)) and process.poll() is None:
+        time.sleep(0.001)
+    os.kill(workers[0], signal.SIGKILL)
+    output, _ = process.communicate(timeout=120)
+    documents = json.loads(output)["documents"]
+    failed = [line for line in documents if line["status"] == "failed"]
+    assert [line["message"] for line in failed] == ["the reading process died (out of memory or a crash)"]
+    assert [line["status"] for line in documents].count("stored") == len(names) - 1
+    assert process.returncode == 1
+    with Catalog.open(tmp_path / "c.db") as catalog:
+        assert catalog.check().problems == []
+        again = catalog.ingest([tmp_path / "in"], jobs=1)
+    assert again.counts["failed"] == 0, "the next ingest reads it"
+
+
+def test_a_document_past_its_deadline_is_given_up_and_the_next_is_read(tmp_path):
+    slow = esi(device("<Sm>Outputs</Sm>" * 50_000))
+    write(tmp_path, {"slow.xml": slow, GOOD: esi(device())})
+    tasks = [Task(number, str(tmp_path), False, (), name) for number, name in enumerate(("slow.xml", GOOD))]
+    pool = Pool(tasks[:1], 1, deadline_seconds=0.01)
+    pool.start()
+    (outcome,) = pool.outcomes()
+    pool.stop()
+    assert (outcome.status, outcome.message) == ("failed", "gave up after 0 s")
+    pool = Pool(tasks, 1)
+    pool.start()
+    outcomes = {outcome.number: outcome.status for outcome in pool.outcomes()}
+    pool.stop()
+    assert outcomes == {0: "stored", 1: "stored"}

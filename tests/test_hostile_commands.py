@@ -1,0 +1,111 @@
+"""Hostile files given to commands that read one: exit code 1 or 2, one line, no traceback, whatever the file.
+
+A second line is allowed: what lint sums up, and what was lost by recovery.
+"""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from snippets import device, esi
+
+from esicatalog.cli.main import cli
+
+LAUGHS = "".join(f'<!ENTITY a{n} "{f"&a{n - 1};" * 10}">' for n in range(1, 12))
+FILES = {
+    "empty": b"",
+    "noise": bytes(range(256)) * 40,
+    "zeros": bytes(100_000),
+    "blanks": b" \n" * 10_000,
+    "long-line": b"x" * 5_000_000,
+    "many-lines": b"=== Master 0, Slave\n" * 100_000,
+    "colons": b":" * 300_000,
+    "hex": b":10" + b"0" * 100_000,
+    "laughs": f"<!DOCTYPE EtherCATConfig [{LAUGHS}]><EtherCATConfig a='&a11;'/>".encode(),
+    "deep": b"<EtherCATInfo>" * 100_000,
+    "deep-configuration": b"<EtherCATConfig>" * 100_000,
+    "unknown": esi(device("<X/>" * 200_000)).encode(),
+    "cut": b"<EtherCATInfo><Vend",
+    "utf-16": "<EtherCATConfig/>".encode("utf-16"),
+    "bomb.zip": b"PK\x03\x04",
+}
+COMMANDS = {
+    "lint": ["lint", "FILE"],
+    "export igh": ["export", "igh", "--esi", "FILE"],
+    "export sii": ["export", "sii", "--esi", "FILE"],
+    "export --scan": ["export", "igh", "--scan", "FILE", "--db", "DB"],
+    "diff": ["diff", "--esi", "FILE", "GOOD"],
+    "sii decode": ["sii", "decode", "FILE"],
+    "sii verify": ["sii", "verify", "FILE", "--db", "DB"],
+    "identify --slaves": ["identify", "--slaves", "FILE", "--db", "DB"],
+    "identify --eni": ["identify", "--eni", "FILE", "--db", "DB"],
+    "identify --sii": ["identify", "--sii", "FILE", "--db", "DB"],
+}
+
+
+def arguments(words: list[str], file: Path, data_db: Path, data: Path) -> list[str]:
+    places = {"FILE": str(file), "DB": str(data_db), "GOOD": str(data / "l6n_drive.xml")}
+    return [places.get(word, word) for word in words]
+
+
+def lines_of_failure(command: list[str]) -> list[str]:
+    """What a failing command says on stderr."""
+    result = CliRunner().invoke(cli, command)
+    assert isinstance(result.exception, SystemExit), result.exception
+    assert result.exit_code in (1, 2)
+    assert "Traceback" not in result.output
+    return result.stderr.splitlines()
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory) -> Path:
+    made = tmp_path_factory.mktemp("files")
+    for name, content in FILES.items():
+        (made / name).write_bytes(content)
+    (made / "folder").mkdir()
+    (made / "circle").symlink_to(made / "circle")
+    return made
+
+
+@pytest.mark.parametrize("name", [*FILES, "folder", "circle", "missing"])
+@pytest.mark.parametrize("words", COMMANDS.values(), ids=COMMANDS)
+def test_a_file_that_is_of_no_use(folder, data_db, data, words, name):
+    command = arguments(words, folder / name, data_db, data)
+    if command[0] == "lint" and name == "folder":
+        pytest.skip("an empty folder is no fault")
+    lines = lines_of_failure(command)
+    assert len(lines) in (1, 2), lines
+    assert max(map(len, lines)) < 500
+
+
+@pytest.mark.parametrize("words", COMMANDS.values(), ids=COMMANDS)
+def test_a_device_is_not_read_endlessly(data_db, data, words):
+    command = [sys.executable, "-m", "esicatalog", *arguments(words, Path("/dev/zero"), data_db, data)]
+    run = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert run.returncode in (1, 2) or words[0] == "lint"
+    assert len(run.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize("name", ["lint", "export igh", "diff"])
+def test_a_pipe_in_place_of_a_document_is_not_waited_for(tmp_path, data_db, data, name):
+    os.mkfifo(tmp_path / "pipe.xml")
+    command = [sys.executable, "-m", "esicatalog", *arguments(COMMANDS[name], tmp_path / "pipe.xml", data_db, data)]
+    run = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert run.returncode in (1, 2) or name == "lint"
+    assert len(run.stderr.splitlines()) == 1
+
+
+def test_a_pipe_that_a_master_writes_into_is_read(tmp_path, data_db):
+    os.mkfifo(tmp_path / "pipe")
+    shell = f"echo '0x5,0x0d080808,0x1' > {tmp_path / 'pipe'} & exec {sys.executable} -m esicatalog identify "
+    run = subprocess.run(
+        ["sh", "-c", f"{shell} --slaves {tmp_path / 'pipe'} --db {data_db}"],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert "0x00000005:0x0d080808:0x00000001" in run.stdout
