@@ -8,7 +8,7 @@ from esicatalog.esi.notes import Notes
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.dictionaries import IdentityMemo
-from esicatalog.lint.linter import RECORD_RULES, Linter
+from esicatalog.lint.linter import Linter
 from esicatalog.lint.locator import Locator
 
 OBJECT = "<Object><Index>#x2000</Index><Name>O</Name><Type>T</Type><BitSize>8</BitSize></Object>"
@@ -90,7 +90,7 @@ def test_nothing_to_report_asks_for_no_tree():
         raise AssertionError("parsed again")
 
     read = Reader().read(esi(device()).encode())
-    assert Linter(RECORD_RULES).document(read, tree) == []
+    assert Linter().document(read, tree) == []
 
 
 def test_a_full_memo_starts_anew():

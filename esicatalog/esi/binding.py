@@ -13,7 +13,7 @@ A record field is declared as ``Annotated[type, Xml(path, scalar, doc)]``. Paths
 
 import types
 import typing
-from typing import Annotated, Any, TypeVar, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, ClassVar, TypeVar, get_args, get_origin, get_type_hints
 
 import msgspec
 from lxml import etree
@@ -32,6 +32,9 @@ class Record(msgspec.Struct, metaclass=_RecordMeta, frozen=True, gc=False, omit_
 
     ``spelling`` maps a field name to the vendor's text where that differs from the canonical spelling of the value.
     """
+
+    SCHEMA_ORDER: ClassVar[tuple[str, ...]] = ()
+    """Where the schema's sequence is not the order of declaration: these paths come first, the others as declared."""
 
     spelling: dict[str, str] | None = None
 
@@ -72,6 +75,8 @@ class Field(msgspec.Struct, frozen=True):
 
 
 _MAX_LEAVES = 50_000
+_ANYWHERE = -1
+"""Rank after a child was found out of order: an element is told once."""
 _SCHEMA_INSTANCE = "{http://www.w3.org/2001/XMLSchema-instance}"
 """Attributes that say where the schema lies, nothing about the device."""
 
@@ -94,6 +99,17 @@ def fields_of(record_type: type[Record]) -> list[Field]:
     return found
 
 
+def fields_in_order(record_type: type[Record]) -> list[Field]:
+    """The bound fields of a record type in the order in which the schema has their elements."""
+    first = record_type.SCHEMA_ORDER
+
+    def rank(field: Field) -> int:
+        path = field.xml.path.partition("@")[0] + "/"
+        return next((n for n, start in enumerate(first) if path.startswith(f"{start}/")), len(first))
+
+    return sorted(fields_of(record_type), key=rank)
+
+
 class _Slot(msgspec.Struct, frozen=True):
     """Where a value goes: field name, its scalar, and whether it repeats."""
 
@@ -105,9 +121,11 @@ class _Slot(msgspec.Struct, frozen=True):
 class _Node:
     """What the reader does with one element: the compiled tree of a record's paths."""
 
-    __slots__ = ("attributes", "children", "leaves", "lists", "many", "plain", "raw", "record", "text", "whole")
+    __slots__ = ("attributes", "children", "leaves", "lists", "many", "plain", "rank", "raw", "record", "text", "whole")
 
     def __init__(self) -> None:
+        self.rank = 0
+        """Place among its siblings in the schema."""
         self.attributes: dict[str, _Slot] = {}
         self.children: dict[str, _Node] = {}
         self.text: _Slot | None = None
@@ -133,7 +151,7 @@ def _is_record(item: Any) -> bool:
 
 def _compile(record_type: type[Record]) -> _Node:
     root = _Node()
-    for field in fields_of(record_type):
+    for field in fields_in_order(record_type):
         path, _, attribute = field.xml.path.partition("@")
         node = root
         for tag in path.split("/") if path not in ("", ".") else []:
@@ -146,17 +164,18 @@ def _compile(record_type: type[Record]) -> _Node:
             node.attributes[attribute] = _Slot(field.name, field.xml.kind, False)
         else:
             node.text = _Slot(field.name, field.xml.kind, field.many)
-    _mark_plain(root)
+    _finish(root)
     root.lists = tuple(field.name for field in fields_of(record_type) if field.many)
     _compiled[record_type] = root
     return root
 
 
-def _mark_plain(node: _Node) -> None:
-    for child in node.children.values():
+def _finish(node: _Node) -> None:
+    for rank, child in enumerate(node.children.values()):
+        child.rank = rank
         if child.text is not None and child.whole is None and not child.text.many:
             child.plain = child.text
-        _mark_plain(child)
+        _finish(child)
 
 
 def canonical_xml(element: etree._Element) -> str:
@@ -201,6 +220,7 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
     elif element.text is not None and not element.text.isspace():
         notes.unmapped_text(element, element.text)
     children = node.children
+    rank = 0
     for child in element:
         tail = child.tail
         if tail is not None and not tail.isspace():
@@ -209,6 +229,11 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
         if taken is None:
             notes.unmapped_element(child)
             continue
+        if taken.rank < rank:
+            notes.misplaced(element, child)
+            rank = _ANYWHERE
+        elif rank != _ANYWHERE:
+            rank = taken.rank
         plain = taken.plain
         if plain is not None and not len(child) and plain.name not in values and not child.keys():
             if plain.scalar is TEXT:

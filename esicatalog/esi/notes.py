@@ -114,6 +114,12 @@ class Notes:
             raise BrokenDocument(_TOO_MANY, element.sourceline or 0)
         self.findings.append(Finding(rule, severity, message, element.sourceline or 0, self.path(element)))
 
+    def misplaced(self, element: etree._Element, child: etree._Element) -> None:
+        """A child of ``element`` that the schema has before the one it stands behind."""
+        before = child.getprevious()
+        behind = f" stands behind {before.tag!s}" if before is not None else " stands too late"
+        self.find(element, "L04", "W", f"{element.tag!s}: {child.tag!s}{behind}; the schema has it before")
+
     def unmapped_attribute(self, element: etree._Element, name: str, text: str, repeated: bool = False) -> None:
         """An attribute that no field takes."""
         words = "repeats a value given before" if repeated else "is unknown"

@@ -1,8 +1,8 @@
 """Writing records as ESI documents: the same declarations that drive the reader, turned round.
 
-What a field's declaration cannot say stands in two tables: the order of child elements and the elements without
-content that the schema asks for (ETG.2000: EtherCATInfo.xsd, EtherCATBase.xsd). Elements after schema 1.17 stand where
-the field is declared, among their kin.
+What a field's declaration cannot say stands in a table: the elements without content that the schema asks for
+(ETG.2000: EtherCATInfo.xsd, EtherCATBase.xsd). Elements after schema 1.17 stand where the field is declared, among
+their kin.
 """
 
 from functools import cache
@@ -10,9 +10,9 @@ from typing import Any, NamedTuple
 
 from lxml import etree
 
-from esicatalog.esi.binding import PRESENT, RAW, Field, Record, fields_of
+from esicatalog.esi.binding import PRESENT, RAW, Field, Record, fields_in_order
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.dictionary import Dictionary, Flags, InfoSubItem, Object
+from esicatalog.esi.records.dictionary import Dictionary, InfoSubItem
 from esicatalog.esi.records.document import DiagInfo, DictInfo, EsiInfo, InfoList, ModuleInfo
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.write_unmapped import add_unmapped
@@ -25,30 +25,6 @@ _ROOTS: dict[type[Record], str] = {
     DictInfo: "EtherCATDict",
     DiagInfo: "EtherCATDiag",
 }
-
-_ORDER: dict[type[Record], tuple[str, ...]] = {
-    Device: (
-        "Sci",
-        "Type",
-        "HideType",
-        "AlternativeType",
-        "SubDevice",
-        "Name",
-        "Comment",
-        "URL",
-        "Info/Electrical",
-        "Info/StateMachine",
-        "Info/Mailbox",
-        "Info/EtherCATController",
-        "Info/Port",
-        "Info/ExecutionUnit",
-        "Info/VendorSpecific",
-    ),
-    Object: ("Index", "Name", "Comment", "Type", "BitSize"),
-    InfoSubItem: ("Name",),
-    Flags: ("Access", "Category", "PdoMapping", "SafetyMapping", "Attribute", "Transition", "SdoAccess"),
-}
-"""Where the schema's sequence is not the order of declaration: these come first, the others follow as declared."""
 
 _REQUIRED: dict[type[Record], tuple[str, ...]] = {
     EsiInfo: ("Descriptions/Groups", "Descriptions/Devices"),
@@ -93,17 +69,12 @@ def record_element(record: Record, tag: str) -> etree._Element:
 def _places(record_type: type[Record]) -> tuple[_Place, ...]:
     """The fields of a record type in the order of the schema."""
     required = _REQUIRED.get(record_type, ())
-    order = _ORDER.get(record_type, ())
     places = []
-    for field in fields_of(record_type):
+    for field in fields_in_order(record_type):
         path, _, attribute = field.xml.path.removeprefix(".").partition("@")
         parent, _, tag = path.rpartition("/")
         places.append(_Place(field, path, parent, tag, attribute, parent in required))
-    return tuple(sorted(places, key=lambda place: _rank(place.path, order)))
-
-
-def _rank(path: str, order: tuple[str, ...]) -> int:
-    return next((n for n, first in enumerate(order) if f"{path}/".startswith(f"{first}/")), len(order))
+    return tuple(places)
 
 
 def _fill(element: etree._Element, record: Record) -> None:

@@ -21,7 +21,6 @@ from esicatalog.lint.dictionaries import (
     identities,
 )
 from esicatalog.lint.locator import Locator, Tree
-from esicatalog.lint.order import OrderChecker, OrderSubject
 from esicatalog.lint.registry import Check, Found, Place, Rule
 from esicatalog.lint.rules import ALL_RULES
 from esicatalog.lint.subjects import (
@@ -36,8 +35,6 @@ from esicatalog.lint.subjects import (
 )
 from esicatalog.model.slots import accepts
 
-RECORD_RULES = tuple(rule for rule in ALL_RULES if OrderSubject not in rule.subjects)
-"""The rules that need nothing but records: what an ingest runs, which would otherwise walk every tree once more."""
 _MAX_RECORDS = 20_000
 _MAX_DICTIONARIES = 128
 
@@ -66,7 +63,6 @@ class Linter:
             if rule.check is not None:
                 for subject in rule.subjects:
                     self._checks[subject].append((rule, rule.check))
-        self._order = OrderChecker()
         self._views = DictionaryViews()
         self._of_record: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._of_object: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
@@ -77,14 +73,11 @@ class Linter:
     def document(self, read: ReadDocument, tree: Tree, find_file: FileFinder | None = None) -> list[Finding]:
         """All findings about a document, those of its reader included, by line.
 
-        ``tree`` gives the elements of the document; it is called only when there is something to report, or for
-        the rules that look at elements (see :data:`RECORD_RULES`).
+        ``tree`` gives the elements of the document; it is called only when there is something to report.
         ``find_file`` tells whether a file that the document names lies beside it.
         """
         findings = [finding for finding in read.findings if finding.rule in self._ids]
         hits = self._document(read.document, find_file)
-        if self._checks[OrderSubject]:
-            hits += self._check(OrderSubject(read.document, tree().whole(), self._order), OrderSubject)
         if hits:
             locator = Locator(read.document, tree)
             for hit in hits:

@@ -1,6 +1,6 @@
 """Device: one (ProductCode, RevisionNo) of a vendor (EtherCATInfo.xsd DeviceType)."""
 
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from esicatalog.esi.binding import PRESENT, RAW, Record, Xml
 from esicatalog.esi.notes import Unmapped
@@ -184,6 +184,24 @@ class Eeprom(Record):
 
 class Device(Record):
     """Device element. Vendor, group and file version belong to the source, not to the description."""
+
+    SCHEMA_ORDER: ClassVar[tuple[str, ...]] = (
+        "Sci",
+        "Type",
+        "HideType",
+        "AlternativeType",
+        "SubDevice",
+        "Name",
+        "Comment",
+        "URL",
+        "Info/Electrical",
+        "Info/StateMachine",
+        "Info/Mailbox",
+        "Info/EtherCATController",
+        "Info/Port",
+        "Info/ExecutionUnit",
+        "Info/VendorSpecific",
+    )
 
     type: Annotated[str | None, Xml("Type", doc="Type text: the order code")] = None
     product_code: Annotated[int | None, Xml("Type@ProductCode", IDENTITY, "Product code; NULL when not given")] = None

@@ -1,6 +1,6 @@
 """Object dictionary as it is declared: unit types, data types, objects (EtherCATBase.xsd DictionaryType)."""
 
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from esicatalog.esi.binding import RAW, Record, Xml
 from esicatalog.esi.numbers import BOOL, DEC, HEX, HEX_BINARY, INT
@@ -33,6 +33,16 @@ class EnumInfo(Record):
 
 class Flags(Record):
     """Flags element of a sub-item or object (ETG.2000 figure 37 inherits six of them)."""
+
+    SCHEMA_ORDER: ClassVar[tuple[str, ...]] = (
+        "Access",
+        "Category",
+        "PdoMapping",
+        "SafetyMapping",
+        "Attribute",
+        "Transition",
+        "SdoAccess",
+    )
 
     access: Annotated[str | None, Xml("Access", doc="Access: ro (default), rw, wo")] = None
     read_restrictions: Annotated[
@@ -113,11 +123,15 @@ class DeclaredValues(Record):
 class InfoSubItem(DeclaredValues):
     """Info/SubItem: declared values of the sub-item with this name (there is no subindex)."""
 
+    SCHEMA_ORDER: ClassVar[tuple[str, ...]] = ("Name",)
+
     name: Annotated[str | None, Xml("Name", doc="Name of the sub-item of the data type")] = None
 
 
 class Object(DeclaredValues):
     """Object of a dictionary as declared; :mod:`esicatalog.model.dictionary` resolves it into its subindices."""
+
+    SCHEMA_ORDER: ClassVar[tuple[str, ...]] = ("Index", "Name", "Comment", "Type", "BitSize")
 
     object_index: Annotated[int | None, Xml("Index", HEX, "Object index")] = None
     depend_on_slot: Annotated[bool | None, Xml("Index@DependOnSlot", BOOL, "Index is shifted per slot")] = None

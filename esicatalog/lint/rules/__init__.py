@@ -8,7 +8,6 @@ from esicatalog.lint.rules import (  # noqa: F401
     identity,
     mailbox,
     mapping,
-    order,
     pdos,
     reading,
     slots,

@@ -24,6 +24,12 @@ found_by_reader(
     "ETG.2000 EtherCATInfo.xsd, EtherCATBase.xsd, EtherCATModule.xsd, EtherCATDict.xsd, EtherCATDiag.xsd",
 )
 found_by_reader(
+    "L04",
+    WARNING,
+    "Child elements do not stand in the order of the schema.",
+    "ETG.2000 schemas: xs:sequence; a strict parser refuses another order",
+)
+found_by_reader(
     "L05",
     WARNING,
     "Unknown or repeated element, attribute or text; its value is kept, but nothing reads it.",
