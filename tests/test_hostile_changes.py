@@ -159,7 +159,7 @@ def test_a_fault_of_the_reader_costs_its_document(tmp_path, folder, monkeypatch)
             raise KeyError("a fault")
         return read(self, content, member, container)
 
-    monkeypatch.setattr(Reader, "read", faulty)
+    monkeypatch.setattr(Reader, "read_tree", faulty)
     lines = ingest_changed(tmp_path, monkeypatch, lambda: None, jobs=1)
     assert lines["victim.xml"] == (
         "failed",

@@ -4,6 +4,7 @@ import io
 import json
 import re
 import zipfile
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -173,6 +174,24 @@ def test_findings_stored_in_a_catalog(tmp_path):
     assert [(item["file"], item["rule"], item["severity"]) for item in items] == [("a.xml", "L06", "E")] * 2
     assert run("--db", db).exit_code == 1
     assert run("--db", tmp_path / "missing.db").exit_code == 2
+
+
+def test_an_ingest_stores_what_lint_says(tmp_path):
+    """Files of every rule, and what contradicts what across them."""
+    for file in (*FILES.glob("L*.bad.xml"), *FILES.glob("L4*.good.xml")):
+        (tmp_path / file.name).write_bytes(file.read_bytes())
+    db = tmp_path / "catalog.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([tmp_path], jobs=2)
+    said = Counter(
+        (i["file"].rpartition("/")[2], i["line"], i["rule"], i["severity"], i["path"]) for i in found(tmp_path)
+    )
+    stored = Counter((i["file"], i["line"], i["rule"], i["severity"], i["path"]) for i in found("--db", db))
+    only_said = {key[2] for key in said - stored}
+    assert not stored - said
+    # A file that cannot be read at all has no line in the catalog; what is no ESI is skipped by an ingest.
+    assert only_said <= {"L01", "L02"}
+    assert {"L04", "L12", "L45", "L57"} <= {key[2] for key in stored}
 
 
 def test_findings_are_printed_as_they_come(capsys):

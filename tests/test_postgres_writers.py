@@ -144,7 +144,8 @@ class Machine:
         self._name = name
 
     def store(self, file: str, text: str) -> None:
-        rows = self._rows.document(read(text))
+        content = read(text)
+        rows = self._rows.document(content, content.findings)
         self._writer.store(SourceRow(f"{self._name}/{file}", file, "stored", sha256=file), rows)
         self._writer.commit()
 

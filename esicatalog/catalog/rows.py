@@ -4,7 +4,7 @@ Rows are lists of column values in the order of the table's codec. A row of a ch
 its parent row within the same description. Nothing in here knows a database.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import msgspec
@@ -12,6 +12,7 @@ import msgspec
 from esicatalog.catalog.derived import DerivedRows, PdoPlaces, Row, add_places, derived_rows, pdo_places, positioned
 from esicatalog.catalog.digests import Digests
 from esicatalog.catalog.mapping import CHILDREN, codec, extension_rows, image_key, to_json
+from esicatalog.esi.notes import Finding
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.reader import ReadDocument
 from esicatalog.esi.records.common import Name
@@ -153,8 +154,8 @@ class RowMaker:
         self._module_counts: dict[bytes, int] = {}
         self._out = DocumentRows("", "", None, [], [], [], None, None, [], [], [])
 
-    def document(self, read: ReadDocument) -> DocumentRows:
-        """The rows of one document."""
+    def document(self, read: ReadDocument, findings: Iterable[Finding]) -> DocumentRows:
+        """The rows of one document and what was found in it."""
         document = read.document
         self._out = out = DocumentRows(
             root=document.root,
@@ -166,7 +167,7 @@ class RowMaker:
             dictionary=None,
             diagnostics=None,
             references=[(ref.kind, ref.text, ref.location, ref.sha256) for ref in document.references],
-            findings=[(f.rule, f.severity, f.message, f.line, f.path) for f in read.findings],
+            findings=[(f.rule, f.severity, f.message, f.line, f.path) for f in findings],
             unmapped=[(item.path, item.value) for item in document.unmapped],
         )
         if document.dictionary is not None:

@@ -25,7 +25,9 @@ Result = TypeVar("Result")
 
 @click.command("lint")
 @click.argument("paths", nargs=-1, type=click.Path())
-@click.option("--db", metavar="FILE|URL", help="Print the findings stored in a catalog instead.")
+@click.option(
+    "--db", metavar="FILE|URL", help="Say what an ingest found, and how documents of a catalog contradict each other."
+)
 @click.option("--schema", metavar="DIR", type=click.Path(path_type=Path), help="Validate against the XSD files there.")
 @click.option("--select", metavar="L01,…", multiple=True, help="Only these rules.")
 @click.option("--ignore", metavar="L21,…", multiple=True, help="All rules but these.")
@@ -56,8 +58,7 @@ def command(
         raise InputError("name files, folders or archives to lint, or a catalog with --db")
     if db:
         run = None
-        wanted = {rule.id for rule in rules}
-        items: Iterable[DocumentFinding] = (item for item in _stored(db) if item.finding.rule in wanted)
+        items: Iterable[DocumentFinding] = _stored(db, rules)
     else:
         run = _Run(paths, rules, schema)
         items = run.findings()
@@ -116,26 +117,14 @@ def _print_summary(shown: "list[Finding]", run: "_Run | None") -> None:
     click.echo(words, err=True)
 
 
-def _stored(db: str) -> "Iterator[DocumentFinding]":
-    """The findings that an ingest stored, by document and line."""
-    import sqlalchemy as sa
-
+def _stored(db: str, rules: "Sequence[Rule]") -> "Iterator[DocumentFinding]":
     from esicatalog.catalog.database import open_catalog
-    from esicatalog.catalog.schema import findings, sources
-    from esicatalog.esi.notes import Finding
-    from esicatalog.lint.report import DocumentFinding
+    from esicatalog.catalog.stored_findings import stored_findings
 
-    columns = (sources.c.member, *(findings.c[name] for name in Finding.__struct_fields__))
-    query = (
-        sa.select(*columns)
-        .join_from(findings, sources)
-        .order_by(sources.c.member, findings.c.line, sources.c.location, findings.c.id)
-    )
     engine = open_catalog(db, read_only=True)
     try:
         with engine.connect() as connection:
-            for member, *values in connection.execute(query):
-                yield DocumentFinding(member, Finding(*values))
+            yield from stored_findings(connection, rules)
     finally:
         engine.dispose()
 

@@ -17,11 +17,14 @@ import msgspec
 
 from esicatalog.catalog.rows import RowMaker
 from esicatalog.errors import DocumentError, EsiCatalogError, NotAnEsiDocument
-from esicatalog.esi.containers import Archive, Container, Folder
+from esicatalog.esi.containers import Archive, Container, Folder, resolve_reference
 from esicatalog.esi.content import sha256_hex
+from esicatalog.esi.documents import parse_document
 from esicatalog.esi.reader import Reader
+from esicatalog.esi.tree import DocumentTree
 from esicatalog.ingest.tasks import Answer, Outcome, Task
 from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
+from esicatalog.lint.linter import Linter
 
 MEMORY_LIMIT_BYTES = 3 * 1024**3
 _MAX_OPENED = 16
@@ -36,6 +39,7 @@ class DocumentWorker:
 
     def __init__(self) -> None:
         self._reader = Reader()
+        self._linter = Linter()
         self._rows = RowMaker()
         self._opened: dict[tuple[str, tuple[str, ...]], tuple[Container, ReferenceHashes]] = {}
 
@@ -55,8 +59,14 @@ class DocumentWorker:
             outcome.status = "unchanged"
             return outcome
         try:
-            read = self._reader.read(content, task.member, container) if pulled is None else pulled.document
-            outcome.rows = self._rows.document(read)
+            if pulled is None:
+                read, tree = self._reader.read_tree(content, task.member, container)
+            else:
+                read, tree = pulled.document, lambda: DocumentTree(parse_document(container.read(task.member)).root)
+            findings = self._linter.document(
+                read, tree, lambda name: resolve_reference(container, task.member, name) is not None
+            )
+            outcome.rows = self._rows.document(read, findings)
             if outcome.rows.recovered is not None:
                 outcome.status, outcome.message = "recovered", outcome.rows.recovered
         except NotAnEsiDocument as error:

@@ -61,15 +61,11 @@ def device_facts(read: ReadDocument, document: str, signature: Signature) -> Ite
     for section, info in enumerate(content.infos):
         vendor_id = info.vendor.vendor_id if info.vendor is not None else None
         modules = (*info.modules, *content.referenced_modules[section])
-        root = content.root
-        if root == "EtherCATInfoList":
-            root += f"/EtherCATInfo[{section}]" if len(content.infos) > 1 else "/EtherCATInfo"
         for number, device in enumerate(info.devices):
-            place = f"Device[{number}]" if len(info.devices) > 1 else "Device"
             yield DeviceFact(
                 document,
                 content.device_lines[section][number],
-                f"{root}/Descriptions/Devices/{place}",
+                device_path(content.root, section, len(content.infos), number, len(info.devices)),
                 vendor_id,
                 display_text(info.vendor.names) if info.vendor is not None else None,
                 device.product_code,
@@ -78,6 +74,13 @@ def device_facts(read: ReadDocument, document: str, signature: Signature) -> Ite
                 signature(device, reachable_modules(device, modules), vendor_id),
                 tuple(Hidden(item.product_code, item.revision_no) for item in device.hide_types),
             )
+
+
+def device_path(root: str, section: int, section_count: int, number: int, device_count: int) -> str:
+    """Element path of a Device: number ``number`` of ``device_count`` in a section of a document."""
+    if root == "EtherCATInfoList":
+        root += f"/EtherCATInfo[{section}]" if section_count > 1 else "/EtherCATInfo"
+    return f"{root}/Descriptions/Devices/" + (f"Device[{number}]" if device_count > 1 else "Device")
 
 
 def lint_library(facts: Iterable[DeviceFact], rules: Iterable[Rule]) -> Iterator[DocumentFinding]:

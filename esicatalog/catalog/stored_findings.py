@@ -1,0 +1,83 @@
+"""What lint says of a catalog: the findings stored at ingest, and the rules across documents on the rows of devices."""
+
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator
+
+import sqlalchemy as sa
+
+from esicatalog.catalog.schema import device_sources, devices, findings, hidden_revisions, source_vendors, sources
+from esicatalog.esi.notes import Finding
+from esicatalog.lint.library import DeviceFact, Hidden, device_path, lint_library
+from esicatalog.lint.registry import Rule
+from esicatalog.lint.report import DocumentFinding
+
+
+def stored_findings(connection: sa.Connection, rules: Iterable[Rule]) -> Iterator[DocumentFinding]:
+    """Findings of the chosen rules, by document and line; those across documents come last."""
+    chosen = tuple(rules)
+    ids = {rule.id for rule in chosen}
+    columns = (sources.c.member, *(findings.c[name] for name in Finding.__struct_fields__))
+    query = (
+        sa.select(*columns)
+        .join_from(findings, sources)
+        .order_by(sources.c.member, findings.c.line, sources.c.location, findings.c.id)
+    )
+    if _UNREADABLE in ids:
+        refused = sa.select(sources.c.member, sources.c.message).where(sources.c.status == "failed")
+        for member, message in connection.execute(refused.order_by(sources.c.member, sources.c.location)):
+            yield DocumentFinding(member, Finding(_UNREADABLE, "E", message or "cannot be read", 0))
+    for member, *values in connection.execute(query):
+        finding = Finding(*values)
+        if finding.rule in ids:
+            yield DocumentFinding(member, finding)
+    yield from lint_library(_facts(connection), chosen)
+
+
+def _facts(connection: sa.Connection) -> list[DeviceFact]:
+    """Every Device element of every document, as the rules across documents see it."""
+    hidden: dict[int, list[Hidden]] = defaultdict(list)
+    named = hidden_revisions.c
+    for device_id, *numbers in connection.execute(
+        sa.select(named.device_id, named.product_code, named.revision_no).order_by(named.device_id, named.position)
+    ):
+        hidden[device_id].append(Hidden(*numbers))
+    rows = connection.execute(
+        sa.select(
+            devices,
+            device_sources.c.source_id,
+            device_sources.c.section,
+            device_sources.c.position.label("number"),
+            device_sources.c.line,
+            sources.c.member,
+            sources.c.root,
+            source_vendors.c.name.label("vendor_name"),
+        )
+        .join_from(device_sources, devices)
+        .join(sources, sources.c.id == device_sources.c.source_id)
+        .join(
+            source_vendors,
+            (source_vendors.c.source_id == device_sources.c.source_id)
+            & (source_vendors.c.position == device_sources.c.section),
+        )
+        .order_by(sources.c.location, device_sources.c.section, device_sources.c.position)
+    ).all()
+    counts = Counter((row.source_id, row.section) for row in rows)
+    sections = Counter(source_id for source_id, _ in counts)
+    return [
+        DeviceFact(
+            row.member,
+            row.line,
+            device_path(row.root, row.section, sections[row.source_id], row.number, counts[row.source_id, row.section]),
+            row.vendor_id,
+            row.vendor_name,
+            row.product_code,
+            row.revision_no,
+            row.type,
+            bytes.fromhex(row.content_hash),
+            tuple(hidden.get(row.id, ())),
+        )
+        for row in rows
+    ]
+
+
+_UNREADABLE = "L01"
