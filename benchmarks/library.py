@@ -1,0 +1,351 @@
+"""Vendor libraries of any size, made up: no real vendor, no real device, but shaped like what vendors publish.
+
+    python benchmarks/library.py FOLDER --devices 10000 [--objects 20] [--revisions 5] [--vendors 100] [--seed 1]
+
+A third of the products are digital terminals without dictionary, a third servo drives (CiA 402) and a third stations
+with slots and modules. Revisions of a product differ in software version, in a default value and, every third one, in
+the layout of a PDO; the newest hides the oldest. Names stand in English and German. Documents hold about 35 devices.
+The same arguments give the same bytes, and a larger library of the same seed begins with the documents of the smaller.
+"""
+
+import argparse
+import random
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+DEVICES_PER_DOCUMENT = 35
+_FIRST_VENDOR_ID = 0xE0000000
+_SHARED_OF_TEN = 6
+"""Of ten manufacturer objects so many are the same in all dictionaries of a vendor."""
+
+_BITS = {"BOOL": 1, "SINT": 8, "USINT": 8, "INT": 16, "UINT": 16, "DINT": 32, "UDINT": 32, "STRING(8)": 64}
+_SIMPLE_TYPES = "".join(
+    f"<DataType><Name>{name}</Name><BitSize>{bits}</BitSize></DataType>\n" for name, bits in _BITS.items()
+)
+_QUANTITIES = ("current", "voltage", "temperature", "position", "velocity", "torque", "filter time", "gain", "offset")
+_PARTS = ("motor", "brake", "encoder", "DC link", "amplifier", "channel 1", "channel 2", "input stage", "controller")
+
+
+class Shape(NamedTuple):
+    """What is asked for."""
+
+    devices: int
+    objects: int
+    revisions: int
+    vendors: int
+    seed: int
+
+
+class Mapped(NamedTuple):
+    """An entry of a PDO."""
+
+    index: int
+    subindex: int
+    data_type: str
+    name: str
+
+
+class Record(NamedTuple):
+    """An object with members (name, type, default) after subindex 0."""
+
+    index: int
+    name: str
+    members: tuple[tuple[str, str, int], ...]
+
+
+_RX = (
+    Mapped(0x6040, 0, "UINT", "Controlword"),
+    Mapped(0x6060, 0, "SINT", "Modes of operation"),
+    Mapped(0x607A, 0, "DINT", "Target position"),
+    Mapped(0x60FF, 0, "DINT", "Target velocity"),
+    Mapped(0x6071, 0, "INT", "Target torque"),
+)
+_TX = (
+    Mapped(0x6041, 0, "UINT", "Statusword"),
+    Mapped(0x6061, 0, "SINT", "Modes of operation display"),
+    Mapped(0x6064, 0, "DINT", "Position actual value"),
+    Mapped(0x606C, 0, "DINT", "Velocity actual value"),
+    Mapped(0x6077, 0, "INT", "Torque actual value"),
+)
+_ADDED = {"Rx": Mapped(0x60B2, 0, "INT", "Torque offset"), "Tx": Mapped(0x60F4, 0, "DINT", "Following error")}
+_DRIVE_MODES = (0x001, 0x0A1, 0x080, 0x180, 0x3A0, 0x3ED)
+"""Defaults of 0x6502: pp, CSP and CSV, with and without torque and homing."""
+
+
+def _data(data_type: str, value: int) -> str:
+    size = max(1, _BITS[data_type] // 8)
+    return (value % (1 << 8 * size)).to_bytes(size, "little").hex().upper()
+
+
+def _object(index: int, name: str, data_type: str, value: int | str, access: str = "ro", mapping: str = "") -> str:
+    default = (
+        f"<DefaultString>{value}</DefaultString>"
+        if isinstance(value, str)
+        else f"<DefaultData>{_data(data_type, value)}</DefaultData>"
+    )
+    mapped = f"<PdoMapping>{mapping}</PdoMapping>" if mapping else ""
+    return (
+        f"<Object>\n<Index>#x{index:04X}</Index>\n<Name>{name}</Name>\n<Type>{data_type}</Type>\n"
+        f"<BitSize>{_BITS[data_type]}</BitSize>\n<Info>{default}</Info>\n"
+        f"<Flags><Access>{access}</Access>{mapped}</Flags>\n</Object>\n"
+    )
+
+
+def _record_size(record: Record) -> int:
+    return 16 + sum(_BITS[data_type] for _, data_type, _ in record.members)
+
+
+def _record_type(record: Record) -> str:
+    items = [_sub_item(0, "SubIndex 000", "USINT", 0)]
+    offset = 16
+    for number, (name, data_type, _) in enumerate(record.members, 1):
+        items.append(_sub_item(number, name, data_type, offset))
+        offset += _BITS[data_type]
+    name = f"DT{record.index:04X}"
+    return f"<DataType>\n<Name>{name}</Name>\n<BitSize>{offset}</BitSize>\n{''.join(items)}</DataType>\n"
+
+
+def _sub_item(number: int, name: str, data_type: str, offset: int) -> str:
+    return (
+        f"<SubItem>\n<SubIdx>{number}</SubIdx>\n<Name>{name}</Name>\n<Type>{data_type}</Type>\n"
+        f"<BitSize>{_BITS[data_type]}</BitSize>\n<BitOffs>{offset}</BitOffs>\n"
+        "<Flags><Access>ro</Access></Flags>\n</SubItem>\n"
+    )
+
+
+def _record_object(record: Record) -> str:
+    members = (("SubIndex 000", "USINT", len(record.members)), *record.members)
+    items = "".join(
+        f"<SubItem><Name>{name}</Name><Info><DefaultData>{_data(data_type, value)}</DefaultData></Info></SubItem>\n"
+        for name, data_type, value in members
+    )
+    return (
+        f"<Object>\n<Index>#x{record.index:04X}</Index>\n<Name>{record.name}</Name>\n<Type>DT{record.index:04X}</Type>\n"
+        f"<BitSize>{_record_size(record)}</BitSize>\n<Info>\n{items}</Info>\n<Flags><Access>ro</Access></Flags>\n</Object>\n"
+    )
+
+
+def _pdo(direction: str, index: int, sm: int, name: str, entries: tuple[Mapped, ...]) -> str:
+    rows = "".join(
+        f"<Entry>\n<Index>#x{entry.index:04X}</Index>\n<SubIndex>{entry.subindex}</SubIndex>\n"
+        f"<BitLen>{_BITS[entry.data_type]}</BitLen>\n<Name>{entry.name}</Name>\n"
+        f"<DataType>{entry.data_type}</DataType>\n</Entry>\n"
+        for entry in entries
+    )
+    tag = f"{direction}Pdo"
+    return (
+        f'<{tag} Fixed="1" Sm="{sm}">\n<Index>#x{index:04X}</Index>\n<Name LcId="1033">{name}</Name>\n{rows}</{tag}>\n'
+    )
+
+
+_FMMUS = "<Fmmu>Outputs</Fmmu>\n<Fmmu>Inputs</Fmmu>\n"
+_MAILBOX_SMS = (
+    '<Sm MinSize="64" MaxSize="512" DefaultSize="128" StartAddress="#x1000" ControlByte="#x26" Enable="1">MBoxOut</Sm>\n'
+    '<Sm MinSize="64" MaxSize="512" DefaultSize="128" StartAddress="#x1200" ControlByte="#x22" Enable="1">MBoxIn</Sm>\n'
+    '<Sm DefaultSize="13" StartAddress="#x1400" ControlByte="#x64" Enable="1">Outputs</Sm>\n'
+    '<Sm DefaultSize="13" StartAddress="#x1800" ControlByte="#x20" Enable="1">Inputs</Sm>\n'
+)
+_TERMINAL_SMS = (
+    '<Sm DefaultSize="2" StartAddress="#x0F00" ControlByte="#x44" Enable="1">Outputs</Sm>\n'
+    '<Sm DefaultSize="2" StartAddress="#x1000" ControlByte="#x00" Enable="1">Inputs</Sm>\n'
+)
+
+
+def _op_mode(name: str, assign_activate: int, sync1: bool = False) -> str:
+    second = '<CycleTimeSync1 Factor="-1">0</CycleTimeSync1><ShiftTimeSync1>0</ShiftTimeSync1>' if sync1 else ""
+    return (
+        f"<OpMode>\n<Name>{name}</Name>\n<AssignActivate>#x{assign_activate:03X}</AssignActivate>\n"
+        f'<CycleTimeSync0 Factor="1">0</CycleTimeSync0><ShiftTimeSync0>0</ShiftTimeSync0>{second}\n</OpMode>\n'
+    )
+
+
+class Product:
+    """One product: what its revisions share is made once."""
+
+    def __init__(self, shape: Shape, vendor: int, number: int, shared: tuple[str, ...], rng: random.Random) -> None:
+        self.vendor, self.number, self._shape = vendor, number, shape
+        self.kind = ("terminal", "drive", "station")[rng.randrange(3)]
+        self._power = rng.choice((1, 2, 5, 10, 20, 40))
+        self._sync1 = rng.random() < 0.3
+        self._foe, self._complete_access = rng.random() < 0.5, rng.random() < 0.6
+        self._modes = rng.choice(_DRIVE_MODES)
+        self._channels = rng.choice((2, 4, 8, 16))
+        self._shared = shared
+        own = [_manufacturer_object(0x3000 + at, rng) for at in range(len(shared), max(0, shape.objects - 8))]
+        self._own = "".join(own)
+        self._cycle_ns = rng.choice((62_500, 125_000, 250_000, 1_000_000))
+
+    @property
+    def type(self) -> str:
+        """Order code."""
+        return f"{self.kind[0].upper()}{self.vendor:02d}-{self.number:04d}-{self._power:02d}A"
+
+    def revision_no(self, revision: int) -> int:
+        """RevisionNo of the revision counted from 0."""
+        return (revision + 1) << 16
+
+    def device(self, revision: int) -> str:
+        """The Device element of a revision."""
+        code, hidden = 0x10000 + self.number, ""
+        if revision and revision == self._shape.revisions - 1:
+            hidden = f'<HideType ProductCode="#x{code:08X}" RevisionNo="#x{self.revision_no(0):08X}"/>\n'
+        german = {"terminal": "Klemme", "drive": "Servoverstärker", "station": "Feldbusstation"}[self.kind]
+        body: Callable[[int], str] = {"terminal": self._terminal, "drive": self._drive, "station": self._station}[
+            self.kind
+        ]
+        current = f"<EBusCurrent>{40 + 10 * self._channels}</EBusCurrent>"
+        info = f"<Info><Electrical>{current}</Electrical></Info>\n" if self.kind == "terminal" else ""
+        return (
+            f'<Device Physics="{"KK" if self.kind == "terminal" else "YY"}">\n'
+            f'<Type ProductCode="#x{code:08X}" RevisionNo="#x{self.revision_no(revision):08X}">{self.type}</Type>\n{hidden}'
+            f'<Name LcId="1033">{self.type} {self.kind}, {self._power} A</Name>\n'
+            f'<Name LcId="1031">{self.type} {german}, {self._power} A</Name>\n{info}'
+            f"<GroupType>{self.kind}s</GroupType>\n{body(revision)}</Device>\n"
+        )
+
+    def _terminal(self, revision: int) -> str:
+        count = self._channels + (1 if revision % 3 == 2 else 0)
+        rx = tuple(Mapped(0x7000 + 16 * at, 1, "BOOL", f"Output {at + 1}") for at in range(count))
+        tx = tuple(Mapped(0x6000 + 16 * at, 1, "BOOL", f"Input {at + 1}") for at in range(self._channels))
+        pdos = _pdo("Rx", 0x1600, 0, "Digital outputs", rx) + _pdo("Tx", 0x1A00, 1, "Digital inputs", tx)
+        profile = "<Profile><ProfileNo>5001</ProfileNo></Profile>\n"
+        return f"{profile}{_FMMUS}{_TERMINAL_SMS}{pdos}<Eeprom><ByteSize>128</ByteSize><ConfigData>040C000000000000</ConfigData></Eeprom>\n"
+
+    def _drive(self, revision: int) -> str:
+        added = revision % 3 == 2
+        rx, tx = (entries + ((_ADDED[way],) if added else ()) for way, entries in (("Rx", _RX), ("Tx", _TX)))
+        pdos = _pdo("Rx", 0x1600, 2, "Outputs", rx) + _pdo("Tx", 0x1A00, 3, "Inputs", tx)
+        mode = 9 if self._modes & 0x100 else 8 if self._modes & 0x80 else 1
+        start = (
+            "<InitCmd>\n<Transition>PS</Transition>\n<Index>#x6060</Index>\n<SubIndex>0</SubIndex>\n"
+            f"<Data>{mode:02X}</Data>\n<Comment>Modes of operation</Comment>\n</InitCmd>\n"
+        )
+        modes = _op_mode("DC", 0x700 if self._sync1 else 0x300, self._sync1) + _op_mode("Synchron", 0)
+        return self._with_mailbox(revision, 402, pdos, start, f"<Dc>\n{modes}</Dc>\n")
+
+    def _station(self, revision: int) -> str:
+        idents = "".join(f"<ModuleIdent>#x{self.module_ident(at):08X}</ModuleIdent>\n" for at in range(4))
+        slot = f'<Slot MinInstances="0" MaxInstances="8">\n<Name>Terminal</Name>\n{idents}</Slot>\n'
+        slots = f'<Slots MaxSlotCount="8" SlotPdoIncrement="1" SlotIndexIncrement="16">\n{slot}</Slots>\n'
+        return self._with_mailbox(revision, 5001, "", "", f"<Dc>\n{_op_mode('DC', 0x300)}</Dc>\n{slots}")
+
+    def _with_mailbox(self, revision: int, profile_no: int, pdos: str, init_cmds: str, rest: str) -> str:
+        foe = "<FoE/>" if self._foe else ""
+        access = ' CompleteAccess="true"' if self._complete_access else ""
+        mailbox = f'<Mailbox DataLinkLayer="true">\n<CoE SdoInfo="true"{access}>\n{init_cmds}</CoE>{foe}</Mailbox>\n'
+        profile = f"<Profile>\n<ProfileNo>{profile_no}</ProfileNo>\n{self._dictionary(revision)}</Profile>\n"
+        eeprom = "<Eeprom><ByteSize>2048</ByteSize><ConfigData>080C000000000000</ConfigData></Eeprom>\n"
+        return f"{profile}{_FMMUS}{_MAILBOX_SMS}{pdos}{mailbox}{rest}{eeprom}"
+
+    def _dictionary(self, revision: int) -> str:
+        code = 0x10000 + self.number
+        identity = (
+            ("Vendor ID", "UDINT", _FIRST_VENDOR_ID + self.vendor),
+            ("Product code", "UDINT", code),
+            ("Revision", "UDINT", self.revision_no(revision)),
+            ("Serial number", "UDINT", 0),
+        )
+        cycle = (("Type", "UINT", 2), ("Cycle time", "UDINT", 1_000_000), ("Shift time", "UDINT", 0))
+        cycle += (("Types supported", "UINT", 4), ("Minimum cycle time", "UDINT", self._cycle_ns))
+        records = (Record(0x1018, "Identity", identity), Record(0x1C32, "SM output parameter", cycle))
+        objects = (
+            _object(0x1000, "Device type", "UDINT", 0x20192 if self.kind == "drive" else 5001),
+            _object(0x1008, "Device name", "STRING(8)", self.type[:8]),
+            _object(0x100A, "Software version", "STRING(8)", f"V{revision + 1:07d}"),
+            *map(_record_object, records),
+            _object(0x2000, "Nominal current", "UINT", 100 * self._power + revision),
+            _object(0x6502, "Supported drive modes", "UDINT", self._modes) if self.kind == "drive" else "",
+            _object(0x6040, "Controlword", "UINT", 0, "rw", "r") if self.kind == "drive" else "",
+        )
+        types = _SIMPLE_TYPES + "".join(map(_record_type, records))
+        listed = "".join((*objects, *self._shared, self._own))
+        return f"<Dictionary>\n<DataTypes>\n{types}</DataTypes>\n<Objects>\n{listed}</Objects>\n</Dictionary>\n"
+
+    def module_ident(self, at: int) -> int:
+        """ModuleIdent of one of the modules that fit a station."""
+        return (self.number << 8) + at
+
+    def modules(self) -> str:
+        """The Module elements that a station brings."""
+        if self.kind != "station":
+            return ""
+        return "".join(self._module(at) for at in range(4))
+
+    def _module(self, at: int) -> str:
+        direction, sm = (("Rx", 2), ("Tx", 3))[at % 2]
+        base, index = (0x7000, 0x1600) if direction == "Rx" else (0x6000, 0x1A00)
+        entries = tuple(Mapped(base, bit + 1, "BOOL", f"Bit {bit + 1}") for bit in range(4 * (1 + at // 2)))
+        pdo = _pdo(direction, index, sm, f"{direction} channels", entries)
+        ident = f'<Type ModuleIdent="#x{self.module_ident(at):08X}">{self.type}-M{at}</Type>'
+        return f'<Module>\n{ident}\n<Name LcId="1033">Terminal {at} of {self.type}</Name>\n{pdo}</Module>\n'
+
+
+def _manufacturer_object(index: int, rng: random.Random) -> str:
+    data_type = rng.choice(("UINT", "INT", "UDINT", "DINT"))
+    name = f"{rng.choice(_PARTS)} {rng.choice(_QUANTITIES)}".capitalize()
+    return _object(index, name, data_type, rng.randrange(1000), rng.choice(("ro", "rw")))
+
+
+def documents(shape: Shape) -> Iterator[tuple[str, str]]:
+    """Path and text of every document."""
+    products = -(-shape.devices // shape.revisions)
+    per_document = max(1, DEVICES_PER_DOCUMENT // shape.revisions)
+    shared_count = max(0, shape.objects - 8) * _SHARED_OF_TEN // 10
+    left = shape.devices
+    for number, first in enumerate(range(0, products, per_document)):
+        vendor = number % shape.vendors
+        vendor_rng = random.Random(f"{shape.seed} vendor {vendor}")
+        shared = tuple(_manufacturer_object(0x2100 + at, vendor_rng) for at in range(shared_count))
+        rng = random.Random(f"{shape.seed} document {number}")
+        made = [
+            Product(shape, vendor, at, shared, rng) for at in range(first, min(products, first + per_document))
+        ]
+        devices = [product.device(revision) for product in made for revision in range(shape.revisions)][:left]
+        left -= len(devices)
+        yield f"vendor {vendor:04d}/products {number:05d}.xml", _document(vendor, devices, made)
+
+
+def _document(vendor: int, devices: list[str], products: list[Product]) -> str:
+    kinds = dict.fromkeys(product.kind for product in products)
+    groups = "".join(
+        f'<Group><Type>{kind}s</Type><Name LcId="1033">{kind.capitalize()}s</Name></Group>\n' for kind in kinds
+    )
+    modules = "".join(product.modules() for product in products)
+    listed = f"<Modules>\n{modules}</Modules>\n" if modules else ""
+    return (
+        '<?xml version="1.0" encoding="UTF-8"?>\n<EtherCATInfo Version="1.17">\n'
+        f'<Vendor>\n<Id>#x{_FIRST_VENDOR_ID + vendor:08X}</Id>\n<Name LcId="1033">Made-up vendor {vendor:04d}</Name>\n'
+        f"</Vendor>\n<Descriptions>\n<Groups>\n{groups}</Groups>\n<Devices>\n{''.join(devices)}</Devices>\n{listed}"
+        "</Descriptions>\n</EtherCATInfo>\n"
+    )
+
+
+def write_library(folder: Path, shape: Shape) -> tuple[int, int]:
+    """Write a library into a new folder; returns the number of documents and of bytes."""
+    count = size = 0
+    for path, text in documents(shape):
+        target = folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        size += target.write_bytes(text.encode())
+        count += 1
+    return count, size
+
+
+def main() -> None:
+    """Write a library and say what it holds."""
+    parser = argparse.ArgumentParser(description="Write a made-up library of ESI documents.")
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--devices", type=int, default=10_000, help="Device elements in all")
+    parser.add_argument("--objects", type=int, default=20, help="objects in a dictionary, at least 8")
+    parser.add_argument("--revisions", type=int, default=5, help="revisions of a product")
+    parser.add_argument("--vendors", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=1)
+    given = parser.parse_args()
+    shape = Shape(given.devices, given.objects, given.revisions, given.vendors, given.seed)
+    count, size = write_library(given.folder, shape)
+    print(f"{given.devices} devices in {count} documents, {size / 1e6:.0f} MB")
+
+
+if __name__ == "__main__":
+    main()
