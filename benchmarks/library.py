@@ -298,9 +298,7 @@ def documents(shape: Shape) -> Iterator[tuple[str, str]]:
         vendor_rng = random.Random(f"{shape.seed} vendor {vendor}")
         shared = tuple(_manufacturer_object(0x2100 + at, vendor_rng) for at in range(shared_count))
         rng = random.Random(f"{shape.seed} document {number}")
-        made = [
-            Product(shape, vendor, at, shared, rng) for at in range(first, min(products, first + per_document))
-        ]
+        made = [Product(shape, vendor, at, shared, rng) for at in range(first, min(products, first + per_document))]
         devices = [product.device(revision) for product in made for revision in range(shape.revisions)][:left]
         left -= len(devices)
         yield f"vendor {vendor:04d}/products {number:05d}.xml", _document(vendor, devices, made)

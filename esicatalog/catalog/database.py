@@ -15,7 +15,7 @@ from esicatalog.catalog.rederive import derive_again
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 
-SCHEMA_VERSION = "0002"
+SCHEMA_VERSION = "0003"
 """Revision of the newest migration."""
 
 DEFAULT_CATALOG = "catalog.db"
