@@ -27,7 +27,7 @@ def has_object(item: Mapped) -> Condition:
     """Devices with an object in their dictionary or in that of a reachable module."""
     index, subindex = item
     objects, held, entries = schema.objects.c, schema.dictionary_objects.c, schema.object_entries.c
-    has_subindex = sa.true()
+    has_subindex: sa.ColumnElement[bool] = sa.true()
     if subindex is not None:
         entry = sa.select(entries.subindex).where(entries.object_id == held.object_id, entries.subindex == subindex)
         has_subindex = entry.exists()
