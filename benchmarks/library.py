@@ -16,6 +16,8 @@ from typing import NamedTuple
 
 DEVICES_PER_DOCUMENT = 35
 _FIRST_VENDOR_ID = 0xE0000000
+_STANDARD_OBJECTS = {"drive": 8, "station": 6, "terminal": 0}
+"""Objects that every dictionary of the kind has; the others are the manufacturer's."""
 _SHARED_OF_TEN = 6
 """Of ten manufacturer objects so many are the same in all dictionaries of a vendor."""
 
@@ -141,8 +143,9 @@ def _pdo(direction: str, index: int, sm: int, name: str, entries: tuple[Mapped, 
 
 _FMMUS = "<Fmmu>Outputs</Fmmu>\n<Fmmu>Inputs</Fmmu>\n"
 _MAILBOX_SMS = (
-    '<Sm MinSize="64" MaxSize="512" DefaultSize="128" StartAddress="#x1000" ControlByte="#x26" Enable="1">MBoxOut</Sm>\n'
-    '<Sm MinSize="64" MaxSize="512" DefaultSize="128" StartAddress="#x1200" ControlByte="#x22" Enable="1">MBoxIn</Sm>\n'
+    '<Sm MinSize="64" MaxSize="512" DefaultSize="128" StartAddress="#x1000" ControlByte="#x26" Enable="1">MBoxOut</Sm>'
+    '\n<Sm MinSize="64" MaxSize="512" DefaultSize="128" StartAddress="#x1200" ControlByte="#x22" Enable="1">MBoxIn</Sm>'
+    "\n"
     '<Sm DefaultSize="13" StartAddress="#x1400" ControlByte="#x64" Enable="1">Outputs</Sm>\n'
     '<Sm DefaultSize="13" StartAddress="#x1800" ControlByte="#x20" Enable="1">Inputs</Sm>\n'
 )
@@ -172,7 +175,8 @@ class Product:
         self._modes = rng.choice(_DRIVE_MODES)
         self._channels = rng.choice((2, 4, 8, 16))
         self._shared = shared
-        own = [_manufacturer_object(0x3000 + at, rng) for at in range(len(shared), max(0, shape.objects - 8))]
+        standard = _STANDARD_OBJECTS[self.kind]
+        own = [_manufacturer_object(0x3000 + at, rng) for at in range(len(shared), shape.objects - standard)]
         self._own = "".join(own)
         self._cycle_ns = rng.choice((62_500, 125_000, 250_000, 1_000_000))
 
@@ -198,7 +202,8 @@ class Product:
         info = f"<Info><Electrical>{current}</Electrical></Info>\n" if self.kind == "terminal" else ""
         return (
             f'<Device Physics="{"KK" if self.kind == "terminal" else "YY"}">\n'
-            f'<Type ProductCode="#x{code:08X}" RevisionNo="#x{self.revision_no(revision):08X}">{self.type}</Type>\n{hidden}'
+            f'<Type ProductCode="#x{code:08X}" RevisionNo="#x{self.revision_no(revision):08X}">{self.type}</Type>\n'
+            f"{hidden}"
             f'<Name LcId="1033">{self.type} {self.kind}, {self._power} A</Name>\n'
             f'<Name LcId="1031">{self.type} {german}, {self._power} A</Name>\n{info}'
             f"<GroupType>{self.kind}s</GroupType>\n{body(revision)}</Device>\n"
@@ -210,7 +215,8 @@ class Product:
         tx = tuple(Mapped(0x6000 + 16 * at, 1, "BOOL", f"Input {at + 1}") for at in range(self._channels))
         pdos = _pdo("Rx", 0x1600, 0, "Digital outputs", rx) + _pdo("Tx", 0x1A00, 1, "Digital inputs", tx)
         profile = "<Profile><ProfileNo>5001</ProfileNo></Profile>\n"
-        return f"{profile}{_FMMUS}{_TERMINAL_SMS}{pdos}<Eeprom><ByteSize>128</ByteSize><ConfigData>040C000000000000</ConfigData></Eeprom>\n"
+        eeprom = "<Eeprom><ByteSize>128</ByteSize><ConfigData>040C000000000000</ConfigData></Eeprom>\n"
+        return f"{profile}{_FMMUS}{_TERMINAL_SMS}{pdos}{eeprom}"
 
     def _drive(self, revision: int) -> str:
         added = revision % 3 == 2
@@ -291,7 +297,7 @@ def documents(shape: Shape) -> Iterator[tuple[str, str]]:
     """Path and text of every document."""
     products = -(-shape.devices // shape.revisions)
     per_document = max(1, DEVICES_PER_DOCUMENT // shape.revisions)
-    shared_count = max(0, shape.objects - 8) * _SHARED_OF_TEN // 10
+    shared_count = max(0, shape.objects - max(_STANDARD_OBJECTS.values())) * _SHARED_OF_TEN // 10
     left = shape.devices
     for number, first in enumerate(range(0, products, per_document)):
         vendor = number % shape.vendors
