@@ -11,7 +11,6 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema, views
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.identity import Query
-from esicatalog.catalog.rederive import derive_again
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 
@@ -179,6 +178,8 @@ def upgrade(engine: sa.Engine) -> None:
     """Bring a database to the current schema; a new catalog is made the same way."""
     from alembic import command
     from alembic.config import Config
+
+    from esicatalog.catalog.rederive import derive_again
 
     config = Config()
     config.set_main_option("script_location", str(resource("migrations")))

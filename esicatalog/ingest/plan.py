@@ -6,9 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from esicatalog.errors import DocumentError
 from esicatalog.esi.containers import Folder
-from esicatalog.esi.content import sha256_hex
 from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover
 from esicatalog.ingest.report import DocumentLine
 from esicatalog.ingest.tasks import Known, Outcome, Task
@@ -73,6 +71,9 @@ def make_plan(paths: Iterable[str | os.PathLike[str]], held: Held = NOTHING_HELD
     pending: list[Found] = []
     archives: dict[str, str] = {}
     seen: set[str] = set()
+    inside: dict[int | None, list[tuple[str, HeldDocument]]] = {}
+    for where, document in held.documents.items():
+        inside.setdefault(document.archive_id, []).append((where, document))
     for item in discover(given):
         seen.add(item.location)
         if not isinstance(item, FoundArchive):
@@ -81,18 +82,18 @@ def make_plan(paths: Iterable[str | os.PathLike[str]], held: Held = NOTHING_HELD
         sha256 = _file_sha256(item.location)
         number, known_sha256 = held.archives.get(item.location, (0, None))
         if sha256 == known_sha256:
-            inside = {where: document for where, document in held.documents.items() if document.archive_id == number}
-            seen.update(inside)
-            unchanged.extend(document.unchanged_line() for document in inside.values())
+            seen.update(where for where, _ in inside.get(number, ()))
+            unchanged.extend(document.unchanged_line() for _, document in inside.get(number, ()))
         else:
             archives[item.location] = sha256
             pending.extend(archive_members(item))
     seen.update(item.location for item in pending)
     todo: list[Found] = []
+    hashes = _PerFolder()
     for item in pending:
-        document = held.documents.get(item.location)
-        if document is not None and _file_unchanged(item, document):
-            unchanged.append(document.unchanged_line())
+        known = held.documents.get(item.location)
+        if known is not None and _file_unchanged(item, known, hashes[item.root]):
+            unchanged.append(known.unchanged_line())
         else:
             todo.append(item)
     todo.sort(key=_reading_order)
@@ -104,6 +105,13 @@ def make_plan(paths: Iterable[str | os.PathLike[str]], held: Held = NOTHING_HELD
         [where for where in held.documents if where not in seen and _is_gone(where, archives, prune, given)],
         archives,
     )
+
+
+class _PerFolder(dict[str, ReferenceHashes]):
+    """Each file is hashed once, whether it stands alone or others refer to it."""
+
+    def __missing__(self, root: str) -> ReferenceHashes:
+        return self.setdefault(root, ReferenceHashes(Folder(Path(root))))
 
 
 def _reading_order(item: Found) -> tuple[int, int, str]:
@@ -125,16 +133,12 @@ def _is_gone(location: str, archives: Iterable[str], prune: bool, paths: list[st
     return prune and any(location == path or location.startswith(path + os.sep) for path in paths)
 
 
-def _file_unchanged(item: Found, document: HeldDocument) -> bool:
+def _file_unchanged(item: Found, document: HeldDocument, hashes: ReferenceHashes) -> bool:
     """Whether a file on disk is still what the catalog holds; members of archives are compared where they are read."""
     if document.known is None or item.is_archive or item.problem is not None or document.member != item.member:
         return False
-    folder = Folder(Path(item.root))
-    try:
-        sha256 = sha256_hex(folder.read(item.name))
-    except DocumentError:
-        return False
-    return is_unchanged(document.known, sha256, item.name, ReferenceHashes(folder))
+    sha256 = hashes.of_member(item.name)
+    return sha256 is not None and is_unchanged(document.known, sha256, item.name, hashes)
 
 
 def _file_sha256(path: str) -> str:
