@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 DEVICES_PER_DOCUMENT = 35
-_FIRST_VENDOR_ID = 0xE0000000
+FIRST_VENDOR_ID = 0xE0000000
 _STANDARD_OBJECTS = {"drive": 8, "station": 6, "terminal": 0}
 """Objects that every dictionary of the kind has; the others are the manufacturer's."""
 _SHARED_OF_TEN = 6
@@ -247,7 +247,7 @@ class Product:
     def _dictionary(self, revision: int) -> str:
         code = 0x10000 + self.number
         identity = (
-            ("Vendor ID", "UDINT", _FIRST_VENDOR_ID + self.vendor),
+            ("Vendor ID", "UDINT", FIRST_VENDOR_ID + self.vendor),
             ("Product code", "UDINT", code),
             ("Revision", "UDINT", self.revision_no(revision)),
             ("Serial number", "UDINT", 0),
@@ -319,7 +319,7 @@ def _document(vendor: int, devices: list[str], products: list[Product]) -> str:
     listed = f"<Modules>\n{modules}</Modules>\n" if modules else ""
     return (
         '<?xml version="1.0" encoding="UTF-8"?>\n<EtherCATInfo Version="1.17">\n'
-        f'<Vendor>\n<Id>#x{_FIRST_VENDOR_ID + vendor:08X}</Id>\n<Name LcId="1033">Made-up vendor {vendor:04d}</Name>\n'
+        f'<Vendor>\n<Id>#x{FIRST_VENDOR_ID + vendor:08X}</Id>\n<Name LcId="1033">Made-up vendor {vendor:04d}</Name>\n'
         f"</Vendor>\n<Descriptions>\n<Groups>\n{groups}</Groups>\n<Devices>\n{''.join(devices)}</Devices>\n{listed}"
         "</Descriptions>\n</EtherCATInfo>\n"
     )
