@@ -8,7 +8,7 @@ DB ?= catalog.db
 PORT ?= 8001
 CORPUS ?= $(or $(ESICATALOG_CORPUS),../shared/corpus)
 
-.PHONY: install serve test test-datasette-1 lint test-corpus bench docs screenshots clean
+.PHONY: install serve test test-datasette-1 lint test-corpus bench bench-scale docs screenshots clean
 
 install: $(VENV)/installed
 
@@ -42,11 +42,13 @@ lint: install
 test-corpus: install
 	ESICATALOG_CORPUS=$(CORPUS) $(BIN)/python -m pytest -m corpus
 
+# --write docs/performance.md puts the table into the documentation.
 bench: install
-	$(BIN)/python benchmarks/ingest.py $(CORPUS)/esi
-	$(BIN)/python benchmarks/queries.py $(CORPUS)/esi
-	$(BIN)/python benchmarks/identify.py $(CORPUS)/esi
-	$(BIN)/python benchmarks/pages.py $(CORPUS)/esi
+	$(BIN)/python benchmarks/run.py $(CORPUS)/esi
+
+# 10,000 and 100,000 made-up devices: some minutes, 3 GB in the temporary folder.
+bench-scale: install
+	$(BIN)/python benchmarks/scale.py
 
 docs: install
 	$(BIN)/python docs/generate.py
