@@ -13,7 +13,7 @@ from statistics import median
 from typing import NamedTuple
 
 from corpus import Floor, change_document, change_member, largest_archive, measure_floor, typical_document, unpack
-from processes import Peaks, Ran, ingest_peaks, run_ingest
+from processes import Ran, run_ingest
 from report import Row
 
 from esicatalog.catalog.views import FULL_TEXT
@@ -41,19 +41,20 @@ class Corpus:
         self.archive = largest_archive(self.packed) if any(self.packed.rglob("*.zip")) else None
         self.document = typical_document(self.unpacked)
         self.member_count = 0
+        self.database = folder / "packed.db"
 
     def measure(self, folder: Path, jobs: int) -> Run:
         """One run with new catalogs in ``folder``."""
-        packed, unpacked = folder / "packed.db", folder / "unpacked.db"
-        for old in (packed, unpacked):
+        unpacked = folder / "unpacked.db"
+        for old in (self.database, unpacked):
             old.unlink(missing_ok=True)
         floor = measure_floor(self.packed)
-        cold = run_ingest(self.packed, packed, jobs)
-        warm = run_ingest(self.packed, packed, jobs)
+        cold = run_ingest(self.packed, self.database, jobs)
+        warm = run_ingest(self.packed, self.database, jobs)
         member_changed = None
         if self.archive is not None:
             self.member_count = change_member(self.archive)
-            member_changed = run_ingest(self.packed, packed, jobs)
+            member_changed = run_ingest(self.packed, self.database, jobs)
         run_ingest(self.unpacked, unpacked, jobs)
         change_document(self.document)
         return Run(floor, cold, warm, run_ingest(self.unpacked, unpacked, jobs), member_changed)
@@ -63,9 +64,8 @@ def ingest_rows(source: Path, folder: Path, runs: int, jobs: int) -> tuple[list[
     """Rows of the table, and a catalog of the corpus for further questions."""
     corpus = Corpus(source, folder)
     measured = [corpus.measure(folder, jobs) for _ in range(runs)]
-    database = folder / "peaks.db"
-    peaks = ingest_peaks(corpus.packed, database, jobs)
-    return [*_speed(corpus, measured), *_memory(peaks), *_sizes(database, measured[0].floor)], database
+    rows = [*_speed(corpus, measured), *memory_rows([run.cold for run in measured])]
+    return [*rows, *_sizes(corpus.database, measured[0].floor)], corpus.database
 
 
 def _speed(corpus: Corpus, runs: list[Run]) -> list[Row]:
@@ -75,13 +75,13 @@ def _speed(corpus: Corpus, runs: list[Run]) -> list[Row]:
         ran = [(chosen(run), run.floor.seconds) for run in runs]
         return f"{median(item.seconds / seconds for item, seconds in ran if item is not None):.2f}"
 
-    def seconds(chosen: Callable[[Run], Ran]) -> str:
+    def seconds(chosen: Callable[[Run], Ran | Floor]) -> str:
         wall, processor = (median(getattr(chosen(run), name) for run in runs) for name in Ran._fields[:2])
-        return f"{wall:.2f} s, {processor:.2f} s of processor time"
+        return f"{wall:.2f} s ({processor:.2f} s of processor time)"
 
     words = f"floor: lxml parses {floor.document_count} documents, {floor.xml_bytes / 1e6:.0f} MB"
     rows = [
-        Row(words, f"{median(run.floor.seconds for run in runs):.2f} s"),
+        Row(words, seconds(lambda run: run.floor)),
         Row("cold ingest into a new catalog", seconds(lambda run: run.cold)),
         Row("cold ingest / floor", ratio(lambda run: run.cold), f"<= {COLD_LIMIT}"),
         Row("warm ingest, nothing changed", seconds(lambda run: run.warm)),
@@ -95,11 +95,12 @@ def _speed(corpus: Corpus, runs: list[Run]) -> list[Row]:
     return rows
 
 
-def _memory(peaks: Peaks) -> list[Row]:
+def memory_rows(runs: list[Ran]) -> list[Row]:
+    """Most memory that a process held."""
     limit = f"<= {MEMORY_LIMIT_MB} MB"
     return [
-        Row("peak memory, writer", f"{peaks.writer:.0f} MB", limit),
-        Row("peak memory, largest worker", f"{peaks.largest_worker:.0f} MB", limit),
+        Row("peak memory, writer", f"{max(ran.writer_mb for ran in runs):.0f} MB", limit),
+        Row("peak memory, largest worker", f"{max(ran.worker_mb for ran in runs):.0f} MB", limit),
     ]
 
 
