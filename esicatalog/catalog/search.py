@@ -22,8 +22,6 @@ from esicatalog.identity import Identity
 _FLAGS = ("complete_access", "pdo_assign", "pdo_config", "bootstrap", "needs_dc", "no_lrw")
 _AMOUNTS = ("bytes_in", "bytes_out", "min_cycle_ns", "e_bus_ma", "axes")
 
-_EVIDENCE_CHUNK = 5_000
-
 
 def find_devices(connection: sa.Connection, wanted: DeviceFilter) -> list[FoundDevice]:
     """Devices that fulfil the filter, by vendor, product, revision and variant.
@@ -43,7 +41,7 @@ def found_devices(
     evidence: dict[int, list[str]] = {row.id: [] for row in rows}
     for condition in found:
         if condition.evidence is not None:
-            for part in chunks(evidence, _EVIDENCE_CHUNK):
+            for part in chunks(evidence):
                 for number, texts in condition.evidence(connection, part).items():
                     evidence[number].extend(texts)
     return [(row.id, summary(row, evidence[row.id])) for row in rows]
