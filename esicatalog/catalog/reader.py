@@ -24,8 +24,8 @@ from esicatalog.esi.records.profile import Profile
 
 _TABLES = {record: table for table, record in TABLE_RECORDS.items()}
 
-_MOST_NUMBERS = 10_000
-"""Row numbers in one query: less than what SQLite (32,766) and PostgreSQL (65,535) take, more than devices have."""
+_MOST_NUMBERS = 2_000
+"""Row numbers in one query: more than most devices have objects or modules, fewer than make SQLite read all rows."""
 
 
 class RecordReader:
