@@ -14,6 +14,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from library_xml import SIMPLE_TYPES, Mapped, Record, object_element, op_mode, pdo_element, record_object, record_type
+
 DEVICES_PER_DOCUMENT = 35
 FIRST_VENDOR_ID = 0xE0000000
 _STANDARD_OBJECTS = {"drive": 8, "station": 6, "terminal": 0}
@@ -21,10 +23,6 @@ _STANDARD_OBJECTS = {"drive": 8, "station": 6, "terminal": 0}
 _SHARED_OF_TEN = 6
 """Of ten manufacturer objects so many are the same in all dictionaries of a vendor."""
 
-_BITS = {"BOOL": 1, "SINT": 8, "USINT": 8, "INT": 16, "UINT": 16, "DINT": 32, "UDINT": 32, "STRING(8)": 64}
-_SIMPLE_TYPES = "".join(
-    f"<DataType><Name>{name}</Name><BitSize>{bits}</BitSize></DataType>\n" for name, bits in _BITS.items()
-)
 _QUANTITIES = ("current", "voltage", "temperature", "position", "velocity", "torque", "filter time", "gain", "offset")
 _PARTS = ("motor", "brake", "encoder", "DC link", "amplifier", "channel 1", "channel 2", "input stage", "controller")
 
@@ -37,23 +35,6 @@ class Shape(NamedTuple):
     revisions: int
     vendors: int
     seed: int
-
-
-class Mapped(NamedTuple):
-    """An entry of a PDO."""
-
-    index: int
-    subindex: int
-    data_type: str
-    name: str
-
-
-class Record(NamedTuple):
-    """An object with members (name, type, default) after subindex 0."""
-
-    index: int
-    name: str
-    members: tuple[tuple[str, str, int], ...]
 
 
 _RX = (
@@ -75,72 +56,6 @@ _DRIVE_MODES = (0x001, 0x0A1, 0x080, 0x180, 0x3A0, 0x3ED)
 """Defaults of 0x6502: pp, CSP and CSV, with and without torque and homing."""
 
 
-def _data(data_type: str, value: int) -> str:
-    size = max(1, _BITS[data_type] // 8)
-    return (value % (1 << 8 * size)).to_bytes(size, "little").hex().upper()
-
-
-def _object(index: int, name: str, data_type: str, value: int | str, access: str = "ro", mapping: str = "") -> str:
-    default = (
-        f"<DefaultString>{value}</DefaultString>"
-        if isinstance(value, str)
-        else f"<DefaultData>{_data(data_type, value)}</DefaultData>"
-    )
-    mapped = f"<PdoMapping>{mapping}</PdoMapping>" if mapping else ""
-    return (
-        f"<Object>\n<Index>#x{index:04X}</Index>\n<Name>{name}</Name>\n<Type>{data_type}</Type>\n"
-        f"<BitSize>{_BITS[data_type]}</BitSize>\n<Info>{default}</Info>\n"
-        f"<Flags><Access>{access}</Access>{mapped}</Flags>\n</Object>\n"
-    )
-
-
-def _record_size(record: Record) -> int:
-    return 16 + sum(_BITS[data_type] for _, data_type, _ in record.members)
-
-
-def _record_type(record: Record) -> str:
-    items = [_sub_item(0, "SubIndex 000", "USINT", 0)]
-    offset = 16
-    for number, (name, data_type, _) in enumerate(record.members, 1):
-        items.append(_sub_item(number, name, data_type, offset))
-        offset += _BITS[data_type]
-    name = f"DT{record.index:04X}"
-    return f"<DataType>\n<Name>{name}</Name>\n<BitSize>{offset}</BitSize>\n{''.join(items)}</DataType>\n"
-
-
-def _sub_item(number: int, name: str, data_type: str, offset: int) -> str:
-    return (
-        f"<SubItem>\n<SubIdx>{number}</SubIdx>\n<Name>{name}</Name>\n<Type>{data_type}</Type>\n"
-        f"<BitSize>{_BITS[data_type]}</BitSize>\n<BitOffs>{offset}</BitOffs>\n"
-        "<Flags><Access>ro</Access></Flags>\n</SubItem>\n"
-    )
-
-
-def _record_object(record: Record) -> str:
-    members = (("SubIndex 000", "USINT", len(record.members)), *record.members)
-    items = "".join(
-        f"<SubItem><Name>{name}</Name><Info><DefaultData>{_data(data_type, value)}</DefaultData></Info></SubItem>\n"
-        for name, data_type, value in members
-    )
-    return (
-        f"<Object>\n<Index>#x{record.index:04X}</Index>\n<Name>{record.name}</Name>\n<Type>DT{record.index:04X}</Type>\n"
-        f"<BitSize>{_record_size(record)}</BitSize>\n<Info>\n{items}</Info>\n<Flags><Access>ro</Access></Flags>\n</Object>\n"
-    )
-
-
-def _pdo(direction: str, index: int, sm: int, name: str, entries: tuple[Mapped, ...]) -> str:
-    rows = "".join(
-        f"<Entry>\n<Index>#x{entry.index:04X}</Index>\n<SubIndex>{entry.subindex}</SubIndex>\n"
-        f"<BitLen>{_BITS[entry.data_type]}</BitLen>\n<Name>{entry.name}</Name>\n"
-        f"<DataType>{entry.data_type}</DataType>\n</Entry>\n"
-        for entry in entries
-    )
-    tag = f"{direction}Pdo"
-    return (
-        f'<{tag} Fixed="1" Sm="{sm}">\n<Index>#x{index:04X}</Index>\n<Name LcId="1033">{name}</Name>\n{rows}</{tag}>\n'
-    )
-
-
 _FMMUS = "<Fmmu>Outputs</Fmmu>\n<Fmmu>Inputs</Fmmu>\n"
 _MAILBOX_SMS = (
     '<Sm MinSize="64" MaxSize="512" DefaultSize="128" StartAddress="#x1000" ControlByte="#x26" Enable="1">MBoxOut</Sm>'
@@ -153,14 +68,6 @@ _TERMINAL_SMS = (
     '<Sm DefaultSize="2" StartAddress="#x0F00" ControlByte="#x44" Enable="1">Outputs</Sm>\n'
     '<Sm DefaultSize="2" StartAddress="#x1000" ControlByte="#x00" Enable="1">Inputs</Sm>\n'
 )
-
-
-def _op_mode(name: str, assign_activate: int, sync1: bool = False) -> str:
-    second = '<CycleTimeSync1 Factor="-1">0</CycleTimeSync1><ShiftTimeSync1>0</ShiftTimeSync1>' if sync1 else ""
-    return (
-        f"<OpMode>\n<Name>{name}</Name>\n<AssignActivate>#x{assign_activate:03X}</AssignActivate>\n"
-        f'<CycleTimeSync0 Factor="1">0</CycleTimeSync0><ShiftTimeSync0>0</ShiftTimeSync0>{second}\n</OpMode>\n'
-    )
 
 
 class Product:
@@ -213,7 +120,7 @@ class Product:
         count = self._channels + (1 if revision % 3 == 2 else 0)
         rx = tuple(Mapped(0x7000 + 16 * at, 1, "BOOL", f"Output {at + 1}") for at in range(count))
         tx = tuple(Mapped(0x6000 + 16 * at, 1, "BOOL", f"Input {at + 1}") for at in range(self._channels))
-        pdos = _pdo("Rx", 0x1600, 0, "Digital outputs", rx) + _pdo("Tx", 0x1A00, 1, "Digital inputs", tx)
+        pdos = pdo_element("Rx", 0x1600, 0, "Digital outputs", rx) + pdo_element("Tx", 0x1A00, 1, "Digital inputs", tx)
         profile = "<Profile><ProfileNo>5001</ProfileNo></Profile>\n"
         eeprom = "<Eeprom><ByteSize>128</ByteSize><ConfigData>040C000000000000</ConfigData></Eeprom>\n"
         return f"{profile}{_FMMUS}{_TERMINAL_SMS}{pdos}{eeprom}"
@@ -221,20 +128,20 @@ class Product:
     def _drive(self, revision: int) -> str:
         added = revision % 3 == 2
         rx, tx = (entries + ((_ADDED[way],) if added else ()) for way, entries in (("Rx", _RX), ("Tx", _TX)))
-        pdos = _pdo("Rx", 0x1600, 2, "Outputs", rx) + _pdo("Tx", 0x1A00, 3, "Inputs", tx)
+        pdos = pdo_element("Rx", 0x1600, 2, "Outputs", rx) + pdo_element("Tx", 0x1A00, 3, "Inputs", tx)
         mode = 9 if self._modes & 0x100 else 8 if self._modes & 0x80 else 1
         start = (
             "<InitCmd>\n<Transition>PS</Transition>\n<Index>#x6060</Index>\n<SubIndex>0</SubIndex>\n"
             f"<Data>{mode:02X}</Data>\n<Comment>Modes of operation</Comment>\n</InitCmd>\n"
         )
-        modes = _op_mode("DC", 0x700 if self._sync1 else 0x300, self._sync1) + _op_mode("Synchron", 0)
+        modes = op_mode("DC", 0x700 if self._sync1 else 0x300, self._sync1) + op_mode("Synchron", 0)
         return self._with_mailbox(revision, 402, pdos, start, f"<Dc>\n{modes}</Dc>\n")
 
     def _station(self, revision: int) -> str:
         idents = "".join(f"<ModuleIdent>#x{self.module_ident(at):08X}</ModuleIdent>\n" for at in range(4))
         slot = f'<Slot MinInstances="0" MaxInstances="8">\n<Name>Terminal</Name>\n{idents}</Slot>\n'
         slots = f'<Slots MaxSlotCount="8" SlotPdoIncrement="1" SlotIndexIncrement="16">\n{slot}</Slots>\n'
-        return self._with_mailbox(revision, 5001, "", "", f"<Dc>\n{_op_mode('DC', 0x300)}</Dc>\n{slots}")
+        return self._with_mailbox(revision, 5001, "", "", f"<Dc>\n{op_mode('DC', 0x300)}</Dc>\n{slots}")
 
     def _with_mailbox(self, revision: int, profile_no: int, pdos: str, init_cmds: str, rest: str) -> str:
         foe = "<FoE/>" if self._foe else ""
@@ -256,15 +163,15 @@ class Product:
         cycle += (("Types supported", "UINT", 4), ("Minimum cycle time", "UDINT", self._cycle_ns))
         records = (Record(0x1018, "Identity", identity), Record(0x1C32, "SM output parameter", cycle))
         objects = (
-            _object(0x1000, "Device type", "UDINT", 0x20192 if self.kind == "drive" else 5001),
-            _object(0x1008, "Device name", "STRING(8)", self.type[:8]),
-            _object(0x100A, "Software version", "STRING(8)", f"V{revision + 1:07d}"),
-            *map(_record_object, records),
-            _object(0x2000, "Nominal current", "UINT", 100 * self._power + revision),
-            _object(0x6502, "Supported drive modes", "UDINT", self._modes) if self.kind == "drive" else "",
-            _object(0x6040, "Controlword", "UINT", 0, "rw", "r") if self.kind == "drive" else "",
+            object_element(0x1000, "Device type", "UDINT", 0x20192 if self.kind == "drive" else 5001),
+            object_element(0x1008, "Device name", "STRING(8)", self.type[:8]),
+            object_element(0x100A, "Software version", "STRING(8)", f"V{revision + 1:07d}"),
+            *map(record_object, records),
+            object_element(0x2000, "Nominal current", "UINT", 100 * self._power + revision),
+            object_element(0x6502, "Supported drive modes", "UDINT", self._modes) if self.kind == "drive" else "",
+            object_element(0x6040, "Controlword", "UINT", 0, "rw", "r") if self.kind == "drive" else "",
         )
-        types = _SIMPLE_TYPES + "".join(map(_record_type, records))
+        types = SIMPLE_TYPES + "".join(map(record_type, records))
         listed = "".join((*objects, *self._shared, self._own))
         return f"<Dictionary>\n<DataTypes>\n{types}</DataTypes>\n<Objects>\n{listed}</Objects>\n</Dictionary>\n"
 
@@ -282,7 +189,7 @@ class Product:
         direction, sm = (("Rx", 2), ("Tx", 3))[at % 2]
         base, index = (0x7000, 0x1600) if direction == "Rx" else (0x6000, 0x1A00)
         entries = tuple(Mapped(base, bit + 1, "BOOL", f"Bit {bit + 1}") for bit in range(4 * (1 + at // 2)))
-        pdo = _pdo(direction, index, sm, f"{direction} channels", entries)
+        pdo = pdo_element(direction, index, sm, f"{direction} channels", entries)
         ident = f'<Type ModuleIdent="#x{self.module_ident(at):08X}">{self.type}-M{at}</Type>'
         return f'<Module>\n{ident}\n<Name LcId="1033">Terminal {at} of {self.type}</Name>\n{pdo}</Module>\n'
 
@@ -290,7 +197,7 @@ class Product:
 def _manufacturer_object(index: int, rng: random.Random) -> str:
     data_type = rng.choice(("UINT", "INT", "UDINT", "DINT"))
     name = f"{rng.choice(_PARTS)} {rng.choice(_QUANTITIES)}".capitalize()
-    return _object(index, name, data_type, rng.randrange(1000), rng.choice(("ro", "rw")))
+    return object_element(index, name, data_type, rng.randrange(1000), rng.choice(("ro", "rw")))
 
 
 def documents(shape: Shape) -> Iterator[tuple[str, str]]:
