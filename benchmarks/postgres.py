@@ -15,7 +15,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from ingest import default_corpus, timed_ingest
+from corpus import default_corpus
+from processes import run_ingest
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 
@@ -44,8 +45,8 @@ def together(corpus: Path, url: str, processes: int, jobs: int) -> float:
 def measure(cluster: Cluster, corpus: Path, jobs: int) -> tuple[float, float]:
     """Seconds of an ingest into a new SQLite file and into a new PostgreSQL database, one after the other."""
     with tempfile.TemporaryDirectory() as folder:
-        sqlite = timed_ingest(corpus, Path(folder, "catalog.db"), jobs)
-    return sqlite.seconds, timed_ingest(corpus, cluster.new_database(), jobs).seconds
+        sqlite = run_ingest(corpus, Path(folder, "catalog.db"), jobs)
+    return sqlite.seconds, run_ingest(corpus, cluster.new_database(), jobs).seconds
 
 
 def main() -> None:

@@ -53,6 +53,21 @@ def data_db(tmp_path_factory: pytest.TempPathFactory, data: Path) -> Path:
 
 
 @pytest.fixture(scope="session")
+def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A made-up library of 210 devices, as the benchmarks use it."""
+    folder = tmp_path_factory.mktemp("library") / "library"
+    command = [sys.executable, str(CHECKOUT / "benchmarks" / "library.py"), str(folder), "--devices", "210"]
+    subprocess.run([*command, "--vendors", "3"], check=True, stdout=subprocess.DEVNULL)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def library_db(tmp_path_factory: pytest.TempPathFactory, library: Path) -> Path:
+    """A catalog of the made-up library; read it, do not change it."""
+    return _ingested(tmp_path_factory.mktemp("library") / "library.db", [library], jobs=1)
+
+
+@pytest.fixture(scope="session")
 def served(data_db: Path) -> Iterator[str]:
     """Address of ``esicatalog serve`` with our example files, started as people start it."""
     command = [sys.executable, "-m", "esicatalog", "serve", "--db", str(data_db), "--port", "0"]

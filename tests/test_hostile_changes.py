@@ -152,7 +152,7 @@ def test_members_of_a_changed_archive_go_whatever_the_folder_is_called(tmp_path)
 
 
 def test_a_fault_of_the_reader_costs_its_document(tmp_path, folder, monkeypatch):
-    read = Reader.read
+    read = Reader.read_tree
 
     def faulty(self, content, member="", container=None):
         if member == "victim.xml":

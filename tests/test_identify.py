@@ -109,6 +109,21 @@ def test_the_product_of_the_nearest_code_is_a_candidate(several):
     assert {item.product_code for item in answer(several, 0xE5C, 2, 1).candidates} == {1}
 
 
+def test_the_nearest_products_lie_on_both_sides_of_a_code(tmp_path):
+    """Ten of fourteen, nearest first; of two equally near the lower one; visible revisions before hidden ones."""
+    hides = '<HideType RevisionNo="#x2"/>'
+    products = [n for n in range(100, 128, 2) if n != 110]
+    devices = [device(product=str(n), revision="#x1", type_text=f"T{n}") for n in products]
+    devices += [device(hides, product="110", revision="#x1"), device(product="110", revision="#x2")]
+    db = catalog_of(tmp_path, esi("".join(devices)))
+    found, beyond = (answer(db, 0xE5C, code, 1).candidates for code in (111, 500))
+    assert [(d.product_code, d.revision_no) for d in found] == [
+        *((110, 1), (110, 2), (112, 1), (108, 1), (114, 1)),
+        *((106, 1), (116, 1), (104, 1), (118, 1), (102, 1)),
+    ]
+    assert [d.product_code for d in beyond] == [126, 124, 122, 120, 118, 116, 114, 112, 110, 110]
+
+
 def test_answers_follow_the_catalog(tmp_path):
     """The lookup keeps its connection: it must see what another process stores, and must not lock it."""
     db = catalog_of(tmp_path, esi(device(revision="1")))

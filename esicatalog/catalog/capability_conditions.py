@@ -4,7 +4,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from esicatalog.catalog.conditions import Condition, by_row, stated
+from esicatalog.catalog.conditions import Condition, among, by_row, stated
 from esicatalog.catalog.schema import dc_modes, device_facts, devices, drive_modes, mailboxes
 from esicatalog.identity import Bounds
 from esicatalog.model.cia402 import CIA402
@@ -62,7 +62,7 @@ def _of_device(column: sa.Column[Any], *conditions: Any) -> Any:
     """A condition on ``devices`` from conditions on a table that has one row a device."""
     if column.table is devices:
         return sa.and_(*conditions)
-    return devices.c.id.in_(sa.select(_owner(column)).where(*conditions))
+    return among(sa.select(_owner(column)).where(*conditions))
 
 
 def drive_mode(mode: str, strict: bool) -> Condition:
@@ -77,7 +77,7 @@ def drive_mode(mode: str, strict: bool) -> Condition:
         return f"{mode} {verdict}, axis {axis}: {evidence}" + (f" -> {recipe}" if recipe else "")
 
     found = sa.select(columns.device_id).where(*fits)
-    return Condition(devices.c.id.in_(found), by_row(query, columns.device_id, words))
+    return Condition(among(found), by_row(query, columns.device_id, words))
 
 
 def sync(signal: str) -> Condition:
@@ -90,7 +90,7 @@ def sync(signal: str) -> Condition:
 
     ordered = query.order_by(dc_modes.c.device_id, dc_modes.c.position)
     return Condition(
-        devices.c.id.in_(sa.select(dc_modes.c.device_id).where(column == sa.true())),
+        among(sa.select(dc_modes.c.device_id).where(column == sa.true())),
         by_row(ordered, dc_modes.c.device_id, words),
     )
 

@@ -5,6 +5,8 @@ from typing import Any, NamedTuple
 
 import sqlalchemy as sa
 
+from esicatalog.catalog.schema import devices
+
 Evidence = Callable[[sa.Connection, list[int]], dict[int, list[str]]]
 """Texts by row number of the devices asked for."""
 
@@ -14,6 +16,23 @@ class Condition(NamedTuple):
 
     sql: Any
     evidence: Evidence | None = None
+
+
+def among(device_ids: sa.SelectBase) -> Any:
+    """The condition that a device is one of those that a subquery finds.
+
+    Devices are walked in the order in which they are shown, so that a page of a long list costs no more than a page;
+    looking every device of the list up in its table takes several times as long as the list itself.
+    """
+    return tested(devices.c.id).in_(device_ids)
+
+
+def tested(column: sa.ColumnElement[int]) -> sa.ColumnElement[int]:
+    """A column whose value is tested on rows found otherwise: no database looks ``column + 0`` up in an index.
+
+    Statistics say how many rows have a number on average; numbers that matter (0x6040, 0x1018) stand in thousands.
+    """
+    return column + 0
 
 
 def stated(words: str) -> Evidence:

@@ -5,9 +5,9 @@ from typing import Any
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
-from esicatalog.catalog.conditions import Condition
+from esicatalog.catalog.conditions import Condition, among, tested
 from esicatalog.catalog.device_filter import Mapped
-from esicatalog.catalog.schema import devices, pdo_entries, pdos, profiles
+from esicatalog.catalog.schema import pdo_entries, pdos, profiles
 
 _LINKS = schema.device_modules.c
 
@@ -19,35 +19,50 @@ def profile(profile_no: int) -> Condition:
         profiles.c.profile_no == profile_no,
         profiles.c.id.in_(sa.select(channels.profile_id).where(channels.profile_no == profile_no)),
     )
-    return _own_or_modular(fits, f"ProfileNo {profile_no}", f"ProfileNo {profile_no} in a module")
+    found = _owning_devices(profiles).where(fits)
+    return _own_or_modular(found, fits, f"ProfileNo {profile_no}", f"ProfileNo {profile_no} in a module")
 
 
 def has_object(item: Mapped) -> Condition:
     """Devices with an object in their dictionary or in that of a reachable module."""
     index, subindex = item
     objects, held, entries = schema.objects.c, schema.dictionary_objects.c, schema.object_entries.c
-    fitting = sa.select(objects.id).where(objects.object_index == index)
+    has_subindex: sa.ColumnElement[bool] = sa.true()
     if subindex is not None:
-        fitting = (
-            sa.select(entries.object_id)
-            .join(schema.objects, objects.id == entries.object_id)
-            .where(objects.object_index == index, entries.subindex == subindex)
-        )
-    within = sa.select(held.dictionary_id).where(held.object_id.in_(fitting))
+        entry = sa.select(entries.subindex).where(entries.object_id == held.object_id, entries.subindex == subindex)
+        has_subindex = entry.exists()
+    holding = profiles.join(schema.dictionary_objects, held.dictionary_id == profiles.c.dictionary_id)
+    found = _owning_devices(profiles, holding.join(schema.objects, objects.id == held.object_id))
+    found = found.where(objects.object_index == index, has_subindex)
+    named = tested(held.object_id).in_(sa.select(objects.id).where(objects.object_index == index))
+    holds = (
+        sa.select(held.object_id).where(held.dictionary_id == profiles.c.dictionary_id, named, has_subindex).exists()
+    )
     words = f"object 0x{index:04X}" + (f":{subindex:02X}" if subindex is not None else "") + " in the dictionary"
-    return _own_or_modular(profiles.c.dictionary_id.in_(within), words, f"{words} of a module")
+    return _own_or_modular(found, holds, words, f"{words} of a module")
 
 
-def _own_or_modular(fits: Any, own_words: str, module_words: str) -> Condition:
-    """Devices with a profile of which ``fits`` holds."""
-    own = sa.select(profiles.c.device_id).where(fits, profiles.c.device_id.is_not(None))
-    modular = sa.select(_LINKS.device_id).join(profiles, profiles.c.module_id == _LINKS.module_id).where(fits)
+def _owning_devices(table: sa.Table, joined: sa.FromClause | None = None) -> sa.Select[Any]:
+    """Devices that rows of a table belong to, directly or by a module that their slots can reach.
+
+    One pass over the rows serves both; a module that no device reaches has none.
+    """
+    device_id = sa.func.coalesce(table.c.device_id, _LINKS.device_id)
+    links = (table if joined is None else joined).outerjoin(
+        schema.device_modules, _LINKS.module_id == table.c.module_id
+    )
+    return sa.select(device_id).select_from(links).where(device_id.is_not(None))
+
+
+def _own_or_modular(found: sa.Select[Any], holds: Any, own_words: str, module_words: str) -> Condition:
+    """Devices that are found by one of their profiles or of their modules'; ``holds`` tells the same of a profile."""
 
     def evidence(connection: sa.Connection, ids: list[int]) -> dict[int, list[str]]:
-        direct = set(connection.execute(own.where(profiles.c.device_id.in_(ids))).scalars())
-        return {number: [own_words if number in direct else module_words] for number in ids}
+        direct = sa.select(profiles.c.device_id).where(profiles.c.device_id.in_(ids), holds)
+        numbers = set(connection.execute(direct).scalars())
+        return {number: [own_words if number in numbers else module_words] for number in ids}
 
-    return Condition(devices.c.id.in_(own.union(modular)), evidence)
+    return Condition(among(found), evidence)
 
 
 def maps(mapped: Mapped, bits: int | None) -> Condition:
@@ -64,33 +79,34 @@ def maps(mapped: Mapped, bits: int | None) -> Condition:
             pdo_entries.c.bit_length,
             pdos.c.sm,
         )
+        fits = _entry_fits(tested(pdo_entries.c.entry_index), mapped, bits)
         own = (
             sa.select(pdos.c.device_id, sa.null(), *columns)
             .join(pdo_entries, pdo_entries.c.pdo_id == pdos.c.id)
-            .where(*_entry_fits(mapped, bits), pdos.c.device_id.in_(ids))
+            .where(*fits, pdos.c.device_id.in_(ids))
         )
         modular = (
             sa.select(_LINKS.device_id, modules.module_ident, *columns)
             .join(pdos, pdos.c.module_id == _LINKS.module_id)
             .join(schema.modules, modules.id == _LINKS.module_id)
             .join(pdo_entries, pdo_entries.c.pdo_id == pdos.c.id)
-            .where(*_entry_fits(mapped, bits), _LINKS.device_id.in_(ids))
+            .where(*fits, _LINKS.device_id.in_(ids))
         )
         for number, module, *facts in connection.execute(own.union_all(modular)):
             found.setdefault(number, []).append(_mapping_words(module, *facts))
         return {number: sorted(set(texts)) for number, texts in found.items()}
 
-    return Condition(devices.c.id.in_(_mapping_devices(mapped, bits)), evidence)
+    return Condition(among(_mapping_devices(mapped, bits)), evidence)
 
 
 def not_maps(mapped: Mapped) -> Condition:
     """Devices of which no PDO maps an entry, not even one of a reachable module."""
-    return Condition(devices.c.id.not_in(_mapping_devices(mapped, None)))
+    return Condition(sa.not_(among(_mapping_devices(mapped, None))))
 
 
-def _entry_fits(mapped: Mapped, bits: int | None) -> list[Any]:
+def _entry_fits(entry_index: sa.ColumnElement[int], mapped: Mapped, bits: int | None) -> list[Any]:
     index, subindex = mapped
-    fits: list[Any] = [pdo_entries.c.entry_index == index]
+    fits: list[Any] = [entry_index == index]
     if subindex is not None:
         fits.append(sa.func.coalesce(pdo_entries.c.subindex, 0) == subindex)
     if bits is not None:
@@ -98,20 +114,9 @@ def _entry_fits(mapped: Mapped, bits: int | None) -> list[Any]:
     return fits
 
 
-def _mapping_devices(mapped: Mapped, bits: int | None) -> Any:
-    fits = _entry_fits(mapped, bits)
-    own = (
-        sa.select(pdos.c.device_id)
-        .join(pdo_entries, pdo_entries.c.pdo_id == pdos.c.id)
-        .where(*fits, pdos.c.device_id.is_not(None))
-    )
-    modular = (
-        sa.select(_LINKS.device_id)
-        .join(pdos, pdos.c.module_id == _LINKS.module_id)
-        .join(pdo_entries, pdo_entries.c.pdo_id == pdos.c.id)
-        .where(*fits)
-    )
-    return own.union(modular)
+def _mapping_devices(mapped: Mapped, bits: int | None) -> sa.Select[Any]:
+    mapping = sa.select(pdo_entries.c.pdo_id).where(*_entry_fits(pdo_entries.c.entry_index, mapped, bits))
+    return _owning_devices(pdos).where(pdos.c.id.in_(mapping))
 
 
 def _mapping_words(

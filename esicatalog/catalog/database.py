@@ -11,12 +11,11 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema, views
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.identity import Query
-from esicatalog.catalog.rederive import derive_again
 from esicatalog.catalog.turns import take_turn
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 
-SCHEMA_VERSION = "0002"
+SCHEMA_VERSION = "0003"
 """Revision of the newest migration."""
 
 DEFAULT_CATALOG = "catalog.db"
@@ -263,6 +262,8 @@ def upgrade(engine: sa.Engine) -> None:
     """Bring a database to the current schema; a new catalog is made the same way."""
     from alembic import command
     from alembic.config import Config
+
+    from esicatalog.catalog.rederive import derive_again
 
     config = Config()
     config.set_main_option("script_location", str(resource("migrations")))

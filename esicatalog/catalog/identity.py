@@ -35,12 +35,14 @@ _LAYOUT = (
 )
 _CONTENT_HASH = "SELECT value FROM catalog_state WHERE key = 'content_hash'"
 _VENDOR = "SELECT name FROM vendors WHERE vendor_id = ?"
-_NEAR_PRODUCTS = (
-    f"SELECT {_COLUMNS} FROM devices d LEFT JOIN vendors v ON v.vendor_id = d.vendor_id "
-    "WHERE d.vendor_id = ? AND d.variant = 1 AND d.product_code IS NOT NULL "
-    "ORDER BY abs(d.product_code - ?), d.product_code, d.hidden, d.revision_no NULLS FIRST, d.type NULLS FIRST "
-    f"LIMIT {NEAREST}"
+_NEAR_PRODUCTS = " UNION ALL ".join(
+    f"SELECT * FROM (SELECT {_COLUMNS} FROM devices d LEFT JOIN vendors v ON v.vendor_id = d.vendor_id "
+    f"WHERE d.vendor_id = ? AND d.variant = 1 AND d.product_code {beside} ? "
+    f"ORDER BY d.product_code {direction}, d.hidden, d.revision_no NULLS FIRST, d.type NULLS FIRST "
+    f"LIMIT {NEAREST}) AS {name}"
+    for beside, direction, name in (("<", "DESC", "below"), (">", "ASC", "above"))
 )
+"""On both sides of a product code by the index, however many products the vendor has."""
 
 Query = Callable[[str, tuple[Any, ...]], Iterable[tuple[Any, ...]]]
 """Runs a statement with ``?`` marks and gives its rows."""
@@ -113,8 +115,9 @@ class IdentityLookup:
         name = next(iter(self._query(_VENDOR, (vendor_id,))), None)
         if name is None:
             return Identification(*query, "none", f"vendor {hex32(vendor_id)} is not in the catalog", None, (), ())
-        near = self._query(_NEAR_PRODUCTS, (vendor_id, product_code))
-        candidates = tuple(map(_device, near))
+        near = map(_device, self._query(_NEAR_PRODUCTS, (vendor_id, product_code) * 2))
+        ranked = sorted(near, key=lambda device: _distance(device, product_code))
+        candidates = tuple(ranked[:NEAREST])
         reason = f"vendor {hex32(vendor_id)} ({name[0]}) is known, its product {hex32(product_code)} is not"
         return Identification(*query, "vendor", reason, None, (), candidates)
 
@@ -151,6 +154,12 @@ class IdentityLookup:
 def _device(row: tuple[Any, ...]) -> FoundDevice:
     _, vendor_id, product_code, revision_no, variant, vendor, type_text, name, hidden, *_ = row
     return FoundDevice(vendor_id, product_code, revision_no, variant, vendor, type_text, name, bool(hidden))
+
+
+def _distance(device: FoundDevice, product_code: int) -> tuple[int, int, bool, int]:
+    """Nearest product first, its visible revisions before hidden ones."""
+    found = device.product_code or 0
+    return (abs(found - product_code), found, device.hidden, device.revision_no or 0)
 
 
 def _nearest(rows: list[_Row], revision_no: int | None) -> tuple[str, str, list[_Row], list[_Row]]:

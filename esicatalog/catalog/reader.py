@@ -1,7 +1,8 @@
 """Reading records back from the catalog: what comes out equals what the document reader produced."""
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
+from itertools import chain
 from typing import Any
 
 import msgspec
@@ -23,6 +24,9 @@ from esicatalog.esi.records.profile import Profile
 
 _TABLES = {record: table for table, record in TABLE_RECORDS.items()}
 
+_MOST_NUMBERS = 2_000
+"""Row numbers in one query: more than most devices have objects or modules, fewer than make SQLite read all rows."""
+
 
 class RecordReader:
     """Reads devices, modules and dictionaries; what is shared is read once per reader."""
@@ -33,7 +37,7 @@ class RecordReader:
         self._diagnostics: dict[int, Diagnostics] = {}
         self._objects: dict[int, Object] = {}
         self._types: dict[int, DataType] = {}
-        self._type_sets: dict[int, Sequence[int]] = {}
+        self._type_sets: dict[int, list[int]] = {}
 
     def device(self, device_id: int, source_id: int | None = None) -> Device:
         """One description; with ``source_id`` in the group that this document puts it in."""
@@ -70,60 +74,64 @@ class RecordReader:
 
     def dictionary(self, dictionary_id: int) -> Dictionary:
         """A dictionary as declared, with its data types and objects."""
-        found = self._dictionaries.get(dictionary_id)
-        if found is None:
-            found = self._dictionaries[dictionary_id] = self._read_dictionary(dictionary_id)
-        return found
+        self.load_dictionaries([dictionary_id])
+        return self._dictionaries[dictionary_id]
+
+    def load_dictionaries(self, dictionary_ids: Iterable[int]) -> None:
+        """Read many dictionaries at once: what :meth:`dictionary` then gives costs no query."""
+        for part in chunks(_missing(dictionary_ids, self._dictionaries), _MOST_NUMBERS):
+            self._dictionaries.update(self._read_dictionaries(part))
 
     def diagnostics(self, diagnostics_id: int) -> Diagnostics:
         """Diagnosis texts."""
-        found = self._diagnostics.get(diagnostics_id)
-        if found is None:
-            found = self._diagnostics[diagnostics_id] = self._plain(Diagnostics, [diagnostics_id])[diagnostics_id]
-        return found
+        self.load_diagnostics([diagnostics_id])
+        return self._diagnostics[diagnostics_id]
+
+    def load_diagnostics(self, diagnostics_ids: Iterable[int]) -> None:
+        """Read many sets of diagnosis texts at once."""
+        self._load(Diagnostics, diagnostics_ids, self._diagnostics)
 
     def _owners(self, record_type: Any, owner_ids: Sequence[int]) -> list[Any]:
         found: dict[int, Any] = {}
-        for part in chunks(dict.fromkeys(owner_ids), 200):
+        for part in chunks(dict.fromkeys(owner_ids), _MOST_NUMBERS):
             found.update(_OwnerBatch(self, self._connection, record_type, part).read())
         missing = [number for number in owner_ids if number not in found]
         if missing:
             raise NotFound(f"no {record_type.__name__.lower()} with row number {missing[0]}")
         return [found[number] for number in owner_ids]
 
-    def _read_dictionary(self, dictionary_id: int) -> Dictionary:
-        table, links = schema.dictionaries, schema.dictionary_objects.c
+    def _read_dictionaries(self, dictionary_ids: list[int]) -> Iterator[tuple[int, Dictionary]]:
+        table, links, types = schema.dictionaries, schema.dictionary_objects.c, schema.type_set_data_types.c
         own = codec(Dictionary)
-        row = self._connection.execute(
-            sa.select(table.c.type_set_id, *(table.c[column.name] for column in own.stored_columns)).where(
-                table.c.id == dictionary_id
-            )
-        ).one()
-        object_ids = self._linked(links.object_id, links.dictionary_id, links.position, dictionary_id)
-        type_ids = self._type_ids(row[0])
-        self._load(Object, object_ids, self._objects)
+        columns = [table.c[column.name] for column in own.stored_columns]
+        query = sa.select(table.c.id, table.c.type_set_id, *columns).where(table.c.id.in_(dictionary_ids))
+        rows = self._connection.execute(query).all()
+        type_set_ids = _missing((row.type_set_id for row in rows), self._type_sets)
+        objects = self._linked(links.object_id, links.dictionary_id, links.position, dictionary_ids)
+        self._type_sets |= self._linked(types.data_type_id, types.type_set_id, types.position, type_set_ids)
+        self._load(Object, chain.from_iterable(objects.values()), self._objects)
+        type_ids = chain.from_iterable(self._type_sets[row.type_set_id] for row in rows)
         self._load(DataType, type_ids, self._types)
-        dictionary: Dictionary = own.decode(
-            row[1:],
-            data_types=tuple(self._types[number] for number in type_ids),
-            objects=tuple(self._objects[number] for number in object_ids),
-        )
-        return dictionary
+        for number, type_set_id, *values in rows:
+            yield (
+                number,
+                own.decode(
+                    tuple(values),
+                    data_types=tuple(self._types[part] for part in self._type_sets[type_set_id]),
+                    objects=tuple(self._objects[part] for part in objects[number]),
+                ),
+            )
 
-    def _type_ids(self, type_set_id: int) -> Sequence[int]:
-        known = self._type_sets.get(type_set_id)
-        if known is None:
-            types = schema.type_set_data_types.c
-            known = self._linked(types.data_type_id, types.type_set_id, types.position, type_set_id)
-            self._type_sets[type_set_id] = known
-        return known
-
-    def _linked(self, target: Any, parent: Any, position: Any, number: int) -> Sequence[int]:
-        query = sa.select(target).where(parent == number).order_by(position)
-        return self._connection.execute(query).scalars().all()
+    def _linked(self, target: Any, parent: Any, position: Any, numbers: list[int]) -> dict[int, list[int]]:
+        """Row numbers of the parts of each parent, in their order."""
+        found: dict[int, list[int]] = {number: [] for number in numbers}
+        query = sa.select(parent, target).where(parent.in_(numbers)).order_by(parent, position)
+        for number, part in self._connection.execute(query):
+            found[number].append(part)
+        return found
 
     def _load(self, record_type: type[Record], numbers: Iterable[int], known: dict[int, Any]) -> None:
-        missing = [number for number in dict.fromkeys(numbers) if number not in known]
+        missing = _missing(numbers, known)
         if missing:
             known.update(self._plain(record_type, missing))
 
@@ -132,7 +140,7 @@ class RecordReader:
         own, table = codec(record_type), schema.metadata.tables[_TABLES[record_type]]
         columns = [table.c[column.name] for column in own.stored_columns]
         found = {}
-        for part in chunks(numbers):
+        for part in chunks(numbers, _MOST_NUMBERS):
             children: dict[str, dict[int, list[Any]]] = {}
             for child in CHILDREN.get(record_type, ()):
                 children[child.field] = self._child_records(child, table.name, part)
@@ -170,6 +178,7 @@ class _OwnerBatch:
     def read(self) -> dict[int, Any]:
         table = schema.metadata.tables[_TABLES[self._record_type]]
         self._load_owned(self._record_type)
+        self._load_shared()
         self._load_extensions()
         unmapped = self._unmapped()
         own = codec(self._record_type)
@@ -242,6 +251,12 @@ class _OwnerBatch:
             fields["image_data"] = self._images[values[own.image_column]]
         return own.decode(values, **fields)
 
+    def _load_shared(self) -> None:
+        """Fetch the dictionaries and diagnosis texts that the profiles point to: the last two of their columns."""
+        parts = [values[-2:] for rows in self._rows["profiles"].values() for _, values in rows]
+        self._reader.load_dictionaries(number for number, _ in parts if number is not None)
+        self._reader.load_diagnostics(number for _, number in parts if number is not None)
+
     def _load_extensions(self) -> None:
         table = schema.vendor_extensions.c
         query = sa.select(table[self._owner], table.owner_table, table.owner_position, table.field, table.xml).where(
@@ -264,6 +279,10 @@ class _OwnerBatch:
         at = own.image_column
         wanted = {row[at] for row in rows if row[at] is not None} - self._images.keys()
         self._images |= image_texts(self._connection, wanted)
+
+
+def _missing(numbers: Iterable[int], known: Container[int]) -> list[int]:
+    return [number for number in dict.fromkeys(numbers) if number not in known]
 
 
 def _in_group(device: Device, group_type: str | None) -> Device:

@@ -77,13 +77,13 @@ def _owned(name: str, comment: str, *extra: sa.Column[Any], derived: tuple[sa.Co
     )
 
 
-def _part(name: str, parent: str, comment: str, *derived: sa.Column[Any]) -> sa.Table:
-    """A table whose rows belong to a row of another table."""
+def _part(name: str, parent: str, comment: str, *derived: sa.Column[Any], indexed: bool = True) -> sa.Table:
+    """A table whose rows belong to a row of another table; ``indexed`` unless an index of its own begins with it."""
     return _table(
         name,
         comment,
         _key(),
-        _reference(f"{parent}.id", "Row it belongs to", name=parent_column(parent), nullable=False, index=True),
+        _reference(f"{parent}.id", "Row it belongs to", name=parent_column(parent), nullable=False, index=indexed),
         _integer("position", "Position in document order, from 0", nullable=False),
         *_recorded(name),
         *derived,
@@ -213,7 +213,7 @@ devices = _table(
     _integer("file_version", "Highest FileVersion of the documents that carry it"),
     _text("group_type", "Group that the description names in its first document"),
     sa.UniqueConstraint("vendor_id", "product_code", "revision_no", "variant"),
-    sa.Index("ix_devices_vendor_type", "vendor_id", "type"),
+    sa.Index("ix_devices_listed", "vendor_id", "product_code", "revision_no", "type", "variant", "hidden"),
 )
 
 device_names = _table(
@@ -275,9 +275,10 @@ hidden_revisions = _owned("hidden_revisions", "HideType: revisions that a descri
 profiles = _owned(
     "profiles",
     "Profiles of devices and modules: profile numbers, channels, dictionary, diagnosis texts.",
-    _reference("dictionaries.id", "Object dictionary", index=True),
+    _reference("dictionaries.id", "Object dictionary"),
     _reference("diagnostics.id", "Diagnosis texts", name="diagnostics_id", index=True),
 )
+sa.Index("ix_profiles_dictionary", profiles.c.dictionary_id, profiles.c.device_id, profiles.c.module_id)
 profile_channels = _part("profile_channels", "profiles", "Profiles of single channels (ChannelInfo).")
 fmmus = _owned("fmmus", "FMMUs; the position is the FMMU's number.")
 sync_managers = _owned("sync_managers", "SyncManagers; the position is the SyncManager's number.")
@@ -294,7 +295,8 @@ pdo_entries = _part(
     "Entries of PDOs, padding included, OSFac not expanded.",
     _integer("image_bit_offset", "Bits before it in its SyncManager's default process image; NULL = not in it"),
 )
-sa.Index("ix_pdo_entries_mapped", pdo_entries.c.entry_index, pdo_entries.c.subindex)
+_MAPPED = ("entry_index", "subindex", "bit_length", "pdo_id")
+sa.Index("ix_pdo_entries_mapping", *(pdo_entries.c[name] for name in _MAPPED))
 pdo_exclusions = _part("pdo_exclusions", "pdos", "PDOs that may not be assigned together, as declared (one-sided).")
 mailboxes = _owned("mailboxes", "Mailbox protocols and their options, one row a device or module.")
 initcmds = _owned(
@@ -321,7 +323,7 @@ drive_modes = _table(
     _reference("devices.id", "Device description", primary_key=True),
     _integer("position", "Order: by axis and mode, from 0", primary_key=True),
     *_recorded("drive_modes"),
-    sa.Index("ix_drive_modes_mode_verdict", "mode", "verdict"),
+    sa.Index("ix_drive_modes_kind_mode", "kind", "mode", "verdict"),
     sqlite_with_rowid=False,
 )
 mode_evidence = _table(
@@ -382,7 +384,10 @@ objects = _table(
     _integer("object_code", "CoE object code: 7 VAR, 8 ARRAY, 9 RECORD", nullable=False),
     sa.Index("ix_objects_object_index", "object_index"),
 )
-object_entries = _part("object_entries", "objects", "Subindices of objects: type, size, access, PDO mapping, values.")
+object_entries = _part(
+    "object_entries", "objects", "Subindices of objects: type, size, access, PDO mapping, values.", indexed=False
+)
+sa.Index("ix_object_entries_subindex", object_entries.c.object_id, object_entries.c.subindex)
 dictionary_objects = _table(
     "dictionary_objects",
     "Which objects a dictionary holds.",

@@ -224,10 +224,8 @@ def _capabilities(dialect: str) -> list[View]:
             "AND coalesce(f.image_signature, '') <> coalesce(b.image_signature, '') THEN 1 ELSE 0 END "
             "AS layout_changed, "
             "f.output_bytes, f.input_bytes, f.image_signature "
-            "FROM (SELECT id, vendor_id, product_code, coalesce("
-            "lag(id) OVER (PARTITION BY vendor_id, product_code, type ORDER BY revision_no NULLS FIRST), "
-            "lag(id) OVER (PARTITION BY vendor_id, product_code ORDER BY revision_no NULLS FIRST)) AS previous_id "
-            "FROM devices WHERE variant = 1 AND vendor_id IS NOT NULL AND product_code IS NOT NULL) r "
+            f"FROM (SELECT n.id, coalesce({_previous('AND o.type = n.type ')}, {_previous('')}) AS previous_id "
+            "FROM devices n WHERE n.variant = 1 AND n.vendor_id IS NOT NULL AND n.product_code IS NOT NULL) r "
             "JOIN devices d ON d.id = r.id LEFT JOIN vendors v ON v.vendor_id = d.vendor_id "
             "JOIN device_facts f ON f.device_id = d.id LEFT JOIN device_facts b ON b.device_id = r.previous_id",
         ),
@@ -258,6 +256,14 @@ def _capabilities(dialect: str) -> list[View]:
             "GROUP BY d.vendor_id, v.name",
         ),
     ]
+
+
+def _previous(condition: str) -> str:
+    """SQL for the next lower revision of ``n``; a window over all devices would be computed for every single one."""
+    return (
+        "(SELECT o.id FROM devices o WHERE o.vendor_id = n.vendor_id AND o.product_code = n.product_code "
+        f"{condition}AND o.variant = 1 AND o.revision_no < n.revision_no ORDER BY o.revision_no DESC LIMIT 1)"
+    )
 
 
 def _overview(dialect: str) -> View:

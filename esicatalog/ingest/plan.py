@@ -6,9 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from esicatalog.errors import DocumentError
 from esicatalog.esi.containers import NESTED, Folder, open_regular
-from esicatalog.esi.content import sha256_hex
 from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover, unreadable_archive
 from esicatalog.ingest.report import DocumentLine
 from esicatalog.ingest.tasks import Known, Outcome, Task
@@ -37,10 +35,6 @@ class Held(NamedTuple):
 
     documents: dict[str, HeldDocument]
     archives: dict[str, tuple[int, str]]
-
-    def inside(self, archive_id: int) -> dict[str, HeldDocument]:
-        """The documents of an archive by location."""
-        return {where: document for where, document in self.documents.items() if document.archive_id == archive_id}
 
 
 NOTHING_HELD = Held({}, {})
@@ -77,31 +71,35 @@ def make_plan(paths: Iterable[str | os.PathLike[str]], held: Held = NOTHING_HELD
     pending: list[Found] = []
     archives: dict[str, str] = {}
     seen: set[str] = set()
+    inside: dict[int | None, list[tuple[str, HeldDocument]]] = {}
+    for where, document in held.documents.items():
+        inside.setdefault(document.archive_id, []).append((where, document))
     for item in discover(given):
         seen.add(item.location)
         if not isinstance(item, FoundArchive):
             pending.append(item)
             continue
         number, known_sha256 = held.archives.get(item.location, (0, None))
+        members = inside.get(number, [])
         try:
             sha256 = _file_sha256(item.location)
         except OSError as error:
-            seen.update(held.inside(number))
+            seen.update(where for where, _ in members)
             pending.append(unreadable_archive(item, f"cannot be read: {error.strerror or error}"))
             continue
         if sha256 == known_sha256:
-            inside = held.inside(number)
-            seen.update(inside)
-            unchanged.extend(document.unchanged_line() for document in inside.values())
+            seen.update(where for where, _ in members)
+            unchanged.extend(document.unchanged_line() for _, document in members)
         else:
             archives[item.location] = sha256
             pending.extend(archive_members(item))
     seen.update(item.location for item in pending)
     todo: list[Found] = []
+    hashes = _PerFolder()
     for item in pending:
-        document = held.documents.get(item.location)
-        if document is not None and _file_unchanged(item, document):
-            unchanged.append(document.unchanged_line())
+        known = held.documents.get(item.location)
+        if known is not None and _file_unchanged(item, known, hashes[item.root]):
+            unchanged.append(known.unchanged_line())
         else:
             todo.append(item)
     todo.sort(key=_reading_order)
@@ -113,6 +111,13 @@ def make_plan(paths: Iterable[str | os.PathLike[str]], held: Held = NOTHING_HELD
         [where for where in held.documents if where not in seen and _is_gone(where, archives, prune, given)],
         archives,
     )
+
+
+class _PerFolder(dict[str, ReferenceHashes]):
+    """Each file is hashed once, whether it stands alone or others refer to it."""
+
+    def __missing__(self, root: str) -> ReferenceHashes:
+        return self.setdefault(root, ReferenceHashes(Folder(Path(root))))
 
 
 def _reading_order(item: Found) -> tuple[int, int, str]:
@@ -135,16 +140,12 @@ def _is_gone(location: str, archives: Iterable[str], prune: bool, paths: list[st
     return prune and any(location == path or location.startswith(path + os.sep) for path in paths)
 
 
-def _file_unchanged(item: Found, document: HeldDocument) -> bool:
+def _file_unchanged(item: Found, document: HeldDocument, hashes: ReferenceHashes) -> bool:
     """Whether a file on disk is still what the catalog holds; members of archives are compared where they are read."""
     if document.known is None or item.is_archive or item.problem is not None or document.member != item.member:
         return False
-    folder = Folder(Path(item.root))
-    try:
-        sha256 = sha256_hex(folder.read(item.name))
-    except DocumentError:
-        return False
-    return is_unchanged(document.known, sha256, item.name, ReferenceHashes(folder))
+    sha256 = hashes.of_member(item.name)
+    return sha256 is not None and is_unchanged(document.known, sha256, item.name, hashes)
 
 
 def _file_sha256(path: str) -> str:

@@ -7,7 +7,7 @@ from esicatalog.ingest.tasks import Known
 
 
 class ReferenceHashes:
-    """SHA-256 of referenced documents, each computed once a container."""
+    """SHA-256 of documents and of what they refer to, each computed once a container."""
 
     def __init__(self, container: Container) -> None:
         self._container = container
@@ -16,8 +16,10 @@ class ReferenceHashes:
     def sha256(self, document: str, reference: str) -> str | None:
         """SHA-256 of what ``reference`` in ``document`` leads to, None when nothing readable is there."""
         member = resolve_reference(self._container, document, reference)
-        if member is None:
-            return None
+        return None if member is None else self.of_member(member)
+
+    def of_member(self, member: str) -> str | None:
+        """SHA-256 of a document of the container, None when it cannot be read."""
         if member not in self._known:
             try:
                 self._known[member] = sha256_hex(self._container.read(member))
