@@ -98,6 +98,61 @@ def test_malformed_input_is_one_line_and_exit_2(data_db, words):
     assert one_line_error(run(*words, db=data_db)).startswith("esicatalog: ")
 
 
+@pytest.mark.parametrize(
+    ("words", "says", "command"),
+    [
+        (("nonsense",), "no such command 'nonsense'", "esicatalog"),
+        (("--foo",), "no such option '--foo'", "esicatalog"),
+        (("devices", "--foo"), "no such option '--foo'", "esicatalog devices"),
+        (("devices", "--sync", "x"), "'x' is not one of 'sync0', 'sync1'", "esicatalog devices"),
+        (("devices", "--limit", "-1"), "-1 is not in the range", "esicatalog devices"),
+        (("check", "--db"), "option '--db' requires an argument", "esicatalog"),
+        (("ingest",), "missing argument", "esicatalog ingest"),
+        (("ingest", "x", "--format", "xml"), "'xml' is not one of 'table', 'json'", "esicatalog ingest"),
+        (("serve", "--port", "x"), "'x' is not a valid integer", "esicatalog serve"),
+        (("serve", "extra"), "unexpected extra argument (extra)", "esicatalog serve"),
+        (("export", "nosuch"), "no such command 'nosuch'", "esicatalog export"),
+        (("export", "igh", "--bar"), "no such option '--bar'", "esicatalog export igh"),
+        (("sii", "decode"), "missing argument 'FILE'", "esicatalog sii decode"),
+        *(((name, "--no-such-option"), "no such option", f"esicatalog {name}") for name in COMMANDS),
+    ],
+)
+def test_wrong_usage_is_one_line_and_exit_2(words, says, command):
+    result = CliRunner().invoke(cli, words, prog_name="esicatalog")
+    line = one_line_error(result)
+    assert line.startswith(f"{command}: ")
+    assert says in line
+    assert line.endswith(f"(see {command} --help)")
+
+
+def piped(command: str) -> tuple[int, str]:
+    """Exit code of the first command of a shell pipe, and what was said on stderr."""
+    script = f"{command}; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True)
+    return done.returncode, done.stderr
+
+
+PROGRAM = f"{sys.executable} -m esicatalog"
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="no bash")
+def test_an_output_that_is_closed_early_is_no_error_message(data_db):
+    code, said = piped(f"{PROGRAM} show 0x1097:0x2406 --format json --db {data_db} | head -c 10 >/dev/null")
+    assert (code in (0, 1), said) == (True, "")
+    assert piped(f"{PROGRAM} show 0x1097:0x2406 --format json --db {data_db} >&-") == (0, "")
+
+
+@pytest.mark.skipif(shutil.which("bash") is None or not Path("/dev/full").exists(), reason="no bash or no /dev/full")
+@pytest.mark.parametrize(
+    "words", ["show 0x1097:0x2406", "devices --format json", "check", "export igh 0x1097:0x2406 -o /dev/full"]
+)
+def test_an_output_that_is_full_is_one_line(data_db, words):
+    code, said = piped(f"{PROGRAM} {words} --db {data_db} >/dev/full")
+    assert code == 2
+    assert [line for line in said.splitlines() if "No space left on device" in line] == [said.splitlines()[-1]]
+    assert "Traceback" not in said
+
+
 def test_an_empty_list_is_an_answer(data_db):
     result = run("devices", "--vendor", "nobody", "--format", "json", db=data_db)
     assert (result.exit_code, json.loads(result.stdout)) == (0, [])
