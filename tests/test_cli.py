@@ -252,22 +252,22 @@ def foreign(path: Path) -> None:
         connection.execute("CREATE TABLE cats (name TEXT)")
 
 
-def at_version(version: str):
-    def make(path: Path) -> None:
-        with closing(sqlite3.connect(path)) as connection:
-            connection.execute("UPDATE alembic_version SET version_num = ?", (version,))
-            connection.commit()
-
-    return make
+def sql(path: Path, statement: str) -> None:
+    with closing(sqlite3.connect(path)) as connection:
+        connection.execute(statement)
+        connection.commit()
 
 
 UNUSABLE = {
     "missing": (lambda path: path.unlink(), "ingest"),
     "foreign": (lambda path: (path.unlink(), foreign(path)), "other tables"),
+    "two versions": (lambda path: sql(path, "INSERT INTO alembic_version VALUES ('0001')"), "ingest again"),
+    "no version": (lambda path: sql(path, "DELETE FROM alembic_version"), "ingest again"),
+    "no devices": (lambda path: sql(path, "ALTER TABLE devices RENAME TO machines"), "ingest again"),
     "empty": (lambda path: path.write_bytes(b""), "ingest"),
     "no database": (lambda path: path.write_bytes(b"not a database at all " * 100), "not an SQLite"),
-    "older": (at_version("0000"), "migrate"),
-    "newer": (at_version("9999"), "newer"),
+    "older": (lambda path: sql(path, "UPDATE alembic_version SET version_num = '0000'"), "migrate"),
+    "newer": (lambda path: sql(path, "UPDATE alembic_version SET version_num = '9999'"), "newer"),
     "cut off": (lambda path: path.write_bytes(path.read_bytes()[:20_000]), "damaged"),
     "folder": (lambda path: (path.unlink(), path.mkdir()), "cannot be opened"),
 }
@@ -289,6 +289,24 @@ def test_ingest_leaves_alone_what_is_no_catalog_of_its_version(tmp_path, data, d
     before = path.read_bytes() if path.is_file() else b""
     assert UNUSABLE[kind][1] in one_line_error(run("ingest", data, db=path))
     assert (path.read_bytes() if path.is_file() else b"") == before
+
+
+@pytest.mark.parametrize("words", [("devices",), ("check",), ("migrate",), ("ingest", ".")])
+@pytest.mark.parametrize(
+    ("target", "says"),
+    [
+        ("", "name a file"),
+        ("://", "not a database URL"),
+        ("sqlite:///file:c.db?uri=true", "give the path of the catalog"),
+        ("sqlite:///file:c.db", "give the path of the catalog"),
+        ("sqlite:///c.db?mode=ro", "give the path of the catalog"),
+        ("nonsense://c", "no driver"),
+    ],
+)
+def test_a_name_that_is_no_catalog_is_refused(tmp_path, monkeypatch, target, says, words):
+    monkeypatch.chdir(tmp_path)
+    assert says in one_line_error(run(*words, "--db", target))
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_ingest_into_a_folder_that_is_not_there(tmp_path, data):

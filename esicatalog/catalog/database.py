@@ -22,14 +22,20 @@ DEFAULT_CATALOG = "catalog.db"
 
 
 def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
-    """The SQLAlchemy URL of a file path or of a URL text."""
+    """The SQLAlchemy URL of a file path or of a URL text. Raises :class:`CatalogError`."""
     text = os.fspath(target)
-    if "://" in text:
-        try:
-            return sa.make_url(text)
-        except sa.exc.ArgumentError as error:
-            raise CatalogError(f"{text}: not a database URL") from error
-    return sa.URL.create("sqlite", database=text)
+    if not text:
+        raise CatalogError("the name of the catalog is empty; name a file")
+    if "://" not in text:
+        return sa.URL.create("sqlite", database=text)
+    try:
+        url = sa.make_url(text)
+    except (sa.exc.ArgumentError, ValueError) as error:
+        raise CatalogError(f"{text}: not a database URL") from error
+    if url.get_backend_name() == "sqlite" and (url.query or (url.database or "").startswith("file:")):
+        # Left alone, an option such as mode=ro would silently be ignored.
+        raise CatalogError(f"{text}: SQLite URLs take no options and no file: names; give the path of the catalog")
+    return url
 
 
 def sqlite_path(url: sa.URL) -> Path | None:
@@ -41,7 +47,10 @@ def sqlite_path(url: sa.URL) -> Path | None:
 
 def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
     """An engine with foreign keys enforced and short waits for locks; ``read_only`` refuses every write."""
-    engine = sa.create_engine(url)
+    try:
+        engine = sa.create_engine(url)
+    except (sa.exc.ArgumentError, ImportError) as error:
+        raise CatalogError(f"{url.drivername}: no driver for this database is installed ({error})") from error
     if url.get_backend_name() == "sqlite":
 
         @sa.event.listens_for(engine, "connect")
@@ -130,6 +139,10 @@ def driver_message(target: str, error: BaseException | None) -> str:
         "readonly": "the file or its folder cannot be written",
         "unable to open": "the file or its folder cannot be opened",
         "full": "the disk is full; nothing of the last step was stored",
+        "disk I/O error": "the disk cannot be read or written, it may be full; nothing of the last step was stored",
+        "no such table": "a part of the catalog is missing; delete it and ingest again",
+        "no such column": "a part of the catalog is missing; delete it and ingest again",
+        "decode": "the file is damaged; delete it and ingest again",
     }
     hint = next((words for key, words in hints.items() if key in reason), "nothing of the last step was stored")
     return f"{target}: {reason}; {hint}"
@@ -167,11 +180,15 @@ def driver_query(engine: sa.Engine, target: str) -> Query:
 
 def schema_version(connection: sa.Connection) -> str | None:
     """The migration a database stands at; None for an empty database; an error for a foreign one."""
+    database = connection.engine.url.database
     names = set(sa.inspect(connection).get_table_names())
     if "alembic_version" in names and "device_sources" in names:
-        return str(connection.execute(sa.text("SELECT version_num FROM alembic_version")).scalar_one())
+        versions = connection.execute(sa.text("SELECT version_num FROM alembic_version")).scalars().all()
+        if len(versions) != 1:
+            raise CatalogError(f"{database}: does not say its schema version; delete it and ingest again")
+        return str(versions[0])
     if names:
-        raise CatalogError("the database holds other tables than a catalog's; name another one")
+        raise CatalogError(f"{database}: the database holds other tables than a catalog's; name another one")
     return None
 
 
