@@ -29,11 +29,16 @@ def prepare_load(connection: sa.Connection) -> None:
         _create_indexes(connection)
     if is_empty:
         write_state(connection, _INDEXES_PENDING, "1")
-        for index in _secondary_indexes():
+        for index in secondary_indexes():
             connection.execute(sa.schema.DropIndex(index, if_exists=True))
     connection.commit()
     if is_empty:
         _enforce_foreign_keys(connection, False)
+
+
+def is_unfinished(connection: sa.Connection) -> bool:
+    """Whether a load into an empty catalog was cut short before its indexes were built."""
+    return read_state(connection, _INDEXES_PENDING) is not None
 
 
 def forget_content_hash(connection: sa.Connection) -> None:
@@ -83,13 +88,13 @@ def _check_foreign_keys(connection: sa.Connection) -> None:
         raise CatalogError(f"rows of {table} refer to rows of {missing} that are missing; ingest into a new catalog")
 
 
-def _secondary_indexes() -> list[sa.Index]:
+def secondary_indexes() -> list[sa.Index]:
     """Indexes that storing documents can do without."""
     return [index for table in schema.metadata.sorted_tables for index in table.indexes]
 
 
 def _create_indexes(connection: sa.Connection) -> None:
-    for index in _secondary_indexes():
+    for index in secondary_indexes():
         connection.execute(sa.schema.CreateIndex(index, if_not_exists=True))
     write_state(connection, _INDEXES_PENDING, None)
     connection.commit()
