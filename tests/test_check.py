@@ -36,8 +36,6 @@ def test_the_catalog_of_the_corpus_is_sound(corpus_db):
         assert catalog.check().problems == []
 
 
-MODULAR = "(SELECT id FROM devices WHERE type = 'ECX-A202')"
-
 DAMAGES = {
     "a row whose owner is gone": (
         ["UPDATE pdo_entries SET pdo_id = 99999 WHERE id = 1"],

@@ -11,6 +11,7 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema, views
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.identity import Query
+from esicatalog.catalog.lock import only_writer
 from esicatalog.catalog.rederive import derive_again
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
@@ -74,7 +75,7 @@ def open_catalog(target: str | os.PathLike[str], create: bool = False, read_only
     engine, version = _connected(target, create, read_only)
     try:
         if version is None:
-            upgrade(engine)
+            upgrade(engine, only_new=True)
         elif version != SCHEMA_VERSION:
             raise CatalogError(_version_message(str(target), version))
     except sa.exc.DBAPIError as error:
@@ -110,7 +111,8 @@ def upgrade_catalog(target: str | os.PathLike[str]) -> tuple[str, str]:
         if version > SCHEMA_VERSION:
             raise CatalogError(_version_message(str(target), version))
         if version != SCHEMA_VERSION:
-            upgrade(engine)
+            with only_writer(sqlite_path(engine.url)):
+                upgrade(engine)
     except sa.exc.DBAPIError as error:
         raise database_error(str(target), error) from error
     finally:
@@ -192,8 +194,11 @@ def schema_version(connection: sa.Connection) -> str | None:
     return None
 
 
-def upgrade(engine: sa.Engine) -> None:
-    """Bring a database to the current schema; a new catalog is made the same way."""
+def upgrade(engine: sa.Engine, only_new: bool = False) -> None:
+    """Bring a database to the current schema; a new catalog is made the same way.
+
+    With ``only_new`` a catalog that another process has just made is left as it is.
+    """
     from alembic import command
     from alembic.config import Config
 
@@ -204,6 +209,8 @@ def upgrade(engine: sa.Engine) -> None:
             # Python's sqlite3 begins no transaction for CREATE: a killed upgrade would leave half a catalog
             connection.exec_driver_sql("BEGIN IMMEDIATE")
         is_new = schema_version(connection) is None
+        if only_new and not is_new:
+            return
         views.drop_views(connection)
         config.attributes["connection"] = connection
         command.upgrade(config, "head")
