@@ -8,7 +8,7 @@ DB ?= catalog.db
 PORT ?= 8001
 CORPUS ?= $(or $(ESICATALOG_CORPUS),../shared/corpus)
 
-.PHONY: install serve test test-datasette-1 lint test-corpus bench docs screenshots clean
+.PHONY: install serve test test-datasette-1 lint test-corpus faults bench docs screenshots clean
 
 install: $(VENV)/installed
 
@@ -22,11 +22,11 @@ serve: install
 	$(BIN)/esicatalog serve --db $(DB) --port $(PORT)
 
 test: install lint
-	$(BIN)/python -m pytest -m 'not corpus'
+	$(BIN)/python -m pytest -m 'not corpus and not faults'
 
 # The web pages and routes once more, on the coming line of Datasette.
 test-datasette-1: $(VENV)-datasette-1/installed
-	$(VENV)-datasette-1/bin/python -m pytest -m 'not corpus' tests/test_datasette.py tests/test_identify.py tests/test_pages.py tests/test_browser.py
+	$(VENV)-datasette-1/bin/python -m pytest -m 'not corpus and not faults' tests/test_datasette.py tests/test_identify.py tests/test_pages.py tests/test_browser.py
 
 $(VENV)-datasette-1/installed: pyproject.toml
 	$(PYTHON) -m venv $(VENV)-datasette-1
@@ -41,6 +41,10 @@ lint: install
 
 test-corpus: install
 	ESICATALOG_CORPUS=$(CORPUS) $(BIN)/python -m pytest -m corpus
+
+# Half an hour: kills at random moments, many clients for a minute. ESICATALOG_SEED chooses other moments.
+faults: install
+	ESICATALOG_CORPUS=$(CORPUS) $(BIN)/python -m pytest -m faults
 
 bench: install
 	$(BIN)/python benchmarks/ingest.py $(CORPUS)/esi
