@@ -227,9 +227,10 @@ class Catalog:
 
     @contextlib.contextmanager
     def _connection(self) -> "Iterator[sa.Connection]":
+        from msgspec import DecodeError
         from sqlalchemy.exc import DBAPIError
 
-        from esicatalog.catalog.database import database_error
+        from esicatalog.catalog.database import damage_error, database_error
 
         engine = self._open(create=True)
         try:
@@ -237,6 +238,8 @@ class Catalog:
                 yield connection
         except DBAPIError as error:
             raise database_error(str(engine.url.database), error) from error
+        except (DecodeError, UnicodeDecodeError) as error:
+            raise damage_error(str(engine.url.database), error) from error
 
 
 def _is_missing_file(target: str | os.PathLike[str]) -> bool:

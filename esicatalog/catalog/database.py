@@ -95,6 +95,9 @@ def _connected(target: str | os.PathLike[str], create: bool, read_only: bool = F
             version = schema_version(connection)
     except sa.exc.DBAPIError as error:
         raise database_error(str(target), error) from error
+    except UnicodeDecodeError as error:
+        # SQLite's message about a damaged schema quotes the damage.
+        raise damage_error(str(target), error) from error
     if version is None and not create:
         raise CatalogError(f"{target}: not a catalog; make one with: esicatalog ingest PATH --db {target}")
     return engine, version
@@ -153,6 +156,11 @@ def driver_message(target: str, error: BaseException | None) -> str:
 def database_error(target: str, error: sa.exc.DBAPIError) -> CatalogError:
     """A database error in words, with what to do."""
     return CatalogError(driver_message(target, error.orig))
+
+
+def damage_error(target: str, error: Exception) -> CatalogError:
+    """A stored value that cannot be decoded."""
+    return CatalogError(f"{target}: a value cannot be read ({error}); the file is damaged; delete it and ingest again")
 
 
 def driver_query(engine: sa.Engine, target: str) -> Query:
