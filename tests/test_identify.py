@@ -2,6 +2,7 @@
 
 import json
 import socket
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
@@ -118,6 +119,16 @@ def test_answers_follow_the_catalog(tmp_path):
         with Catalog.open(db) as storing:
             storing.ingest([tmp_path / "in"], jobs=1)
         assert asking.identify(0xE5C, 1, 2).match == "exact"
+
+
+def test_identities_have_a_connection_of_their_own(data_db):
+    """More others at once than the pool keeps: the one for identities is not given back and closed."""
+    with Catalog.open(data_db) as catalog, ExitStack() as others:
+        expected = catalog.identify(0x1097, 0x2406)
+        for _ in range(12):
+            others.enter_context(catalog._connection())
+        others.close()
+        assert catalog.identify(0x1097, 0x2406) == expected
 
 
 def test_a_damaged_catalog_is_one_line(tmp_path):

@@ -185,6 +185,8 @@ def driver_query(engine: sa.Engine, target: str) -> Query:
             raise CatalogError(driver_message(target, error)) from error
         return found
 
+    # Without this reference the pool takes the connection back, gives it to others and closes it some day.
+    query.connection = connection  # type: ignore[attr-defined]
     return query
 
 
