@@ -292,6 +292,16 @@ def test_a_missing_path_is_an_error(tmp_path):
         catalog.ingest([tmp_path / "gone"])
 
 
+def test_a_missing_path_leaves_the_catalog_as_it_is(tmp_path, library):
+    db = tmp_path / "c.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([library], jobs=1)
+    before = db.read_bytes()
+    with Catalog.open(db) as catalog, pytest.raises(InputError):
+        catalog.ingest([library, tmp_path / "no-such-folder"])
+    assert db.read_bytes() == before
+
+
 def test_a_link_out_of_the_folder_is_skipped(tmp_path, library):
     write(tmp_path, {"secret.xml": FULL.replace("#x10", "#x99")})
     (library / "link.xml").symlink_to(tmp_path / "secret.xml")

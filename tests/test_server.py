@@ -97,7 +97,7 @@ async def test_sql_by_post_changes_nothing(data_db):
 BOMBS = [
     "WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n) SELECT count(*) FROM n",
     "WITH RECURSIVE n(x) AS (SELECT 1 UNION SELECT x + 1 FROM n) SELECT x FROM n ORDER BY x DESC",
-    "SELECT count(*) FROM pdo_entries a, pdo_entries b, pdo_entries c, pdo_entries d",
+    "SELECT count(*) FROM object_entries a, object_entries b, object_entries c, object_entries d",
     "SELECT hex(zeroblob(500000000))",
     "SELECT hex(randomblob(900000000))",
     "SELECT replace(hex(zeroblob(4000000)), '0', hex(zeroblob(4000000)))",

@@ -11,7 +11,6 @@ import click
 from esicatalog.cli.common import db_option, reporting_errors
 from esicatalog.errors import InputError
 
-
 _IDLE_SECONDS = 75
 """Longer than browsers and clients keep an idle connection: a request sent while it is being closed is lost."""
 

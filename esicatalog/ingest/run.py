@@ -44,9 +44,9 @@ def ingest(
     try:
         with only_writer(sqlite_path(engine.url)), engine.connect() as connection, _without_cycle_search():
             try:
-                prepare_load(connection)
                 held = _read_held(connection)
                 plan = reading.plan or reading.start(make_plan(paths, held, prune))
+                prepare_load(connection)
                 lines = _write(connection, plan, reading.outcomes, held, progress)
                 finish_load(connection, changed=not plan.is_empty)
             finally:
