@@ -15,7 +15,7 @@ from esicatalog import Catalog
 from esicatalog.catalog.check import CUT_SHORT
 
 SEED = int(os.environ.get("ESICATALOG_SEED", "1"))
-"""Of all random choices of the tests about faults; every failure names it."""
+"""Of all random choices of the tests about faults; printed with every failure."""
 _TYPES = "<DataType><Name>UDINT</Name><BitSize>32</BitSize></DataType>"
 _MODULE = '<Module><Type ModuleIdent="#x{ident:X}">M{ident}</Type><Name>Module {ident}</Name>{pdo}</Module>'
 _SLOT = '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>#x{ident:X}</ModuleIdent></Slot></Slots>'

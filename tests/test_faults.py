@@ -423,6 +423,7 @@ def test_a_damaged_catalog_is_named_by_every_command(tmp_path, whole, library, d
 
 @pytest.mark.parametrize("number", [*range(6), 9, *(pytest.param(n, marks=pytest.mark.faults) for n in range(10, 60))])
 def test_bytes_overwritten_anywhere_never_end_in_a_traceback(tmp_path, whole, number):
+    print(f"ESICATALOG_SEED={SEED}")
     chosen = random.Random(f"{SEED} {number}")
     content = bytearray(whole.read_bytes())
     for _ in range(chosen.choice([1, 10, 200])):

@@ -69,6 +69,7 @@ def new_and_changed(folder: Path, documents: int) -> dict[str, Case]:
 
 def survive(case: Case, folder: Path, moment: float, target: str) -> None:
     """Kill an ingest after this part of its length; the catalog is consistent and completed by running again."""
+    print(f"ESICATALOG_SEED={SEED}: {target} killed after {moment * case.seconds:.3f} s")
     db = folder / "c.db"
     if case.before is not None:
         shutil.copy(case.before, db)
