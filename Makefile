@@ -9,7 +9,7 @@ PORT ?= 8001
 FUZZ_SECONDS ?= 60
 CORPUS ?= $(or $(ESICATALOG_CORPUS),../shared/corpus)
 
-.PHONY: install serve test test-datasette-1 lint test-corpus fuzz bench bench-scale docs screenshots clean
+.PHONY: install serve test test-datasette-1 lint test-corpus fuzz faults bench bench-scale docs screenshots clean
 
 install: $(VENV)/installed
 
@@ -23,11 +23,11 @@ serve: install
 	$(BIN)/esicatalog serve --db $(DB) --port $(PORT)
 
 test: install lint
-	$(BIN)/python -m pytest -m 'not corpus'
+	$(BIN)/python -m pytest -m 'not corpus and not faults'
 
 # The web pages and routes once more, on the coming line of Datasette.
 test-datasette-1: $(VENV)-datasette-1/installed
-	$(VENV)-datasette-1/bin/python -m pytest -m 'not corpus' tests/test_datasette.py tests/test_identify.py tests/test_pages.py tests/test_browser.py tests/test_mcp.py tests/test_drawings.py tests/test_snapshot.py
+	$(VENV)-datasette-1/bin/python -m pytest -m 'not corpus and not faults' tests/test_server.py tests/test_datasette.py tests/test_identify.py tests/test_pages.py tests/test_browser.py tests/test_mcp.py tests/test_drawings.py tests/test_snapshot.py
 
 $(VENV)-datasette-1/installed: pyproject.toml
 	$(PYTHON) -m venv $(VENV)-datasette-1
@@ -47,6 +47,10 @@ test-corpus: install
 fuzz: install
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[fuzz]'
 	ESICATALOG_CORPUS=$(CORPUS) FUZZ_SECONDS=$(FUZZ_SECONDS) $(BIN)/python -m fuzz
+
+# Half an hour: kills at random moments, many clients for a minute. ESICATALOG_SEED chooses other moments.
+faults: install
+	ESICATALOG_CORPUS=$(CORPUS) $(BIN)/python -m pytest -m faults
 
 # --write docs/performance.md puts the table into the documentation.
 bench: install

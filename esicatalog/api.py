@@ -251,9 +251,10 @@ class Catalog:
 
     @contextlib.contextmanager
     def _connection(self) -> "Iterator[sa.Connection]":
+        from msgspec import DecodeError
         from sqlalchemy.exc import DBAPIError
 
-        from esicatalog.catalog.database import database_error, reading_connection
+        from esicatalog.catalog.database import damage_error, database_error, reading_connection
 
         engine = self._open(create=True)
         try:
@@ -261,6 +262,8 @@ class Catalog:
                 yield connection
         except DBAPIError as error:
             raise database_error(str(engine.url.database), error) from error
+        except (DecodeError, UnicodeDecodeError) as error:
+            raise damage_error(str(engine.url.database), error) from error
 
 
 def _is_missing_file(target: str | os.PathLike[str]) -> bool:

@@ -4,6 +4,7 @@ from alembic import context
 
 from esicatalog.catalog.schema import metadata
 from esicatalog.catalog.views import FULL_TEXT
+from esicatalog.errors import CatalogError
 
 connection = context.config.attributes["connection"]
 
@@ -20,4 +21,8 @@ context.configure(
     render_as_batch=connection.dialect.name == "sqlite",
     transaction_per_migration=False,
 )
-context.run_migrations()
+try:
+    context.run_migrations()
+except NotImplementedError as refusal:
+    # Migrations stand alone, without the package's errors; none leads back.
+    raise CatalogError(str(refusal)) from refusal

@@ -98,6 +98,61 @@ def test_malformed_input_is_one_line_and_exit_2(data_db, words):
     assert one_line_error(run(*words, db=data_db)).startswith("esicatalog: ")
 
 
+@pytest.mark.parametrize(
+    ("words", "says", "command"),
+    [
+        (("nonsense",), "no such command 'nonsense'", "esicatalog"),
+        (("--foo",), "no such option '--foo'", "esicatalog"),
+        (("devices", "--foo"), "no such option '--foo'", "esicatalog devices"),
+        (("devices", "--sync", "x"), "'x' is not one of 'sync0', 'sync1'", "esicatalog devices"),
+        (("devices", "--limit", "-1"), "-1 is not in the range", "esicatalog devices"),
+        (("check", "--db"), "option '--db' requires an argument", "esicatalog"),
+        (("ingest",), "missing argument", "esicatalog ingest"),
+        (("ingest", "x", "--format", "xml"), "'xml' is not one of 'table', 'json'", "esicatalog ingest"),
+        (("serve", "--port", "x"), "'x' is not a valid integer", "esicatalog serve"),
+        (("serve", "extra"), "unexpected extra argument (extra)", "esicatalog serve"),
+        (("export", "nosuch"), "no such command 'nosuch'", "esicatalog export"),
+        (("export", "igh", "--bar"), "no such option '--bar'", "esicatalog export igh"),
+        (("sii", "decode"), "missing argument 'FILE'", "esicatalog sii decode"),
+        *(((name, "--no-such-option"), "no such option", f"esicatalog {name}") for name in COMMANDS),
+    ],
+)
+def test_wrong_usage_is_one_line_and_exit_2(words, says, command):
+    result = CliRunner().invoke(cli, words, prog_name="esicatalog")
+    line = one_line_error(result)
+    assert line.startswith(f"{command}: ")
+    assert says in line
+    assert line.endswith(f"(see {command} --help)")
+
+
+def piped(command: str) -> tuple[int, str]:
+    """Exit code of the first command of a shell pipe, and what was said on stderr."""
+    script = f"{command}; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True)
+    return done.returncode, done.stderr
+
+
+PROGRAM = f"{sys.executable} -m esicatalog"
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="no bash")
+def test_an_output_that_is_closed_early_is_no_error_message(data_db):
+    code, said = piped(f"{PROGRAM} show 0x1097:0x2406 --format json --db {data_db} | head -c 10 >/dev/null")
+    assert (code in (0, 1), said) == (True, "")
+    assert piped(f"{PROGRAM} show 0x1097:0x2406 --format json --db {data_db} >&-") == (0, "")
+
+
+@pytest.mark.skipif(shutil.which("bash") is None or not Path("/dev/full").exists(), reason="no bash or no /dev/full")
+@pytest.mark.parametrize(
+    "words", ["show 0x1097:0x2406", "devices --format json", "check", "export igh 0x1097:0x2406 -o /dev/full"]
+)
+def test_an_output_that_is_full_is_one_line(data_db, words):
+    code, said = piped(f"{PROGRAM} {words} --db {data_db} >/dev/full")
+    assert code == 2
+    assert [line for line in said.splitlines() if "No space left on device" in line] == [said.splitlines()[-1]]
+    assert "Traceback" not in said
+
+
 def test_an_empty_list_is_an_answer(data_db):
     result = run("devices", "--vendor", "nobody", "--format", "json", db=data_db)
     assert (result.exit_code, json.loads(result.stdout)) == (0, [])
@@ -174,7 +229,10 @@ def test_check_says_what_is_wrong(data_db, tmp_path):
         connection.commit()
     result = run("check", db=damaged)
     assert result.exit_code == 1
-    assert len(result.stderr.splitlines()) == 4
+    lines = result.stderr.splitlines()
+    assert all(line.startswith("problem: ") for line in lines)
+    for words in ("no document carries", "variants", "full-text search", "content hash"):
+        assert [line for line in lines if words in line] != []
 
 
 def test_show_prints_a_sheet(data_db):
@@ -197,22 +255,22 @@ def foreign(path: Path) -> None:
         connection.execute("CREATE TABLE cats (name TEXT)")
 
 
-def at_version(version: str):
-    def make(path: Path) -> None:
-        with closing(sqlite3.connect(path)) as connection:
-            connection.execute("UPDATE alembic_version SET version_num = ?", (version,))
-            connection.commit()
-
-    return make
+def sql(path: Path, statement: str) -> None:
+    with closing(sqlite3.connect(path)) as connection:
+        connection.execute(statement)
+        connection.commit()
 
 
 UNUSABLE = {
     "missing": (lambda path: path.unlink(), "ingest"),
     "foreign": (lambda path: (path.unlink(), foreign(path)), "other tables"),
+    "two versions": (lambda path: sql(path, "INSERT INTO alembic_version VALUES ('0001')"), "ingest again"),
+    "no version": (lambda path: sql(path, "DELETE FROM alembic_version"), "ingest again"),
+    "no devices": (lambda path: sql(path, "ALTER TABLE devices RENAME TO machines"), "ingest again"),
     "empty": (lambda path: path.write_bytes(b""), "ingest"),
     "no database": (lambda path: path.write_bytes(b"not a database at all " * 100), "not an SQLite"),
-    "older": (at_version("0000"), "migrate"),
-    "newer": (at_version("9999"), "newer"),
+    "older": (lambda path: sql(path, "UPDATE alembic_version SET version_num = '0000'"), "migrate"),
+    "newer": (lambda path: sql(path, "UPDATE alembic_version SET version_num = '9999'"), "newer"),
     "cut off": (lambda path: path.write_bytes(path.read_bytes()[:20_000]), "damaged"),
     "folder": (lambda path: (path.unlink(), path.mkdir()), "cannot be opened"),
 }
@@ -234,6 +292,24 @@ def test_ingest_leaves_alone_what_is_no_catalog_of_its_version(tmp_path, data, d
     before = path.read_bytes() if path.is_file() else b""
     assert UNUSABLE[kind][1] in one_line_error(run("ingest", data, db=path))
     assert (path.read_bytes() if path.is_file() else b"") == before
+
+
+@pytest.mark.parametrize("words", [("devices",), ("check",), ("migrate",), ("ingest", ".")])
+@pytest.mark.parametrize(
+    ("target", "says"),
+    [
+        ("", "name a file"),
+        ("://", "not a database URL"),
+        ("sqlite:///file:c.db?uri=true", "give the path of the catalog"),
+        ("sqlite:///file:c.db", "give the path of the catalog"),
+        ("sqlite:///c.db?mode=ro", "give the path of the catalog"),
+        ("nonsense://c", "a catalog is an SQLite file or lies at postgresql"),
+    ],
+)
+def test_a_name_that_is_no_catalog_is_refused(tmp_path, monkeypatch, target, says, words):
+    monkeypatch.chdir(tmp_path)
+    assert says in one_line_error(run(*words, "--db", target))
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_ingest_into_a_folder_that_is_not_there(tmp_path, data):

@@ -2,13 +2,14 @@
 
 import json
 import socket
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
 import schemathesis
 from hypothesis import HealthCheck, given, settings
 from schemathesis import GenerationMode
-from snippets import device, esi, pdo, rows
+from snippets import device, esi, one, pdo, rows
 from test_cli import run
 from test_search import catalog_of
 
@@ -135,6 +136,16 @@ def test_answers_follow_the_catalog(tmp_path):
         assert asking.identify(0xE5C, 1, 2).match == "exact"
 
 
+def test_identities_have_a_connection_of_their_own(data_db):
+    """More others at once than the pool keeps: the one for identities is not given back and closed."""
+    with Catalog.open(data_db) as catalog, ExitStack() as others:
+        expected = catalog.identify(0x1097, 0x2406)
+        for _ in range(12):
+            others.enter_context(catalog._connection())
+        others.close()
+        assert catalog.identify(0x1097, 0x2406) == expected
+
+
 def test_a_damaged_catalog_is_one_line(tmp_path):
     db = catalog_of(tmp_path, esi(device()))
     with Catalog.open(db) as catalog:
@@ -248,6 +259,7 @@ async def test_who_may_not_see_the_database_gets_no_answer(data_db):
 def test_the_server_cannot_write(data_db):
     with Catalog.open(data_db, read_only=True) as catalog, pytest.raises(CatalogError, match="readonly"):
         catalog.ingest([data_db.parent], jobs=1)
+    assert one(data_db, "PRAGMA journal_mode") == "delete"
 
 
 def test_answers_are_sent_without_waiting_for_acknowledgements():

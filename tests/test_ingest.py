@@ -292,6 +292,16 @@ def test_a_missing_path_is_an_error(tmp_path):
         catalog.ingest([tmp_path / "gone"])
 
 
+def test_a_missing_path_leaves_the_catalog_as_it_is(tmp_path, library):
+    db = tmp_path / "c.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([library], jobs=1)
+    before = db.read_bytes()
+    with Catalog.open(db) as catalog, pytest.raises(InputError):
+        catalog.ingest([library, tmp_path / "no-such-folder"])
+    assert db.read_bytes() == before
+
+
 STEPS = st.lists(
     st.tuples(
         st.sampled_from("abc"), st.sampled_from(["", *(rich("#x1", value=v) for v in ("01", "02")), rich("#x2")])

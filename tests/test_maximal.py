@@ -39,7 +39,9 @@ AFTER_1_17 = esi(
       <Eeprom><ByteSize>2048</ByteSize><ConfigData>0C</ConfigData><ConfigData2>1D</ConfigData2></Eeprom>
     </Device>""",
     vendor="<Id>#x00000E5C</Id><Name>Vendor</Name><ImageFile16x14>vendor.bmp</ImageFile16x14>",
-).replace("<Devices>", '<Pdos><Pdo Name="shared one"><Index>#x1600</Index><Name>P</Name></Pdo></Pdos><Devices>')
+).replace(
+    "</Descriptions>", '<Pdos><Pdo Name="shared one"><Index>#x1600</Index><Name>P</Name></Pdo></Pdos></Descriptions>'
+)
 
 
 @pytest.fixture(scope="module")

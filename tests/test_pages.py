@@ -312,6 +312,6 @@ async def test_start_up_values_and_findings(tmp_path):
     db = catalog_of(tmp_path, esi(f"{first}\n{second}"))
     one_page = await page(db, "/-/esi/device/0xe5c/1/1")
     assert "513 (0x201)" in texts(one_page, "section[aria-labelledby=commands] td")
-    assert texts(one_page, "section[aria-labelledby=findings] td") == []
+    assert not any("Unknown" in text for text in texts(one_page, "section[aria-labelledby=findings] td"))
     other = await page(db, "/-/esi/device/0xe5c/1/2")
     assert any("Unknown" in text for text in texts(other, "section[aria-labelledby=findings] td"))

@@ -3,17 +3,21 @@
 ``catalogs/NNNN.sql`` is a catalog of two of our example files, dumped by the version that had that schema.
 """
 
+import shutil
 import sqlite3
 from contextlib import closing
 from pathlib import Path
 
 import pytest
+from alembic import command
+from alembic.config import Config
 from conftest import CHECKOUT
 from snippets import rows
 from test_schema import described
 
 from esicatalog import Catalog
-from esicatalog.catalog.database import SCHEMA_VERSION
+from esicatalog.catalog.database import SCHEMA_VERSION, catalog_url, make_engine
+from esicatalog.errors import CatalogError
 
 DUMPS = sorted((CHECKOUT / "tests" / "catalogs").glob("*.sql"))
 EXAMPLES = ("io_terminal_8di_8do.xml", "two_axis_modular_drive.xml")
@@ -29,16 +33,65 @@ DERIVED = (
 )
 
 
+VERSIONS = sorted(path.name[:4] for path in (CHECKOUT / "migrations" / "versions").glob("[0-9]*.py"))
+
+
+def loaded(dump: Path, path: Path) -> Path:
+    with closing(sqlite3.connect(path)) as connection:
+        connection.executescript(dump.read_text())
+    return path
+
+
 def test_every_migration_that_leads_on_has_a_catalog():
-    versions = sorted(path.name[:4] for path in (CHECKOUT / "migrations" / "versions").glob("[0-9]*.py"))
-    assert [path.stem for path in DUMPS] == [version for version in versions if version != SCHEMA_VERSION]
+    dumped = {path.stem for path in DUMPS}
+    assert {version for version in VERSIONS if version != SCHEMA_VERSION} <= dumped <= set(VERSIONS)
+
+
+@pytest.mark.parametrize("dump", DUMPS, ids=lambda path: path.stem)
+def test_a_released_migration_still_makes_what_it_made(tmp_path: Path, dump: Path):
+    """The dump holds the tables as they were when the version was released."""
+    made = tmp_path / "made.db"
+    config = Config()
+    config.set_main_option("script_location", str(CHECKOUT / "migrations"))
+    with make_engine(catalog_url(made)).begin() as connection:
+        config.attributes["connection"] = connection
+        command.upgrade(config, dump.stem)
+    assert described(made) == described(loaded(dump, tmp_path / "old.db"))
+
+
+@pytest.mark.parametrize("version", ["0001", "base", "-1"])
+def test_a_catalog_is_never_downgraded(tmp_path: Path, data_db: Path, version: str):
+    copy = Path(shutil.copy(data_db, tmp_path / "c.db"))
+    config = Config()
+    config.set_main_option("script_location", str(CHECKOUT / "migrations"))
+    with make_engine(catalog_url(copy)).begin() as connection:
+        config.attributes["connection"] = connection
+        with pytest.raises(CatalogError, match="never downgraded: ingest the files again with the older version"):
+            command.downgrade(config, version)
+    with Catalog.open(copy) as catalog:
+        assert catalog.check().problems == []
+
+
+def test_a_newer_catalog_is_left_as_it_is(tmp_path: Path, data_db: Path, data: Path):
+    copy = Path(shutil.copy(data_db, tmp_path / "c.db"))
+    with closing(sqlite3.connect(copy)) as connection:
+        connection.execute("UPDATE alembic_version SET version_num = '9999'")
+        connection.commit()
+    before = copy.read_bytes()
+    with pytest.raises(CatalogError, match=r"newer esicatalog .*9999.*use that version or ingest into a new catalog"):
+        Catalog.migrate(copy)
+    with pytest.raises(CatalogError, match="newer esicatalog"), Catalog.open(copy, create=True) as catalog:
+        catalog.ingest([data])
+    assert copy.read_bytes() == before
 
 
 @pytest.mark.parametrize("dump", DUMPS, ids=lambda path: path.stem)
 def test_an_old_catalog_becomes_what_a_new_one_is(tmp_path: Path, data: Path, dump: Path):
-    old, new = tmp_path / "old.db", tmp_path / "new.db"
-    with closing(sqlite3.connect(old)) as connection:
-        connection.executescript(dump.read_text())
+    if dump.stem == SCHEMA_VERSION:
+        pytest.skip("the newest schema: nothing to upgrade")
+    old, new = loaded(dump, tmp_path / "old.db"), tmp_path / "new.db"
+    with pytest.raises(CatalogError, match=f"esicatalog migrate --db {old}"):
+        Catalog.open(old)
     assert Catalog.migrate(old) == (dump.stem, SCHEMA_VERSION)
     with Catalog.open(new, create=True) as catalog:
         catalog.ingest([data / name for name in EXAMPLES], jobs=1)

@@ -11,6 +11,7 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema, views
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.identity import Query
+from esicatalog.catalog.lock import only_writer
 from esicatalog.catalog.turns import take_turn
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
@@ -29,6 +30,8 @@ _BACKENDS = ("sqlite", "postgresql", "cockroachdb")
 def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
     """The SQLAlchemy URL of a file path or of a URL text. Raises :class:`CatalogError`."""
     text = os.fspath(target)
+    if not text:
+        raise CatalogError("the name of the catalog is empty; name a file")
     if "://" not in text:
         return sa.URL.create("sqlite", database=text)
     try:
@@ -37,6 +40,9 @@ def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
         raise CatalogError("not a database URL; write postgresql+psycopg://USER:PASSWORD@HOST/DATABASE") from error
     if url.get_backend_name() not in _BACKENDS and url.drivername not in _DRIVERS:
         raise CatalogError(f"{url!r}: a catalog is an SQLite file or lies at postgresql+psycopg://…")
+    if url.get_backend_name() == "sqlite" and (url.query or (url.database or "").startswith("file:")):
+        # Left alone, an option such as mode=ro would silently be ignored.
+        raise CatalogError(f"{text}: SQLite URLs take no options and no file: names; give the path of the catalog")
     return url.set(drivername=_DRIVERS.get(url.drivername, url.drivername))
 
 
@@ -118,7 +124,7 @@ def open_catalog(target: str | os.PathLike[str], create: bool = False, read_only
 def _create(engine: sa.Engine) -> str:
     """Make the tables; of several that begin at once on a server one makes them, the others find them made."""
     try:
-        upgrade(engine)
+        upgrade(engine, only_new=True)
     except sa.exc.DBAPIError:
         with engine.connect() as connection:
             made_by_another = schema_version(connection)
@@ -140,6 +146,9 @@ def _connected(target: str | os.PathLike[str], create: bool, read_only: bool = F
             version = schema_version(connection)
     except sa.exc.DBAPIError as error:
         raise database_error(shown_target(target), error) from error
+    except UnicodeDecodeError as error:
+        # SQLite's message about a damaged schema quotes the damage.
+        raise damage_error(shown_target(target), error) from error
     if version is None and not create:
         shown = shown_target(target)
         raise CatalogError(f"{shown}: not a catalog; make one with: esicatalog ingest PATH --db {shown}")
@@ -157,7 +166,8 @@ def upgrade_catalog(target: str | os.PathLike[str]) -> tuple[str, str]:
         if version > SCHEMA_VERSION:
             raise CatalogError(_version_message(shown_target(target), version))
         if version != SCHEMA_VERSION:
-            upgrade(engine)
+            with only_writer(sqlite_path(engine.url)):
+                upgrade(engine)
     except sa.exc.DBAPIError as error:
         raise database_error(shown_target(target), error) from error
     finally:
@@ -193,6 +203,10 @@ def driver_message(target: str, error: BaseException | None) -> str:
         "resolve host": "no such host",
         "permission denied": "the database user may not do that; ask for the right",
         "read-only": "the database takes no changes; name the server that does",
+        "disk I/O error": "the disk cannot be read or written, it may be full; nothing of the last step was stored",
+        "no such table": "a part of the catalog is missing; delete it and ingest again",
+        "no such column": "a part of the catalog is missing; delete it and ingest again",
+        "decode": "the file is damaged; delete it and ingest again",
     }
     hint = next((words for key, words in hints.items() if key in reason), "nothing of the last step was stored")
     return f"{target}: {reason}; {hint}"
@@ -201,6 +215,11 @@ def driver_message(target: str, error: BaseException | None) -> str:
 def database_error(target: str, error: sa.exc.DBAPIError) -> CatalogError:
     """A database error in words, with what to do."""
     return CatalogError(driver_message(target, error.orig))
+
+
+def damage_error(target: str, error: Exception) -> CatalogError:
+    """A stored value that cannot be decoded."""
+    return CatalogError(f"{target}: a value cannot be read ({error}); the file is damaged; delete it and ingest again")
 
 
 class DriverQuery:
@@ -239,16 +258,22 @@ def connection_query(connection: sa.Connection) -> Query:
     def query(sql: str, values: tuple[Any, ...]) -> list[tuple[Any, ...]]:
         return [tuple(row) for row in connection.exec_driver_sql(sql.replace("?", mark), values)]
 
+    # Without this reference the pool takes the connection back, gives it to others and closes it some day.
+    query.connection = connection  # type: ignore[attr-defined]
     return query
 
 
 def schema_version(connection: sa.Connection) -> str | None:
     """The migration a database stands at; None for an empty database; an error for a foreign one."""
+    database = connection.engine.url.database
     names = set(sa.inspect(connection).get_table_names())
     if "alembic_version" in names and "device_sources" in names:
-        return str(connection.execute(sa.text("SELECT version_num FROM alembic_version")).scalar_one())
+        versions = connection.execute(sa.text("SELECT version_num FROM alembic_version")).scalars().all()
+        if len(versions) != 1:
+            raise CatalogError(f"{database}: does not say its schema version; delete it and ingest again")
+        return str(versions[0])
     if names:
-        raise CatalogError("the database holds other tables than a catalog's; name another one")
+        raise CatalogError(f"{database}: the database holds other tables than a catalog's; name another one")
     return None
 
 
@@ -258,8 +283,11 @@ def _require_unicode(connection: sa.Connection) -> None:
         raise CatalogError(f"the database has the encoding {encoding}; make one with: createdb -E UTF8 -T template0")
 
 
-def upgrade(engine: sa.Engine) -> None:
-    """Bring a database to the current schema; a new catalog is made the same way."""
+def upgrade(engine: sa.Engine, only_new: bool = False) -> None:
+    """Bring a database to the current schema; a new catalog is made the same way.
+
+    With ``only_new`` a catalog that another process has just made is left as it is.
+    """
     from alembic import command
     from alembic.config import Config
 
@@ -272,6 +300,8 @@ def upgrade(engine: sa.Engine) -> None:
             # Python's sqlite3 begins no transaction for CREATE: a killed upgrade would leave half a catalog
             connection.exec_driver_sql("BEGIN IMMEDIATE")
         is_new = schema_version(connection) is None
+        if only_new and not is_new:
+            return
         if not is_new:
             take_turn(connection)
         elif connection.dialect.name != "sqlite":

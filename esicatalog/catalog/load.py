@@ -31,15 +31,20 @@ def prepare_load(connection: sa.Connection) -> None:
     # A server's catalog may have others loading into it: it keeps its indexes and checks every key.
     if is_empty and connection.dialect.name == "sqlite":
         write_state(connection, _INDEXES_PENDING, "1")
-        for index in _secondary_indexes():
+        for index in secondary_indexes():
             connection.execute(sa.schema.DropIndex(index, if_exists=True))
     connection.commit()
     if is_empty:
         _enforce_foreign_keys(connection, False)
 
 
+def is_unfinished(connection: sa.Connection) -> bool:
+    """Whether a load into an empty catalog was cut short before its indexes were built."""
+    return read_state(connection, _INDEXES_PENDING) is not None
+
+
 def finish_load(connection: sa.Connection, changed: bool) -> None:
-    """Build what is missing, store the content hash, leave one file."""
+    """Build what is missing, store the content hash."""
     if read_state(connection, _INDEXES_PENDING):
         _check_foreign_keys(connection)
         _create_indexes(connection)
@@ -53,16 +58,16 @@ def finish_load(connection: sa.Connection, changed: bool) -> None:
         if connection.dialect.name == "sqlite":
             connection.exec_driver_sql("PRAGMA optimize")
     connection.commit()
+
+
+def end_load(connection: sa.Connection) -> None:
+    """Whatever became of the load: roll back what was not committed, enforce foreign keys again, leave one file."""
+    connection.rollback()
+    _enforce_foreign_keys(connection, True)
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
         connection.exec_driver_sql("PRAGMA journal_mode = DELETE")
         connection.commit()
-
-
-def end_load(connection: sa.Connection) -> None:
-    """Whatever became of the load: roll back what was not committed, enforce foreign keys again."""
-    connection.rollback()
-    _enforce_foreign_keys(connection, True)
 
 
 def _enforce_foreign_keys(connection: sa.Connection, enforce: bool) -> None:
@@ -81,13 +86,13 @@ def _check_foreign_keys(connection: sa.Connection) -> None:
         raise CatalogError(f"rows of {table} refer to rows of {missing} that are missing; ingest into a new catalog")
 
 
-def _secondary_indexes() -> list[sa.Index]:
+def secondary_indexes() -> list[sa.Index]:
     """Indexes that storing documents can do without."""
     return [index for table in schema.metadata.sorted_tables for index in table.indexes]
 
 
 def _create_indexes(connection: sa.Connection) -> None:
-    for index in _secondary_indexes():
+    for index in secondary_indexes():
         connection.execute(sa.schema.CreateIndex(index, if_not_exists=True))
     write_state(connection, _INDEXES_PENDING, None)
     connection.commit()

@@ -5,7 +5,7 @@ All of it follows from the stored rows alone, so that any order of ingest gives 
 
 import hashlib
 from collections import Counter, defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import sqlalchemy as sa
@@ -35,32 +35,35 @@ class Affected:
 
 def settle(connection: sa.Connection, affected: Affected) -> None:
     """Bring everything that depends on several documents up to date."""
-    searched = set(affected.devices)
-    if affected.vendors:
-        renamed = _settle_vendors(connection, affected.vendors)
-        for part in chunks(sorted(renamed)):
-            searched.update(connection.execute(sa.select(devices.c.id).where(devices.c.vendor_id.in_(part))).scalars())
+    renamed = _settle_vendors(connection, affected.vendors)
     if affected.devices or affected.identities:
         _settle_devices(connection, affected)
-    index_devices(connection, searched)
+    index_devices(connection, affected.devices | _devices_of(connection, renamed))
     settle_hidden(connection, affected.vendors | {identity[0] for identity in affected.identities})
 
 
+def _devices_of(connection: sa.Connection, vendor_ids: set[int]) -> set[int]:
+    found: set[int] = set()
+    for part in chunks(sorted(vendor_ids)):
+        found.update(connection.execute(sa.select(devices.c.id).where(devices.c.vendor_id.in_(part))).scalars())
+    return found
+
+
 def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> set[int]:
-    """Names and image of vendors; returns those whose shown name changed."""
-    shown: dict[int, str | None] = {}
+    """Count the spellings of vendors' names; returns the vendors that are now shown under another name."""
     spellings: dict[int, Counter[tuple[int | None, str]]] = defaultdict(Counter)
     images: dict[int, set[str]] = defaultdict(set)
     vendor_codec = codec(Vendor)
     columns = [source_vendors.c[column.name] for column in vendor_codec.stored_columns]
+    shown: dict[int, str | None] = {}
     for part in chunks(sorted(vendor_ids)):
+        held = sa.select(vendors.c.vendor_id, vendors.c.name).where(vendors.c.vendor_id.in_(part))
+        shown.update((row.vendor_id, row.name) for row in connection.execute(held))
         for row in connection.execute(sa.select(*columns).where(source_vendors.c.vendor_id.in_(part))):
             vendor = vendor_codec.decode(row)
             spellings[vendor.vendor_id].update({(name.lcid, name.text) for name in vendor.names})
             if vendor.image_data:
                 images[vendor.vendor_id].add(vendor.image_data)
-        known = sa.select(vendors.c.vendor_id, vendors.c.name).where(vendors.c.vendor_id.in_(part))
-        shown.update((vendor_id, name) for vendor_id, name in connection.execute(known))
         connection.execute(sa.delete(vendor_names).where(vendor_names.c.vendor_id.in_(part)))
     for vendor_id in sorted(vendor_ids):
         counted = spellings[vendor_id]
@@ -86,13 +89,14 @@ def _shown_name(counted: Counter[tuple[int | None, str]]) -> str | None:
     return min(counted.items(), key=rank)[0][1] if counted else None
 
 
-def _settle_devices(connection: sa.Connection, affected: Affected) -> None:
-    carried = (
+def carried_facts() -> sa.Select[Any]:
+    """What the documents that carry a description say of it, by device: recovered, file_version, group_type."""
+    return (
         sa.select(
             device_sources.c.device_id,
-            sa.func.min(sa.case((sources.c.status == "recovered", 1), else_=0)),
-            sa.func.max(source_vendors.c.file_version),
-            sa.func.min(device_sources.c.group_type),
+            sa.func.min(sa.case((sources.c.status == "recovered", 1), else_=0)).label("recovered"),
+            sa.func.max(source_vendors.c.file_version).label("file_version"),
+            sa.func.min(device_sources.c.group_type).label("group_type"),
         )
         .join(sources, sources.c.id == device_sources.c.source_id)
         .outerjoin(
@@ -102,6 +106,10 @@ def _settle_devices(connection: sa.Connection, affected: Affected) -> None:
         )
         .group_by(device_sources.c.device_id)
     )
+
+
+def _settle_devices(connection: sa.Connection, affected: Affected) -> None:
+    carried = carried_facts()
     update = (
         sa.update(devices)
         .where(devices.c.id == sa.bindparam("number"))
@@ -165,13 +173,16 @@ def _number_variants(connection: sa.Connection, identities: Iterable[tuple[Any, 
     connection.execute(update, [{"number": number, "to": variant} for number, variant in changes])
 
 
-def settle_hidden(connection: sa.Connection, vendor_ids: Iterable[int | None]) -> None:
-    """Mark the revisions that some other description of the same vendor supersedes (HideType).
+_HIDING = devices.alias("hiding")
+
+
+def superseded_devices() -> sa.Select[tuple[int]]:
+    """Numbers of the descriptions that some other description of the same vendor supersedes (HideType).
 
     A HideType without ProductCode means its own product; one without RevisionNo names nothing.
     """
-    hiding, columns, named = devices.alias(), devices.c, schema.hidden_revisions.c
-    superseded = (
+    hiding, columns, named = _HIDING, devices.c, schema.hidden_revisions.c
+    return (
         sa.select(columns.id)
         .select_from(schema.hidden_revisions)
         .join(hiding, hiding.c.id == named.device_id)
@@ -183,9 +194,14 @@ def settle_hidden(connection: sa.Connection, vendor_ids: Iterable[int | None]) -
         )
         .where((columns.product_code != hiding.c.product_code) | (columns.revision_no != hiding.c.revision_no))
     )
+
+
+def settle_hidden(connection: sa.Connection, vendor_ids: Iterable[int | None]) -> None:
+    """Mark the revisions of these vendors that are superseded."""
+    columns, superseded = devices.c, superseded_devices()
     update = sa.update(devices).where(columns.id == sa.bindparam("number")).values(hidden=sa.bindparam("is_hidden"))
     for part in chunks(sorted(vendor_id for vendor_id in vendor_ids if vendor_id is not None)):
-        wanted = set(connection.execute(superseded.where(hiding.c.vendor_id.in_(part))).scalars())
+        wanted = set(connection.execute(superseded.where(_HIDING.c.vendor_id.in_(part))).scalars())
         marked = sa.select(columns.id).where(columns.vendor_id.in_(part), columns.hidden == sa.true())
         stored = set(connection.execute(marked).scalars())
         if wanted != stored:
@@ -195,7 +211,7 @@ def settle_hidden(connection: sa.Connection, vendor_ids: Iterable[int | None]) -
 
 def collect_garbage(connection: sa.Connection, affected: Affected) -> bool:
     """Delete what no document carries any more; tells whether anything went."""
-    orphans = sa.select(devices.c.id).where(~sa.exists().where(device_sources.c.device_id == devices.c.id))
+    orphans = _unreferenced("devices", "id", _DEVICE_KEEPERS)
     gone = connection.execute(
         sa.select(
             devices.c.id, devices.c.vendor_id, devices.c.product_code, devices.c.revision_no, devices.c.type
@@ -209,17 +225,16 @@ def collect_garbage(connection: sa.Connection, affected: Affected) -> bool:
         affected.devices.discard(row.id)
         affected.identities.add((row.vendor_id, row.product_code, row.revision_no, row.type))
     index_devices(connection, [row.id for row in gone])
-    modules, links = schema.modules, schema.device_modules
-    unused = sa.select(modules.c.id).where(
-        ~sa.exists().where(schema.module_sources.c.module_id == modules.c.id),
-        ~sa.exists().where(links.c.module_id == modules.c.id),
-    )
-    for part in chunks(connection.execute(unused).scalars().all()):
+    modules = schema.modules
+    for part in chunks(connection.execute(_unreferenced("modules", "id", _MODULE_KEEPERS)).scalars().all()):
         _delete_owned(connection, "module_id", part)
         connection.execute(sa.delete(modules).where(modules.c.id.in_(part)))
         deleted += len(part)
     return _delete_unreferenced(connection) or deleted > 0
 
+
+_DEVICE_KEEPERS = (("device_sources", "device_id"),)
+_MODULE_KEEPERS = (("module_sources", "module_id"), ("device_modules", "module_id"))
 
 _PARTS = [
     (parent, child.table)
@@ -282,14 +297,28 @@ _UNREFERENCED: tuple[tuple[str, str, tuple[tuple[str, str], ...], tuple[tuple[st
 )
 
 
+def _unreferenced(name: str, key: str, keepers: Iterable[tuple[str, str]]) -> sa.Select[Any]:
+    """Keys of the rows of a table that no keeper (table, column) refers to."""
+    table = schema.metadata.tables[name]
+    conditions = [
+        ~sa.exists().where(schema.metadata.tables[keeper].c[column] == table.c[key]) for keeper, column in keepers
+    ]
+    return sa.select(table.c[key]).where(*conditions)
+
+
+def unreferenced_rows() -> Iterator[tuple[str, sa.Select[Any]]]:
+    """Tables whose rows live as long as something refers to them, and the keys of those that nothing refers to."""
+    yield "devices", _unreferenced("devices", "id", _DEVICE_KEEPERS)
+    yield "modules", _unreferenced("modules", "id", _MODULE_KEEPERS)
+    for name, key, keepers, _ in _UNREFERENCED:
+        yield name, _unreferenced(name, key, keepers)
+
+
 def _delete_unreferenced(connection: sa.Connection) -> bool:
     deleted = False
     for name, key, keepers, parts in _UNREFERENCED:
         table = schema.metadata.tables[name]
-        conditions = [
-            ~sa.exists().where(schema.metadata.tables[keeper].c[column] == table.c[key]) for keeper, column in keepers
-        ]
-        unused = connection.execute(sa.select(table.c[key]).where(*conditions)).scalars().all()
+        unused = connection.execute(_unreferenced(name, key, keepers)).scalars().all()
         for part in chunks(unused):
             for child, column in parts:
                 held = schema.metadata.tables[child]

@@ -2,6 +2,8 @@
 
 import csv
 import functools
+import os
+import signal
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
@@ -45,24 +47,48 @@ def format_option(*formats: str) -> Callable[[Function], Function]:
     )
 
 
+class Terminated(KeyboardInterrupt):
+    """SIGTERM, where a command takes it as Ctrl-C."""
+
+
+def say_interrupted(error: BaseException) -> int:
+    """One line about an interrupt; returns the exit code that shells give it."""
+    click.echo("esicatalog: interrupted; nothing stored before is lost, run it again to go on", err=True)
+    return 128 + (signal.SIGTERM if isinstance(error, Terminated) else signal.SIGINT)
+
+
 def reporting_errors(function: Function) -> Function:
     """Turn named errors into one line on stderr and the exit code of the contract."""
 
     @functools.wraps(function)
     def wrapped(*args: Any, **kwargs: Any) -> Any:
         try:
-            return function(*args, **kwargs)
+            try:
+                return function(*args, **kwargs)
+            finally:
+                sys.stdout.flush()
         except EsiCatalogError as error:
             click.echo(f"esicatalog: {error}", err=True)
             sys.exit(EXIT_NO if isinstance(error, NotFound) else EXIT_UNUSABLE)
+        except KeyboardInterrupt as error:
+            sys.exit(say_interrupted(error))
         except (MemoryError, RecursionError):
             click.echo("esicatalog: the input is too large or too deep to be read", err=True)
             sys.exit(EXIT_UNUSABLE)
         except BrokenPipeError:
-            sys.stderr.close()
+            _discard_stdout()
             sys.exit(EXIT_NO)
+        except OSError as error:
+            _discard_stdout()
+            click.echo(f"esicatalog: {error.filename or 'standard output'}: {error.strerror}", err=True)
+            sys.exit(EXIT_UNUSABLE)
 
     return wrapped  # type: ignore[return-value]
+
+
+def _discard_stdout() -> None:
+    """What is still buffered cannot be written; the interpreter would try again at its end, and say so."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 class _Parsed(click.ParamType[Any]):

@@ -1,13 +1,16 @@
 """esicatalog ingest"""
 
+import contextlib
 import gc
+import signal
 import sys
 import time
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NoReturn
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, db_option, format_option, print_json, reporting_errors
+from esicatalog.cli.common import EXIT_NO, Terminated, db_option, format_option, print_json, reporting_errors
 
 if TYPE_CHECKING:
     from esicatalog.ingest.report import DocumentLine, IngestReport
@@ -31,18 +34,34 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, outp
     """
     from esicatalog.api import Catalog
 
-    with Catalog.open(db, create=True) as catalog:
-        report = catalog.ingest(paths, jobs, prune, _Progress())
+    with _terminable(), Catalog.open(db, create=True) as catalog:
+        try:
+            report = catalog.ingest(paths, jobs, prune, _Progress())
+        finally:
+            if sys.stderr.isatty():
+                click.echo("\r\033[K", nl=False, err=True)
     # The process is about to end: searching all that it holds for cycles would be in vain.
     gc.freeze()
-    if sys.stderr.isatty():
-        click.echo("\r\033[K", nl=False, err=True)
     if output_format == "json":
         print_json(report.as_json())
     else:
         _print_summary(report, db)
     if report.counts["failed"]:
         sys.exit(EXIT_NO)
+
+
+@contextlib.contextmanager
+def _terminable() -> Iterator[None]:
+    """SIGTERM ends an ingest as Ctrl-C does: workers stopped, what is not committed rolled back, one line."""
+
+    def terminate(number: int, frame: object) -> NoReturn:
+        raise Terminated
+
+    before = signal.signal(signal.SIGTERM, terminate)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 class _Progress:

@@ -1,10 +1,14 @@
 """The command group; every command is loaded only when it is called."""
 
 import importlib
+import os
+import sys
+from collections.abc import Callable
 from typing import Any
 
 import click
 
+from esicatalog.cli.common import EXIT_UNUSABLE, say_interrupted
 from esicatalog.version import __version__
 
 COMMANDS = {
@@ -36,6 +40,33 @@ class _LazyGroup(click.Group):
     def format_commands(self, ctx: click.Context, formatter: Any) -> None:
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
+
+    def main(self, *args: Any, **options: Any) -> Any:
+        """Run a command; wrong usage is one line and exit code 2, as every other error is."""
+        run: Callable[..., Any] = super().main
+        if not options.pop("standalone_mode", True):
+            return run(*args, standalone_mode=False, **options)
+        if sys.stdout is None:  # closed by the shell: >&-
+            sys.stdout = open(os.devnull, "w")  # noqa: SIM115
+        try:
+            code = run(*args, standalone_mode=False, **options)
+        except click.exceptions.NoArgsIsHelpError as error:
+            error.show()
+            sys.exit(EXIT_UNUSABLE)
+        except click.ClickException as error:
+            click.echo(_one_line(error), err=True)
+            sys.exit(EXIT_UNUSABLE)
+        except click.Abort as error:
+            sys.exit(say_interrupted(error))
+        sys.exit(code if isinstance(code, int) else 0)
+
+
+def _one_line(error: click.ClickException) -> str:
+    """What is wrong, after the command that it was said to, and where to look."""
+    context = getattr(error, "ctx", None)
+    path = context.command_path if context is not None else "esicatalog"
+    message = " ".join(error.format_message().split()).removesuffix(".")
+    return f"{path}: {message[:1].lower()}{message[1:]} (see {path} --help)"
 
 
 @click.group(cls=_LazyGroup, context_settings={"help_option_names": ["-h", "--help"]})

@@ -11,6 +11,9 @@ import click
 from esicatalog.cli.common import db_option, reporting_errors
 from esicatalog.errors import InputError
 
+_IDLE_SECONDS = 75
+"""Longer than browsers and clients keep an idle connection: a request sent while it is being closed is lost."""
+
 
 @click.command("serve")
 @db_option
@@ -38,7 +41,8 @@ def command(db: str, host: str, port: int, open_browser: bool, immutable: bool) 
         click.echo(url)
         if open_browser:
             webbrowser.open(url)
-        server = uvicorn.Server(uvicorn.Config(application, log_level="warning", lifespan="on"))
+        config = uvicorn.Config(application, log_level="warning", lifespan="on", timeout_keep_alive=_IDLE_SECONDS)
+        server = uvicorn.Server(config)
         with contextlib.suppress(KeyboardInterrupt):
             server.run(sockets=[listener])
 

@@ -130,6 +130,8 @@ class Pool:
             bufsize=0,
         )
         self._processes.add(process)
+        if self._stopped:
+            process.kill()
         return process
 
     def _end(self, process: subprocess.Popen[bytes]) -> None:

@@ -9,8 +9,9 @@ from contextlib import contextmanager
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
-from esicatalog.catalog.database import database_error
+from esicatalog.catalog.database import database_error, sqlite_path
 from esicatalog.catalog.load import end_load, finish_load, prepare_load
+from esicatalog.catalog.lock import only_writer
 from esicatalog.catalog.writer import SourceRow, Writer
 from esicatalog.ingest.plan import Held, HeldDocument, Plan, make_plan
 from esicatalog.ingest.reading import Reading
@@ -38,15 +39,16 @@ def ingest(
 
     ``reading`` may have been started when the catalog was known to be empty, else it is started here. ``prune`` also
     removes what the given folders no longer hold. Raises :class:`InputError` for a missing path and
-    :class:`CatalogError` when the database cannot be written; what was committed before stays.
+    :class:`CatalogError` when the database cannot be written or another ingest is writing to it; what was committed
+    before stays.
     """
     started = time.monotonic()
     try:
-        with engine.connect() as connection, _without_cycle_search():
+        with only_writer(sqlite_path(engine.url)), engine.connect() as connection, _without_cycle_search():
             try:
-                prepare_load(connection)
                 held = _read_held(connection)
                 plan = reading.plan or reading.start(make_plan(paths, held, prune))
+                prepare_load(connection)
                 lines = _write(connection, plan, reading.outcomes, held, progress)
                 finish_load(connection, changed=not plan.is_empty)
             finally:
@@ -90,9 +92,12 @@ def _write(
     for location in plan.archives:
         writer.archive_begun(location)
     writer.commit()
+    incomplete: set[str] = set()
     for batch in _file_batches(outcomes) if connection.dialect.name == "sqlite" else _server_batches(outcomes):
         for outcome in batch:
             item = plan.todo[outcome.number]
+            if outcome.status == "failed" and outcome.sha256 is None and item.problem is None:
+                incomplete.add(item.root)
             if outcome.status == "unchanged":
                 tell(held.documents[item.location].unchanged_line())
             else:
@@ -100,7 +105,9 @@ def _write(
                 tell(_store(writer, item.location, item.member, archive, outcome))
         writer.commit()
     for location, sha256 in plan.archives.items():
-        writer.archive_done(location, sha256)
+        # A document that could not be read, because its process was killed for instance, is tried again next time.
+        if location not in incomplete:
+            writer.archive_done(location, sha256)
     writer.commit()
     return lines
 

@@ -7,6 +7,7 @@ A document can cost it its life (memory limit) but not its siblings theirs.
 import contextlib
 import gc
 import os
+import signal
 import struct
 import sys
 from collections.abc import Callable
@@ -31,6 +32,8 @@ _MAX_OPENED = 16
 """Containers kept open: neighbours in the order of reading lie in different archives."""
 _NICENESS = 10
 """The writer runs first: whatever it leaves for after the last document is done by one core alone."""
+_LONGEST_SECONDS = 300
+"""For when nobody is left to end a document that never ends: longer than the pool waits for one."""
 _LENGTH = struct.Struct("<Q")
 
 
@@ -139,6 +142,8 @@ def main() -> None:
         limits = [limit for limit in resource.getrlimit(resource.RLIMIT_AS) if limit != resource.RLIM_INFINITY]
         limit = min([MEMORY_LIMIT_BYTES, *limits])
         resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+    # Ctrl-C goes to all processes of a terminal; the pool ends its workers itself.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     # Records and rows hold no cycles: looking for some again and again costs more than reading many a document.
     gc.set_threshold(100_000, 20, 100)
     answers = os.fdopen(os.dup(1), "wb")
@@ -147,7 +152,15 @@ def main() -> None:
     decode = msgspec.msgpack.Decoder(Task).decode
     encode = msgspec.msgpack.Encoder().encode
     while (request := read_frame(sys.stdin.buffer.read)) is not None:
+        _end_after(_LONGEST_SECONDS)
         write_frame(answers, encode(Answer.to(worker.handle(decode(request)))))
+        _end_after(0)
+
+
+def _end_after(seconds: int) -> None:
+    """Let the system end this process after so many seconds, 0 = never."""
+    with contextlib.suppress(AttributeError):  # Windows has no alarm.
+        signal.alarm(seconds)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """Requests and responses: bounded bodies, errors as JSON or pages, ETag, CORS only where Datasette has it."""
 
+import asyncio
 from collections.abc import Awaitable, Callable
 from typing import Any, NamedTuple
 
@@ -14,6 +15,8 @@ from esicatalog.web.state import catalog_for
 
 MAX_BODY_BYTES = 4 * 1024 * 1024
 """A scan of a full bus (65535 slaves) in the longest format takes less."""
+MAX_BODY_SECONDS = 60.0
+"""A client that sends slower than this gives up its place."""
 
 _ERROR_PAGE = "error.html"
 
@@ -108,7 +111,18 @@ def _json(value: Any, status: int, headers: dict[str, str]) -> Response:
 
 
 async def body_of(request: Any) -> bytes:
-    """The body of a request. Raises :class:`HttpError` 413 when it is larger than any scan."""
+    """The body of a request.
+
+    Raises :class:`HttpError`: 413 when it is larger than any scan, 408 when it does not end in time.
+    """
+    try:
+        async with asyncio.timeout(MAX_BODY_SECONDS):
+            return await _received(request)
+    except TimeoutError as error:
+        raise HttpError(408, f"the body did not end within {MAX_BODY_SECONDS:.0f} s") from error
+
+
+async def _received(request: Any) -> bytes:
     parts: list[bytes] = []
     size, more = 0, True
     while more:

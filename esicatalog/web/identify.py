@@ -8,10 +8,9 @@ import msgspec
 from esicatalog.api import Catalog
 from esicatalog.errors import InputError
 from esicatalog.identity import UINT32_MAX, Identity, parse_identity, parse_number
-from esicatalog.scan.front import read_scan
 from esicatalog.web.http import HttpError, body_of
+from esicatalog.web.uploads import MOST_IDENTITIES, read_uploaded_scan
 
-MOST_IDENTITIES = 10_000
 _PARAMETERS = ("vendor", "product", "revision")
 _NAMES = {"vendor": "vendor_id", "product": "product_code", "revision": "revision_no"}
 """Members of an identity in JSON; the short and the long name mean the same."""
@@ -44,7 +43,7 @@ async def identify_many(request: Any, catalog: Catalog) -> tuple[Any, int]:
 
 
 def _scan(text: str, catalog: Catalog) -> list[dict[str, Any]]:
-    return [slave.as_json() for bus in catalog.identify_scan(read_scan(text)) for slave in bus.slaves]
+    return [slave.as_json() for bus in catalog.identify_scan(read_uploaded_scan(text)) for slave in bus.slaves]
 
 
 def _identities(body: bytes, catalog: Catalog) -> list[dict[str, Any]]:

@@ -1,4 +1,4 @@
-"""Forms with files, in memory: what a browser posts from the scan page."""
+"""What is posted: forms with files, in memory, and scans."""
 
 import io
 from typing import Any
@@ -7,9 +7,13 @@ from urllib.parse import parse_qsl
 from python_multipart import parse_form
 from python_multipart.exceptions import FormParserError
 
+from esicatalog.scan.front import read_scan
+from esicatalog.scan.records import Scan
 from esicatalog.web.http import HttpError
 
 Form = dict[str, bytes]
+MOST_IDENTITIES = 10_000
+"""Asked at once: some seconds of work, and an answer of some 30 MB."""
 _MOST_FIELDS = 20
 
 
@@ -42,3 +46,11 @@ def read_form(content_type: str, body: bytes) -> Form:
 
 def _name(name: bytes | None) -> str:
     return (name or b"").decode("utf-8", "replace")
+
+
+def read_uploaded_scan(text: str) -> Scan:
+    """A scan of a bounded number of slaves. Raises :class:`HttpError` 413 and what reading a scan raises."""
+    scan = read_scan(text)
+    if len(scan.slaves) > MOST_IDENTITIES:
+        raise HttpError(413, f"more than {MOST_IDENTITIES} slaves at once")
+    return scan

@@ -6,13 +6,12 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, slave_words
 from esicatalog.errors import EsiCatalogError
-from esicatalog.scan.front import read_scan
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.files import image_bytes
 from esicatalog.sii.text import sheet_lines
 from esicatalog.web.http import Page, body_of
 from esicatalog.web.links import device_path
-from esicatalog.web.uploads import read_form
+from esicatalog.web.uploads import read_form, read_uploaded_scan
 
 _TEMPLATE = "scan.html"
 _NOTHING: dict[str, Any] = {"text": "", "buses": [], "findings": [], "sii": None, "problem": None}
@@ -22,7 +21,7 @@ async def scan_page(request: Any, catalog: Catalog) -> Page:
     """The empty form, or what was posted with its matches."""
     if request.method != "POST":
         return Page(_TEMPLATE, dict(_NOTHING))
-    form = read_form(request.headers.get("content-type", ""), await body_of(request))
+    form = await asyncio.to_thread(read_form, request.headers.get("content-type", ""), await body_of(request))
     content = form.get("file") or form.get("scan", b"")
     try:
         return Page(_TEMPLATE, _NOTHING | await asyncio.to_thread(_answer, content, catalog))
@@ -35,7 +34,7 @@ def _answer(content: bytes, catalog: Catalog) -> dict[str, Any]:
     if _looks_like_image(content):
         return {"sii": _image(content, catalog)}
     text = content.decode("utf-8", "replace")
-    scan = read_scan(text)
+    scan = read_uploaded_scan(text)
     return {
         "text": text,
         "buses": [_bus(bus) for bus in catalog.identify_scan(scan)],

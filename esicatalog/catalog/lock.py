@@ -1,0 +1,62 @@
+"""One writer at a time: two ingests into one catalog would give their rows the same numbers."""
+
+import contextlib
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+from esicatalog.errors import CatalogError
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
+
+_SUFFIX = "-ingest"
+
+
+@contextlib.contextmanager
+def only_writer(path: Path | None) -> Iterator[None]:
+    """Hold the lock file beside an SQLite catalog; it is gone afterwards, and a killed process leaves it unlocked.
+
+    SQLite's own lock ends with every transaction, an ingest has many. None (another database, or memory) locks
+    nothing. Raises :class:`CatalogError` when another process holds it.
+    """
+    if path is None or fcntl is None:
+        yield
+        return
+    real = Path(os.path.realpath(path))
+    lock = real.with_name(real.name + _SUFFIX)
+    descriptor = _locked(lock, path)
+    try:
+        yield
+    finally:
+        lock.unlink(missing_ok=True)
+        os.close(descriptor)
+
+
+def _locked(lock: Path, path: Path) -> int:
+    """A descriptor of the lock file, locked, while the file still has its name."""
+    while True:
+        try:
+            descriptor = os.open(lock, os.O_RDWR | os.O_CREAT, 0o666)
+        except OSError as error:
+            raise CatalogError(f"{path}: the folder of the catalog cannot be written: {error.strerror}") from error
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            if _is_named(descriptor, lock):
+                return descriptor
+        except BlockingIOError as error:
+            os.close(descriptor)
+            raise CatalogError(
+                f"{path}: another ingest or migrate is writing to it; when that has ended, run this again"
+            ) from error
+        os.close(descriptor)
+
+
+def _is_named(descriptor: int, lock: Path) -> bool:
+    """Whether the name still means this file: who held the lock before has removed it at the end."""
+    try:
+        return os.path.samestat(os.fstat(descriptor), lock.stat())
+    except FileNotFoundError:
+        return False

@@ -1,0 +1,496 @@
+"""Disks that are full or read-only, catalogs that are locked, damaged or written by two, interrupts.
+
+Each ends in a consistent catalog and one line that says what to do; running again gives what an undisturbed run gives.
+"""
+
+import contextlib
+import os
+import random
+import resource
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import closing, suppress
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from library import (
+    SEED,
+    all_end,
+    assert_completed_by_running_again,
+    assert_consistent,
+    children,
+    ingest_command,
+    ingested,
+    is_alive,
+    make_library,
+    started,
+)
+from snippets import device, esi, rows, write
+
+from esicatalog import Catalog
+from esicatalog.cli.main import cli
+
+L6N = "0x4321:0x8100"
+
+
+def one_line(done: subprocess.CompletedProcess[str]) -> str:
+    """What a refused command says; lines of progress may stand before it."""
+    assert done.returncode == 2, (done.returncode, done.stderr)
+    assert "Traceback" not in done.stderr
+    *progress, line = done.stderr.splitlines()
+    assert all(" documents/s" in text for text in progress)
+    assert line.startswith("esicatalog: ")
+    return line
+
+
+def run(*command: object, **options: object) -> subprocess.CompletedProcess[str]:
+    words = [sys.executable, "-m", "esicatalog", *map(str, command)]
+    return subprocess.run(words, capture_output=True, text=True, timeout=120, **options)  # type: ignore[call-overload]
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory) -> Path:
+    return make_library(tmp_path_factory.mktemp("library"), 60)
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory, library) -> Path:
+    """The catalog of an undisturbed run."""
+    db = tmp_path_factory.mktemp("whole") / "c.db"
+    ingested(db, library)
+    return db
+
+
+@pytest.fixture(scope="module")
+def expected(whole) -> str:
+    with Catalog.open(whole) as catalog:
+        return str(catalog.content_hash())
+
+
+@pytest.fixture(scope="module")
+def part(tmp_path_factory, library) -> Path:
+    """A catalog of a few of the documents."""
+    db = tmp_path_factory.mktemp("part") / "c.db"
+    ingested(db, *sorted(library.glob("000*.xml")))
+    return db
+
+
+# A disk of its own: a file system in memory, which root may mount.
+
+
+@contextlib.contextmanager
+def small_disk(folder: Path, kilobytes: int) -> Iterator[Path]:
+    folder.mkdir()
+    words = ["mount", "-t", "tmpfs", "-o", f"size={kilobytes}k", "tmpfs", str(folder)]
+    mounted = shutil.which("mount") and subprocess.run(words, capture_output=True).returncode == 0
+    if not mounted:
+        pytest.skip("no file system of a few kilobytes: only root may mount one")
+    try:
+        yield folder
+    finally:
+        subprocess.run(["umount", str(folder)], check=True)
+
+
+def remount(folder: Path, options: str) -> None:
+    subprocess.run(["mount", "-o", f"remount,{options}", str(folder)], check=True)
+
+
+@pytest.mark.parametrize(
+    "share", [0.05, 0.5, *(pytest.param(n, marks=pytest.mark.faults) for n in (0.01, 0.2, 0.9, 1.0))]
+)
+@pytest.mark.parametrize("start", ["new", "part"])
+def test_a_full_disk(tmp_path, library, whole, part, expected, share, start):
+    """``share`` of what the whole catalog needs is there; then the disk grows."""
+    needed = whole.stat().st_size
+    with small_disk(
+        tmp_path / "disk", int(needed * share / 1024) + (part.stat().st_size // 1024) * (start == "part")
+    ) as disk:
+        db = disk / "c.db"
+        if start == "part":
+            shutil.copy(part, db)
+        done = subprocess.run(ingest_command(db, library), capture_output=True, text=True)
+        if done.returncode != 1:  # 1: it did fit, and the broken document is told
+            line = one_line(done)
+            assert str(db) in line
+            assert "disk is full" in line or "No space left" in line or "may be full" in line
+        remount(disk, f"size={needed * 4}")
+        if db.exists():
+            assert_consistent(db)
+        if start == "part":
+            assert {"0001.xml", "0002.xml"} <= {name for (name,) in rows(db, "SELECT member FROM sources")}
+        assert_completed_by_running_again(db, expected, library)
+
+
+def test_a_full_disk_is_no_obstacle_to_reading(tmp_path, whole):
+    with small_disk(tmp_path / "disk", whole.stat().st_size // 1024 + 64) as disk:
+        db = Path(shutil.copy(whole, disk / "c.db"))
+        with suppress(OSError), open(disk / "filler", "wb") as filler:
+            while True:
+                filler.write(bytes(4096))
+        assert run("devices", "--limit", "1", "--db", db).returncode == 0
+        assert run("check", "--db", db).returncode == 0
+
+
+@pytest.mark.parametrize("kilobytes", [8, 500, *(pytest.param(n, marks=pytest.mark.faults) for n in (100, 2000))])
+@pytest.mark.parametrize("start", ["new", "part"])
+def test_files_that_may_not_grow(tmp_path, library, part, expected, kilobytes, start):
+    """The limit of a process on the size of its files does not need root; the system answers EFBIG."""
+    db = tmp_path / "c.db"
+    if start == "part":
+        shutil.copy(part, db)
+
+    def limit() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (kilobytes * 1024, kilobytes * 1024))
+
+    done = subprocess.run(ingest_command(db, library), capture_output=True, text=True, preexec_fn=limit)
+    assert "nothing of the last step was stored" in one_line(done)
+    assert_consistent(db)
+    assert_completed_by_running_again(db, expected, library)
+
+
+def test_a_database_that_may_not_grow(tmp_path, library, part, expected, monkeypatch):
+    """SQLite's own limit on pages gives the very error of a full disk, at each of many places."""
+    from esicatalog.catalog import database
+    from esicatalog.errors import CatalogError
+
+    make_engine = database.make_engine
+    for pages in (40, 130, 300):
+        db = tmp_path / f"{pages}.db"
+        shutil.copy(part, db)
+        ((before,),) = rows(db, "PRAGMA page_count")
+
+        def limited(url, read_only=False, most=before + pages):
+            from sqlalchemy import event
+
+            engine = make_engine(url, read_only)
+            event.listen(engine, "connect", lambda connection, _: connection.execute(f"PRAGMA max_page_count = {most}"))
+            return engine
+
+        with monkeypatch.context() as patch:
+            patch.setattr(database, "make_engine", limited)
+            with Catalog.open(db) as catalog, pytest.raises(CatalogError, match="the disk is full"):
+                catalog.ingest([library], jobs=1)
+        assert_consistent(db)
+    assert_completed_by_running_again(db, expected, library)
+
+
+# Folders that cannot be written.
+
+
+@contextlib.contextmanager
+def read_only(folder: Path, *files: Path) -> Iterator[Path]:
+    """A folder with copies of these files that nobody, root included, can write."""
+    size = sum(file.stat().st_size for file in files) // 1024 + 1024
+    if os.geteuid() == 0:
+        with small_disk(folder, size) as disk:
+            for file in files:
+                shutil.copy(file, disk / "c.db")
+            remount(disk, "ro")
+            yield disk
+        return
+    folder.mkdir()
+    for file in files:
+        shutil.copy(file, folder / "c.db")
+    folder.chmod(0o500)
+    try:
+        yield folder
+    finally:
+        folder.chmod(0o700)
+
+
+READING = [
+    ("devices", "--limit", "1"),
+    ("identify", "0x101", "2", "1"),
+    ("show", "0x101:2:1"),
+    ("export", "cstruct", "0x101:2:1"),
+    ("diff", "0x101:2:1", "0x101:2:1"),
+    ("check",),
+    ("migrate",),
+]
+
+
+def test_a_read_only_folder_can_be_read(tmp_path, whole, library):
+    with read_only(tmp_path / "ro", whole) as folder:
+        for words in READING:
+            done = run(*words, "--db", folder / "c.db")
+            assert (done.returncode, "Traceback" in done.stderr) == (0, False), (words, done.stderr)
+        assert "cannot be written" in one_line(run("ingest", library, "--db", folder / "c.db"))
+        assert "cannot be" in one_line(run("ingest", library, "--db", folder / "new.db"))
+
+
+def test_an_old_catalog_in_a_read_only_folder(tmp_path):
+    old = tmp_path / "old.db"
+    with closing(sqlite3.connect(old)) as connection:
+        connection.executescript((Path(__file__).parent / "catalogs" / "0001.sql").read_text())
+    with read_only(tmp_path / "ro", old) as folder:
+        assert "cannot be written" in one_line(run("migrate", "--db", folder / "c.db"))
+
+
+# Others at work.
+
+
+def test_a_locked_database_is_waited_for_and_then_named(tmp_path, whole, library):
+    db = Path(shutil.copy(whole, tmp_path / "c.db"))
+    write(library.parent / "more", {"new.xml": esi(device(product="#xABCDE"))})
+    with closing(sqlite3.connect(db)) as connection:
+        connection.execute("BEGIN EXCLUSIVE")
+        for words in (["devices"], ["ingest", library.parent / "more"]):
+            assert "another process is writing to it; wait for it" in one_line(run(*words, "--db", db))
+        connection.rollback()
+    assert run("ingest", library.parent / "more", "--db", db).returncode == 0
+    assert_consistent(db)
+
+
+def test_a_lock_that_is_given_back_is_no_obstacle(tmp_path, whole):
+    db = Path(shutil.copy(whole, tmp_path / "c.db"))
+    with closing(sqlite3.connect(db)) as connection:
+        connection.execute("BEGIN EXCLUSIVE")
+        process = started(sys.executable, "-m", "esicatalog", "devices", "--limit", "1", "--db", str(db))
+        time.sleep(1.5)
+        connection.rollback()
+        process.communicate()
+    assert process.returncode == 0
+
+
+@pytest.mark.parametrize("same", [True, False], ids=["the same folder", "different folders"])
+@pytest.mark.parametrize("start", ["new", "part"])
+def test_two_ingests_at_once(tmp_path, library, part, expected, same, start):
+    db = tmp_path / "c.db"
+    if start == "part":
+        shutil.copy(part, db)
+    halves = [library / "archive.zip", library]
+    inputs = [library, library] if same else halves
+    both = [started(*ingest_command(db, words)) for words in inputs]
+    said = [process.communicate()[1] for process in both]
+    codes = [process.returncode for process in both]
+    # The broken document makes an ingest of the folder exit code 1.
+    assert [code for code in codes if code in (0, 1)] != []
+    for code, text in zip(codes, said, strict=True):
+        assert "Traceback" not in text
+        assert code in (0, 1) or "when that has ended, run this again" in text or "wait for it" in text
+    assert_consistent(db)
+    assert_completed_by_running_again(db, expected, library)
+
+
+def test_an_ingest_while_others_read(tmp_path, library, part, expected):
+    """Readers see the catalog of before or after a commit, never an error."""
+    db = Path(shutil.copy(part, tmp_path / "c.db"))
+    process = started(*ingest_command(db, library))
+    with Catalog.open(db, read_only=True) as catalog:
+        counts = []
+        while process.poll() is None:
+            counts.append(len(catalog.devices()))
+        counts.append(len(catalog.devices()))
+    process.communicate()
+    assert counts == sorted(counts)
+    assert counts[-1] > counts[0]
+    assert_completed_by_running_again(db, expected, library)
+
+
+def test_a_lock_file_that_a_killed_ingest_left_is_no_obstacle(tmp_path, library, expected):
+    (tmp_path / "c.db-ingest").write_bytes(b"")
+    assert_completed_by_running_again(tmp_path / "c.db", expected, library)
+
+
+# Interrupts.
+
+
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+@pytest.mark.parametrize("whom", ["group", "parent"])
+@pytest.mark.parametrize(
+    "seconds", [0.4, pytest.param(0.2, marks=pytest.mark.faults), pytest.param(0.6, marks=pytest.mark.faults)]
+)
+def test_an_interrupt_is_one_line_and_leaves_nobody(tmp_path, library, expected, number, code, whom, seconds):
+    db = tmp_path / "c.db"
+    process = started(*ingest_command(db, library))
+    with suppress(subprocess.TimeoutExpired):
+        process.wait(seconds)
+    workers = children(process)
+    if process.poll() is None:
+        os.killpg(process.pid, number) if whom == "group" else process.send_signal(number)
+    said = process.communicate()[1]
+    if process.returncode == code:
+        assert [line for line in said.splitlines() if line] == [
+            "esicatalog: interrupted; nothing stored before is lost, run it again to go on"
+        ]
+    else:
+        # Before Python has begun the command, or after its end.
+        assert process.returncode in (0, 1, -number, 130)
+    assert all_end(workers)
+    assert_consistent(db)
+    assert_completed_by_running_again(db, expected, library)
+
+
+def test_workers_end_when_nobody_reads_their_answers(tmp_path, library):
+    process = started(*ingest_command(tmp_path / "c.db", library))
+    while process.poll() is None and not children(process):
+        time.sleep(0.01)
+    workers = children(process)
+    process.kill()
+    process.communicate()
+    assert workers
+    assert all_end(workers)
+    assert not any(map(is_alive, workers))
+
+
+# Damage.
+
+
+def header(content: bytearray) -> None:
+    content[16:40] = b"\xff" * 24
+
+
+def magic(content: bytearray) -> None:
+    content[:16] = bytes(16)
+
+
+def zeros_in_the_middle(content: bytearray) -> None:
+    middle = len(content) // 2
+    content[middle : middle + 100_000] = bytes(100_000)
+
+
+def noise_in_the_middle(content: bytearray) -> None:
+    middle = len(content) // 3
+    content[middle : middle + 100_000] = random.Random(SEED).randbytes(100_000)
+
+
+def schema_page(content: bytearray) -> None:
+    content[100:4096] = random.Random(SEED).randbytes(3996)
+
+
+def truncated(content: bytearray) -> None:
+    del content[len(content) // 2 :]
+
+
+def one_page(content: bytearray) -> None:
+    del content[4096:]
+
+
+def nothing(content: bytearray) -> None:
+    content.clear()
+
+
+def text(content: bytearray) -> None:
+    content[:] = b"This is a letter to the editor.\n" * 400
+
+
+DAMAGE = [header, magic, zeros_in_the_middle, noise_in_the_middle, schema_page, truncated, one_page, nothing, text]
+COMMANDS = [
+    *READING,
+    ("devices", "--text", "T1"),
+    ("devices", "--maps", "0x7000"),
+    ("identify", "0x101", "2", "1", "--format", "json"),
+    ("export", "esi", "0x101:2:1"),
+    ("export", "igh", "0x101:2:1"),
+    ("lint",),
+    ("ingest", "{library}", "--jobs", "1"),
+]
+
+
+def quietly(*words: object):
+    """A command in this process; a traceback of it is an error of the test."""
+    return CliRunner().invoke(cli, [str(word) for word in words], catch_exceptions=False)
+
+
+@pytest.mark.parametrize("damage", DAMAGE, ids=lambda function: function.__name__)
+def test_a_damaged_catalog_is_named_by_every_command(tmp_path, whole, library, damage):
+    """Some commands need only what is whole: they may answer; none says more than one line, none fails otherwise."""
+    db = tmp_path / "c.db"
+    refused = []
+    for words in COMMANDS:
+        content = bytearray(whole.read_bytes())
+        damage(content)
+        db.write_bytes(content)
+        result = quietly(*(word.format(library=library) for word in words), "--db", db)
+        assert result.exit_code in (0, 1, 2), words
+        if result.exit_code == 2:
+            refused.append(words[0])
+            (line,) = result.stderr.splitlines()
+            assert line.startswith(f"esicatalog: {db}: ")
+            assert any(hint in line for hint in ("ingest", "name another", "damaged")), line
+    assert "check" in refused or damage in (zeros_in_the_middle, noise_in_the_middle)
+    content = bytearray(whole.read_bytes())
+    damage(content)
+    db.write_bytes(content)
+    assert quietly("check", "--db", db).exit_code in (1, 2)
+
+
+@pytest.mark.parametrize("number", [*range(6), 9, *(pytest.param(n, marks=pytest.mark.faults) for n in range(10, 60))])
+def test_bytes_overwritten_anywhere_never_end_in_a_traceback(tmp_path, whole, number):
+    print(f"ESICATALOG_SEED={SEED}")
+    chosen = random.Random(f"{SEED} {number}")
+    content = bytearray(whole.read_bytes())
+    for _ in range(chosen.choice([1, 10, 200])):
+        at = chosen.randrange(len(content))
+        content[at] = chosen.randrange(256)
+    db = tmp_path / "c.db"
+    db.write_bytes(content)
+    for words in COMMANDS[:-1]:
+        result = quietly(*words, "--db", db)
+        assert result.exit_code in (0, 1, 2), (words, result.output)
+
+
+@pytest.mark.parametrize("column", ["names", "alternative_types"])
+def test_a_value_that_is_no_json_is_damage(tmp_path, whole, column):
+    db = Path(shutil.copy(whole, tmp_path / "c.db"))
+    with closing(sqlite3.connect(db)) as connection:
+        connection.execute(f"UPDATE devices SET {column} = '{{'")
+        connection.commit()
+    result = quietly("show", "0x101:2:1", "--db", db)
+    (line,) = result.stderr.splitlines()
+    assert (result.exit_code, "damaged; delete it and ingest again" in line) == (2, True)
+
+
+@pytest.mark.parametrize("suffix", ["-journal", "-wal", "-shm"])
+@pytest.mark.parametrize("content", [b"", b"\0" * 4096, b"noise" * 3000], ids=["empty", "zeros", "noise"])
+def test_files_left_beside_a_catalog_do_not_harm_it(tmp_path, whole, suffix, content):
+    """What SQLite finds to be no journal of its own is ignored."""
+    db = Path(shutil.copy(whole, tmp_path / "c.db"))
+    db.with_name(f"c.db{suffix}").write_bytes(content)
+    with Catalog.open(db) as catalog:
+        assert catalog.check().problems == []
+
+
+@pytest.mark.parametrize("words", [*READING[:5], ("check",), ("lint",)], ids=lambda words: words[0])
+@pytest.mark.parametrize("kind", ["missing", "older", "newer", "foreign", "folder", "two versions"])
+def test_what_is_no_catalog_of_this_version_is_one_line(tmp_path, whole, kind, words):
+    db = Path(shutil.copy(whole, tmp_path / "c.db"))
+    hint = make_unusable(db, kind)
+    result = quietly(*words, "--db", db)
+    assert result.exit_code == 2
+    (line,) = result.stderr.splitlines()
+    assert line.startswith(f"esicatalog: {db}: ")
+    assert hint in line
+
+
+@pytest.mark.parametrize("kind", ["missing", "older", "newer", "foreign", "folder", "two versions"])
+def test_serve_refuses_what_is_no_catalog_of_this_version(tmp_path, whole, kind):
+    db = Path(shutil.copy(whole, tmp_path / "c.db"))
+    hint = make_unusable(db, kind)
+    assert hint in one_line(run("serve", "--db", db, "--port", "0"))
+
+
+def make_unusable(db: Path, kind: str) -> str:
+    """Change a catalog so; returns what has to be said then."""
+    statement, hint = {
+        "older": ("UPDATE alembic_version SET version_num = '0001'", "upgrade it with: esicatalog migrate --db"),
+        "newer": ("UPDATE alembic_version SET version_num = '9999'", "use that version or ingest into a new catalog"),
+        "two versions": ("INSERT INTO alembic_version VALUES ('0001')", "delete it and ingest again"),
+        "foreign": ("DROP TABLE alembic_version", "other tables than a catalog's; name another one"),
+    }.get(kind, (None, ""))
+    if statement is not None:
+        with closing(sqlite3.connect(db)) as connection:
+            connection.execute(statement)
+            connection.commit()
+        return hint
+    db.unlink()
+    if kind == "folder":
+        db.mkdir()
+        return "the file or its folder cannot be opened"
+    return "make one with: esicatalog ingest PATH --db"
