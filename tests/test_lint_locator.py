@@ -85,6 +85,20 @@ def test_lines_beyond_what_libxml2_counts():
     assert line in (70_001, 70_002)
 
 
+def test_the_elements_are_asked_for_once():
+    content = esi(device() + device(revision="#x2")).encode()
+    asked = []
+
+    def tree():
+        asked.append(1)
+        return DocumentTree(parse_document(content).root)
+
+    found = Locator(Reader().read(content).document, tree)
+    for number in range(2):
+        found.position(("infos", 0, "devices", number))
+    assert asked == [1]
+
+
 def test_nothing_to_report_asks_for_no_tree():
     def tree():
         raise AssertionError("parsed again")

@@ -4,7 +4,7 @@ Records carry no lines, so the parsed document is asked, and only when there is 
 """
 
 from collections.abc import Callable
-from functools import cache
+from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 from lxml import etree
@@ -52,8 +52,12 @@ class Locator:
 
     def __init__(self, document: Document, tree: Tree) -> None:
         self._document = document
-        self._tree = tree
+        self._make_tree = tree
         self._known: dict[Place, _Known] = {}
+
+    @cached_property
+    def _tree(self) -> DocumentTree:
+        return self._make_tree()
 
     def position(self, place: Place) -> Position:
         """Path and line of a place; of the nearest element around it where the document has none there."""
@@ -68,7 +72,7 @@ class Locator:
 
     def _root(self) -> _Known:
         record_type = _ROOTS[self._document.root]
-        return _Known(self._document, _fields(record_type), self._document.root, self._tree().root, True)
+        return _Known(self._document, _fields(record_type), self._document.root, self._tree.root, True)
 
     def _step(self, place: Place) -> _Known:
         if place == _SECTION and (record_type := _ROOTS[self._document.root]) in _SINGLE_SECTION:
@@ -89,7 +93,7 @@ class Locator:
         fields = _fields(type(value)) if isinstance(value, Record) else {}
         if around.exact and field.many:
             for holder in around.element.iterfind(path.rpartition("/")[0] or "."):
-                self._tree().unfold(holder)
+                self._tree.unfold(holder)
         elements = _nth(path)(around.element, number=(position or 0) + 1) if around.exact else ()
         for element in elements:
             return _Known(value, fields, shown, element, True)
