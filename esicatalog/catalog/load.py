@@ -13,6 +13,16 @@ from esicatalog.errors import CatalogError
 
 _INDEXES_PENDING = "indexes_pending"
 _CACHE_KB = 32_768
+_USED_WHILE_LOADING = frozenset(
+    {
+        ("device_sources", "device_id"),
+        ("device_names", "device_id"),
+        ("hidden_revisions", "device_id"),
+        ("source_vendors", "vendor_id"),
+        ("vendor_names", "vendor_id"),
+    }
+)
+"""Every commit looks things up by these."""
 
 
 def prepare_load(connection: sa.Connection) -> None:
@@ -32,7 +42,8 @@ def prepare_load(connection: sa.Connection) -> None:
     if is_empty and connection.dialect.name == "sqlite":
         write_state(connection, _INDEXES_PENDING, "1")
         for index in secondary_indexes():
-            connection.execute(sa.schema.DropIndex(index, if_exists=True))
+            if (index.table.name, index.columns[0].name) not in _USED_WHILE_LOADING:  # type: ignore[union-attr]
+                connection.execute(sa.schema.DropIndex(index, if_exists=True))
     connection.commit()
     if is_empty:
         _enforce_foreign_keys(connection, False)

@@ -153,15 +153,18 @@ def _number_variants(connection: sa.Connection, identities: Iterable[tuple[Any, 
         columns.content_hash,
     )
     groups: dict[Any, list[Any]] = defaultdict(list)
-    products = {group[1] for group in wanted}
-    conditions = [columns.product_code.in_(part) for part in chunks(sorted(p for p in products if p is not None))]
-    if None in products:
-        conditions.append(columns.product_code.is_(None))
-    for condition in conditions:
-        for row in connection.execute(query.where(condition)):
-            group = variant_group(row.vendor_id, row.product_code, row.revision_no, row.type)
-            if group in wanted:
-                groups[group].append(row)
+    products: dict[int | None, set[int | None]] = defaultdict(set)
+    for vendor_id, product_code, *_ in wanted:
+        products[vendor_id].add(product_code)
+    for vendor_id, codes in products.items():
+        conditions = [columns.product_code.in_(part) for part in chunks(sorted(c for c in codes if c is not None))]
+        if None in codes:
+            conditions.append(columns.product_code.is_(None))
+        for condition in conditions:
+            for row in connection.execute(query.where(columns.vendor_id == vendor_id, condition)):
+                group = variant_group(row.vendor_id, row.product_code, row.revision_no, row.type)
+                if group in wanted:
+                    groups[group].append(row)
     changes: list[tuple[int, int]] = []
     for rows in groups.values():
         rows.sort(key=lambda r: (bool(r.recovered), -r.element_count, -(r.file_version or 0), r.content_hash))

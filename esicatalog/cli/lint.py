@@ -213,8 +213,6 @@ class _Run:
 
     def _document(self, found: "Found", shown: str) -> "list[Finding]":
         from esicatalog.esi.containers import resolve_reference
-        from esicatalog.esi.documents import parse_document
-        from esicatalog.esi.tree import DocumentTree
         from esicatalog.lint.library import device_facts
 
         container = self._container(found)
@@ -223,7 +221,7 @@ class _Run:
         if pulled is None:
             read, tree = self._reader.read_tree(content, found.name, container)
         else:
-            read, tree = pulled.document, lambda: DocumentTree(parse_document(content).root)
+            read, tree = pulled.document, lambda: self._reader.read_tree(content)[1]()
         tree = _once(tree)
         self.document_count += 1
         findings = self._linter.document(

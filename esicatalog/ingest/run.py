@@ -23,7 +23,9 @@ Progress = Callable[[DocumentLine, int, int], None]
 """Called after every document: its line, documents done, documents in all."""
 
 _COMMIT_SECONDS = 1.0
-"""What a killed ingest has to read again at most; a commit costs the work of putting the catalog in order."""
+"""Between commits: what a killed ingest has to read again."""
+_COMMIT_SHARE = 10
+"""A commit puts all vendors and devices that were met in order: the larger the catalog, the rarer it is worth that."""
 _MOST_GATHERED_BYTES = 16_000_000
 """Documents that wait to be written together: they wait as rows, which take a multiple of their size."""
 
@@ -93,7 +95,9 @@ def _write(
         writer.archive_begun(location)
     writer.commit()
     incomplete: set[str] = set()
-    for batch in _file_batches(outcomes) if connection.dialect.name == "sqlite" else _server_batches(outcomes):
+    pace = _Pace()
+    batches = _file_batches if connection.dialect.name == "sqlite" else _server_batches
+    for batch in batches(outcomes, pace):
         for outcome in batch:
             item = plan.todo[outcome.number]
             if outcome.status == "failed" and outcome.sha256 is None and item.problem is None:
@@ -103,7 +107,8 @@ def _write(
             else:
                 archive = item.root if item.is_archive else None
                 tell(_store(writer, item.location, item.member, archive, outcome))
-        writer.commit()
+        with pace.measured():
+            writer.commit()
     for location, sha256 in plan.archives.items():
         # A document that could not be read, because its process was killed for instance, is tried again next time.
         if location not in incomplete:
@@ -112,14 +117,28 @@ def _write(
     return lines
 
 
-def _file_batches(outcomes: Iterator[Outcome]) -> Iterator[Iterable[Outcome]]:
+class _Pace:
+    """How long documents are gathered before a commit."""
+
+    def __init__(self) -> None:
+        self.seconds = _COMMIT_SECONDS
+
+    @contextmanager
+    def measured(self) -> Iterator[None]:
+        """Around a commit: however long it takes, most of the time goes into documents."""
+        started = time.monotonic()
+        yield
+        self.seconds = max(_COMMIT_SECONDS, _COMMIT_SHARE * (time.monotonic() - started))
+
+
+def _file_batches(outcomes: Iterator[Outcome], pace: _Pace) -> Iterator[Iterable[Outcome]]:
     """Outcomes by commit, each handed on when it comes: nobody else writes into the file."""
     for first in outcomes:
-        yield _for_a_while(first, outcomes)
+        yield _for_a_while(first, outcomes, pace)
 
 
-def _for_a_while(first: Outcome, following: Iterator[Outcome]) -> Iterator[Outcome]:
-    until = time.monotonic() + _COMMIT_SECONDS
+def _for_a_while(first: Outcome, following: Iterator[Outcome], pace: _Pace) -> Iterator[Outcome]:
+    until = time.monotonic() + pace.seconds
     yield first
     while time.monotonic() < until:
         outcome = next(following, None)
@@ -128,11 +147,11 @@ def _for_a_while(first: Outcome, following: Iterator[Outcome]) -> Iterator[Outco
         yield outcome
 
 
-def _server_batches(outcomes: Iterator[Outcome]) -> Iterator[Iterable[Outcome]]:
+def _server_batches(outcomes: Iterator[Outcome], pace: _Pace) -> Iterator[Iterable[Outcome]]:
     """Outcomes by commit, handed on together: others write meanwhile, and wait only while these are written."""
     for first in outcomes:
         gathered, byte_count = [first], first.byte_count or 0
-        until = time.monotonic() + _COMMIT_SECONDS
+        until = time.monotonic() + pace.seconds
         while time.monotonic() < until and byte_count < _MOST_GATHERED_BYTES:
             outcome = next(outcomes, None)
             if outcome is None:

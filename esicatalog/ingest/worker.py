@@ -20,9 +20,7 @@ from esicatalog.catalog.rows import RowMaker
 from esicatalog.errors import DocumentError, EsiCatalogError, NotAnEsiDocument
 from esicatalog.esi.containers import Archive, Container, Folder, resolve_reference
 from esicatalog.esi.content import sha256_hex
-from esicatalog.esi.documents import parse_document
 from esicatalog.esi.reader import Reader
-from esicatalog.esi.tree import DocumentTree
 from esicatalog.ingest.tasks import Answer, Outcome, Task
 from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
 from esicatalog.lint.linter import Linter
@@ -65,7 +63,8 @@ class DocumentWorker:
             if pulled is None:
                 read, tree = self._reader.read_tree(content, task.member, container)
             else:
-                read, tree = pulled.document, lambda: DocumentTree(parse_document(container.read(task.member)).root)
+                # Read again where lint has something to tell of it: its parts are known by now.
+                read, tree = pulled.document, lambda: self._reader.read_tree(container.read(task.member))[1]()
             findings = self._linter.document(
                 read, tree, lambda name: resolve_reference(container, task.member, name) is not None
             )
