@@ -38,8 +38,6 @@ _CACHED: frozenset[type] = frozenset({DataType, Flags, Object, Pdo})
 """Records that repeat from device to device and from revision to revision, or within one."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
 _MAX_STANDALONE = 1_000
-_COUNTED_LINES = 65_535
-"""libxml2 keeps the line of an element in 16 bits; beyond, it goes by the texts around, which must not be cut out."""
 
 
 class ReadDocument(msgspec.Struct, frozen=True):
@@ -88,11 +86,8 @@ class Reader:
             parsed = parse_as_it_is(cut.content)
             if parsed is not None:
                 read = self._read(parsed, Notes(self._cache, OWNERS, len(content), cut), member, container)
-                has_exact_lines = content.count(b"\n") < _COUNTED_LINES
-                if cut.is_complete and (has_exact_lines or not read.findings):
-                    if has_exact_lines:
-                        return read, DocumentTree(parsed.root, cut).itself
-                    return read, lambda: DocumentTree(parse_document(content).root)
+                if cut.is_complete:
+                    return read, DocumentTree(parsed.root, cut).itself
         parsed = parse_document(content)
         read = self._read(parsed, Notes(self._cache, OWNERS, len(content)), member, container)
         return read, DocumentTree(parsed.root).itself

@@ -99,8 +99,12 @@ class Cut:
         return self._mark(kind, new)
 
     def placeholder(self, kind: _Kind, run: list[_Known]) -> bytes:
-        """An element for a run of known parts, as many lines long as they are: lines of findings stay right."""
-        return kind.part_opening + self._mark(kind, run) + b"/>" + b"\n" * sum(known.line_count for known in run)
+        """An element for a run of known parts, as many lines long as they are: lines of findings stay right.
+
+        It holds a text, because that is where libxml2 keeps lines above 65535.
+        """
+        blank_lines = b"\n" * sum(known.line_count for known in run)
+        return kind.part_opening + self._mark(kind, run) + b">." + kind.part_closing + blank_lines
 
     def _mark(self, kind: _Kind, part: _New | list[_Known]) -> bytes:
         self._marks.append((kind, part))
@@ -123,24 +127,40 @@ class Cut:
 
     def count(self, element: etree._Element) -> int:
         """How many elements of the document an element of the cut one stands for."""
-        number = element.get(_MARK)
-        part = self._marks[int(number)][1] if number is not None else None
-        return len(part) if isinstance(part, list) else 1
+        return len(self._run(element)) or 1
 
     def unfold(self, around: etree._Element) -> None:
-        """Put the elements that were cut out back into a list of parts, each with its line."""
+        """Put the elements that were cut out back into a list of parts."""
         for element in list(around):
-            number = element.get(_MARK)
-            kind, run = self._marks[int(number)] if number is not None else (_TYPES, None)
-            if not isinstance(run, list):
-                continue
-            text = b"".join(item.words + kind.part_closing for item in run)
-            inside = etree.fromstring(b"<list>" + text + b"</list>", make_parser(encoding=self.encoding))
-            lines_before = (element.sourceline or 1) - 1
-            for item in inside.iter():
-                item.sourceline = (item.sourceline or 1) + lines_before  # type: ignore[misc]
-            at = around.index(element)
-            around[at : at + 1] = list(inside)
+            at, run = around.index(element), self._run(element)
+            if run:
+                around[at : at + 1] = [self._parsed(element, number) for number in range(len(run))]
+
+    def part(self, around: etree._Element, number: int) -> etree._Element | None:
+        """Element ``number`` of a list of parts, with its lines; one that was cut out stands alone."""
+        for element in around:
+            run = self._run(element)
+            if number < len(run or "1"):
+                return self._parsed(element, number) if run else element
+            number -= len(run or "1")
+        return None
+
+    def _run(self, element: etree._Element) -> list[_Known]:
+        """The parts that an element stands for; empty for an element that was not cut out."""
+        number = element.get(_MARK)
+        part = self._marks[int(number)][1] if number is not None else None
+        return part if isinstance(part, list) else []
+
+    def _parsed(self, element: etree._Element, number: int) -> etree._Element:
+        run = self._run(element)
+        kind = self._marks[int(element.get(_MARK) or 0)][0]
+        lines_before = (element.sourceline or 1) - 1 + sum(known.line_count for known in run[:number])
+        text = run[number].words.lstrip()
+        blank_lines = run[number].words[: -len(text)].count(b"\n")
+        # Lines are counted by the parser, which knows more of them than an element can be given.
+        return etree.fromstring(
+            b"\n" * (lines_before + blank_lines) + text + kind.part_closing, make_parser(encoding=self.encoding)
+        )
 
     def learn(self, record_type: type, new: _New, record: Any, element: etree._Element) -> None:
         """Remember what a new part means, unless names in it depend on where it stands."""

@@ -1,5 +1,6 @@
 """The elements of a document that was read: asked for what records do not carry, lines and the order of children."""
 
+from itertools import islice
 from typing import NamedTuple
 
 from lxml import etree
@@ -17,13 +18,13 @@ class DocumentTree(NamedTuple):
         """The tree: what gives it when it needs no work."""
         return self
 
-    def unfold(self, around: etree._Element) -> None:
-        """Make sure that the children of an element are all there."""
-        if self.cut is not None and around.tag in LISTS:
-            self.cut.unfold(around)
+    def part(self, around: etree._Element, number: int) -> etree._Element | None:
+        """Child ``number`` of an element of :data:`LISTS`."""
+        return self.cut.part(around, number) if self.cut is not None else next(islice(around, number, None), None)
 
     def whole(self) -> etree._Element:
         """The root, with everything below it as the document has it."""
-        for around in list(self.root.iter(*LISTS)):
-            self.unfold(around)
+        if self.cut is not None:
+            for around in list(self.root.iter(*LISTS)):
+                self.cut.unfold(around)
         return self.root

@@ -11,6 +11,7 @@ from lxml import etree
 
 from esicatalog.esi.binding import Field, Record, fields_of
 from esicatalog.esi.records.document import DiagInfo, DictInfo, Document, EsiInfo, InfoList, ModuleInfo
+from esicatalog.esi.repeats import LISTS
 from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.registry import Place
 
@@ -91,13 +92,17 @@ class Locator:
             shown += f"[{position}]" if len(value) > 1 else ""
             value = value[position]
         fields = _fields(type(value)) if isinstance(value, Record) else {}
-        if around.exact and field.many:
-            for holder in around.element.iterfind(path.rpartition("/")[0] or "."):
-                self._tree.unfold(holder)
-        elements = _nth(path)(around.element, number=(position or 0) + 1) if around.exact else ()
-        for element in elements:
+        element = self._element(around.element, path, position or 0) if around.exact else None
+        if element is not None:
             return _Known(value, fields, shown, element, True)
         return _Known(value, fields, shown, around.element, False)
+
+    def _element(self, around: etree._Element, path: str, position: int) -> etree._Element | None:
+        holder = path.rpartition("/")[0]
+        if holder in LISTS:
+            found = around.find(holder)
+            return self._tree.part(found, position) if found is not None else None
+        return next(iter(_nth(path)(around, number=position + 1)), None)
 
 
 def _line(element: etree._Element) -> int:
