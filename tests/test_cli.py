@@ -361,3 +361,14 @@ def test_every_command_explains_itself():
 def test_the_catalog_comes_from_the_environment(data_db, monkeypatch):
     monkeypatch.setenv("ESICATALOG_DB", str(data_db))
     assert run("check").exit_code == 0
+
+
+def test_a_profile_of_an_ingest_accounts_for_all_stages(tmp_path, data):
+    done = run("ingest", data, "--profile", "--format", "json", db=tmp_path / "c.db")
+    profile = json.loads(done.stdout)["profile"]
+    assert list(profile) == ["read", "parse", "extract", "lint", "rows", "transfer", "write", "order", "index", "start"]
+    assert all(seconds >= 0 for seconds in profile.values())
+    assert profile["extract"] > 0 and profile["write"] > 0
+    again = run("ingest", data, "--profile", db=tmp_path / "c.db")
+    assert [line.split()[0] for line in again.stderr.splitlines()[1:]] == list(profile)
+    assert "profile" not in json.loads(run("ingest", data, "--format", "json", db=tmp_path / "c.db").stdout)

@@ -28,6 +28,7 @@ from esicatalog.catalog.turns import take_turn
 from esicatalog.errors import CatalogError
 from esicatalog.esi.content import digest
 from esicatalog.esi.records.document import Vendor
+from esicatalog.esi.stages import Stages
 
 _NO_VENDOR = (None,) * len(codec(Vendor).columns)
 
@@ -63,10 +64,14 @@ class SourceRow:
 
 
 class Writer:
-    """Stores documents on one connection; ``reader_version`` marks what was read by which version."""
+    """Stores documents on one connection; ``reader_version`` marks what was read by which version.
 
-    def __init__(self, connection: sa.Connection, reader_version: str) -> None:
+    ``stages`` learns how long writing takes.
+    """
+
+    def __init__(self, connection: sa.Connection, reader_version: str, stages: Stages | None = None) -> None:
         self._connection = connection
+        self._stages = stages or Stages()
         self._reader_version = reader_version
         self._buffer = RowBuffer(connection)
         self._keys = {
@@ -204,13 +209,16 @@ class Writer:
 
     def commit(self) -> None:
         """Write what is queued, put variants and vendors in order, commit: the turn ends."""
-        self._buffer.flush()
-        if self._dropped and collect_garbage(self._connection, self._affected):
-            self._look_up()
-        self._dropped = False
-        settle(self._connection, self._affected)
-        self._affected = Affected()
-        self._connection.commit()
+        with self._stages("write"):
+            self._buffer.flush()
+        with self._stages("order"):
+            if self._dropped and collect_garbage(self._connection, self._affected):
+                self._look_up()
+            self._dropped = False
+            settle(self._connection, self._affected)
+            self._affected = Affected()
+        with self._stages("write"):
+            self._connection.commit()
         self._is_writing = False
 
     def _add_vendor(self, vendor_id: int | None) -> None:

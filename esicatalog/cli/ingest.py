@@ -2,6 +2,7 @@
 
 import contextlib
 import gc
+import os
 import signal
 import sys
 import time
@@ -25,9 +26,10 @@ _PLAIN_LINE_SECONDS = 2.0
 @db_option
 @click.option("--jobs", type=click.IntRange(1), help="Worker processes; 1 = none.  [default: one a core]")
 @click.option("--prune", is_flag=True, help="Remove what the given folders no longer hold.")
+@click.option("--profile", is_flag=True, help="Say how much processor time each stage took.")
 @format_option("table", "json")
 @reporting_errors
-def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, output_format: str) -> None:
+def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, profile: bool, output_format: str) -> None:
     """Read ESI files, folders (recursively) and zip archives into the catalog.
 
     Unchanged documents are skipped. Exit code 1 when a document failed.
@@ -43,9 +45,11 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, outp
     # The process is about to end: searching all that it holds for cycles would be in vain.
     gc.freeze()
     if output_format == "json":
-        print_json(report.as_json())
+        print_json(report.as_json() | ({"profile": _profile(report)} if profile else {}))
     else:
         _print_summary(report, db)
+        if profile:
+            _print_profile(report)
     if report.counts["failed"]:
         sys.exit(EXIT_NO)
 
@@ -99,3 +103,22 @@ def _print_summary(report: "IngestReport", db: str) -> None:
         f"{counts['skipped']} skipped, {counts['failed']} failed; "
         f"{report.devices} devices, {report.modules} modules in {report.seconds:.1f} s -> {shown_target(db)}"
     )
+
+
+def _profile(report: "IngestReport") -> dict[str, float]:
+    """Processor seconds by stage, and the rest of this process and its workers."""
+    from esicatalog.esi.stages import STAGES
+
+    rest = max(0.0, sum(os.times()[:4]) - sum(report.profile.values()))
+    return {stage: round(report.profile.get(stage, 0.0), 3) for stage in STAGES} | {"start": round(rest, 3)}
+
+
+def _print_profile(report: "IngestReport") -> None:
+    from esicatalog.esi.stages import STAGES
+
+    seconds = _profile(report)
+    total = sum(seconds.values()) or 1.0
+    click.echo(f"processor time of all processes: {total:.2f} s", err=True)
+    for stage, spent in seconds.items():
+        words = STAGES.get(stage, "start of the processes, imports, planning, all else")
+        click.echo(f"{stage:9} {spent:7.2f} s  {spent / total:4.0%}  {words}", err=True)

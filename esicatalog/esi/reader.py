@@ -29,6 +29,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.repeats import Repeats
+from esicatalog.esi.stages import Stages
 from esicatalog.esi.tree import DocumentTree
 
 OWNERS: frozenset[type] = frozenset({Device, Module})
@@ -56,9 +57,13 @@ class Pulled(NamedTuple):
 
 
 class Reader:
-    """Reads documents; keeps repeated subtrees and external documents for the next one."""
+    """Reads documents; keeps repeated subtrees and external documents for the next one.
 
-    def __init__(self) -> None:
+    ``stages`` learns how long parsing takes.
+    """
+
+    def __init__(self, stages: Stages | None = None) -> None:
+        self._stages = stages or Stages()
         self._cache = SubtreeCache(_CACHED)
         self._repeats = Repeats(DataType, Object)
         self._standalone: dict[str, ReadDocument] = {}
@@ -81,14 +86,15 @@ class Reader:
         self, content: bytes, member: str = "", container: Container | None = None
     ) -> tuple[ReadDocument, Callable[[], DocumentTree]]:
         """:meth:`read`, and what gives the elements of the document."""
-        cut = self._repeats.cut(content)
-        if cut is not None:
-            parsed = parse_as_it_is(cut.content)
-            if parsed is not None:
-                read = self._read(parsed, Notes(self._cache, OWNERS, len(content), cut), member, container)
-                if cut.is_complete:
-                    return read, DocumentTree(parsed.root, cut).itself
-        parsed = parse_document(content)
+        with self._stages("parse"):
+            cut = self._repeats.cut(content)
+            parsed = parse_as_it_is(cut.content) if cut is not None else None
+        if cut is not None and parsed is not None:
+            read = self._read(parsed, Notes(self._cache, OWNERS, len(content), cut), member, container)
+            if cut.is_complete:
+                return read, DocumentTree(parsed.root, cut).itself
+        with self._stages("parse"):
+            parsed = parse_document(content)
         read = self._read(parsed, Notes(self._cache, OWNERS, len(content)), member, container)
         return read, DocumentTree(parsed.root).itself
 

@@ -69,7 +69,10 @@ class Pool:
                 raise outcome
             self._waiting_bytes -= len(outcome)
             self._changed.notify_all()
-        return _decode_outcome(outcome)
+        started = time.thread_time()
+        decoded = _decode_outcome(outcome)
+        decoded.seconds["transfer"] = decoded.seconds.get("transfer", 0.0) + time.thread_time() - started
+        return decoded
 
     def _put(self, outcome: bytes) -> None:
         with self._changed:

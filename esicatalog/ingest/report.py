@@ -1,6 +1,7 @@
 """What an ingest did, document by document."""
 
 from collections import Counter
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 
@@ -20,6 +21,8 @@ class IngestReport(NamedTuple):
 
     documents: list[DocumentLine]
     seconds: float
+    profile: Mapping[str, float] = {}
+    """Processor time by stage (:data:`~esicatalog.esi.stages.STAGES`), of all processes together."""
 
     @property
     def counts(self) -> dict[str, int]:

@@ -13,6 +13,7 @@ from esicatalog.catalog.database import database_error, sqlite_path
 from esicatalog.catalog.load import end_load, finish_load, prepare_load
 from esicatalog.catalog.lock import only_writer
 from esicatalog.catalog.writer import SourceRow, Writer
+from esicatalog.esi.stages import Stages
 from esicatalog.ingest.plan import Held, HeldDocument, Plan, make_plan
 from esicatalog.ingest.reading import Reading
 from esicatalog.ingest.report import DocumentLine, IngestReport
@@ -45,19 +46,22 @@ def ingest(
     before stays.
     """
     started = time.monotonic()
+    stages = Stages()
     try:
         with only_writer(sqlite_path(engine.url)), engine.connect() as connection, _without_cycle_search():
             try:
                 held = _read_held(connection)
                 plan = reading.plan or reading.start(make_plan(paths, held, prune))
                 prepare_load(connection)
-                lines = _write(connection, plan, reading.outcomes, held, progress)
-                finish_load(connection, changed=not plan.is_empty)
+                lines = _write(connection, plan, reading.outcomes, held, progress, stages)
+                with stages("index"):
+                    finish_load(connection, changed=not plan.is_empty)
             finally:
                 end_load(connection)
     except sa.exc.DBAPIError as error:
         raise database_error(str(engine.url.database), error) from error
-    return IngestReport(sorted(lines, key=lambda line: line.path), time.monotonic() - started)
+    lines.sort(key=lambda line: line.path)
+    return IngestReport(lines, time.monotonic() - started, stages.seconds)
 
 
 @contextmanager
@@ -73,7 +77,12 @@ def _without_cycle_search() -> Iterator[None]:
 
 
 def _write(
-    connection: sa.Connection, plan: Plan, outcomes: Iterator[Outcome], held: Held, progress: Progress | None
+    connection: sa.Connection,
+    plan: Plan,
+    outcomes: Iterator[Outcome],
+    held: Held,
+    progress: Progress | None,
+    stages: Stages,
 ) -> list[DocumentLine]:
     """Store the outcomes of a plan; returns the lines of all documents."""
     lines: list[DocumentLine] = []
@@ -87,7 +96,7 @@ def _write(
         tell(line)
     if plan.is_empty:
         return lines
-    writer = Writer(connection, __version__)
+    writer = Writer(connection, __version__, stages)
     for location in plan.gone:
         writer.forget(location)
     writer.commit()
@@ -99,6 +108,7 @@ def _write(
     batches = _file_batches if connection.dialect.name == "sqlite" else _server_batches
     for batch in batches(outcomes, pace):
         for outcome in batch:
+            stages.add(outcome.seconds)
             item = plan.todo[outcome.number]
             if outcome.status == "failed" and outcome.sha256 is None and item.problem is None:
                 incomplete.add(item.root)
@@ -106,7 +116,9 @@ def _write(
                 tell(held.documents[item.location].unchanged_line())
             else:
                 archive = item.root if item.is_archive else None
-                tell(_store(writer, item.location, item.member, archive, outcome))
+                with stages("write"):
+                    line = _store(writer, item.location, item.member, archive, outcome)
+                tell(line)
         with pace.measured():
             writer.commit()
     for location, sha256 in plan.archives.items():

@@ -33,6 +33,8 @@ class Outcome(msgspec.Struct):
     sha256: str | None = None
     byte_count: int | None = None
     rows: DocumentRows | None = None
+    seconds: dict[str, float] = {}
+    """Processor time by stage."""
 
 
 class Answer(msgspec.Struct):

@@ -21,6 +21,7 @@ from esicatalog.errors import DocumentError, EsiCatalogError, NotAnEsiDocument
 from esicatalog.esi.containers import Archive, Container, Folder, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.reader import Reader
+from esicatalog.esi.stages import Stages
 from esicatalog.ingest.tasks import Answer, Outcome, Task
 from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
 from esicatalog.lint.linter import Linter
@@ -39,36 +40,47 @@ class DocumentWorker:
     """Turns tasks into outcomes; keeps the last containers and the content it has seen."""
 
     def __init__(self) -> None:
-        self._reader = Reader()
+        self.stages = Stages()
+        self._reader = Reader(self.stages)
         self._linter = Linter()
         self._rows = RowMaker()
         self._opened: dict[tuple[str, tuple[str, ...]], tuple[Container, ReferenceHashes]] = {}
 
     def handle(self, task: Task) -> Outcome:
         """Read one document; whatever is wrong with it becomes the outcome's status and message."""
+        outcome = self._handle(task)
+        outcome.seconds = self.stages.take()
+        return outcome
+
+    def _handle(self, task: Task) -> Outcome:
+        stages = self.stages
         try:
-            container, hashes = self._container(task)
-            pulled = self._reader.pulled(container, task.member)
-            content = container.read(task.member) if pulled is None else b""
+            with stages("read"):
+                container, hashes = self._container(task)
+                pulled = self._reader.pulled(container, task.member)
+                content = container.read(task.member) if pulled is None else b""
+                sha256, byte_count = (sha256_hex(content), len(content)) if pulled is None else pulled[:2]
         except EsiCatalogError as error:
             return Outcome(task.number, "failed", str(error))
         except MemoryError:
             return Outcome(task.number, "failed", "needs more memory than a document may take")
-        sha256, byte_count = (sha256_hex(content), len(content)) if pulled is None else pulled[:2]
         outcome = Outcome(task.number, "stored", None, sha256, byte_count)
         if task.known is not None and is_unchanged(task.known, sha256, task.member, hashes):
             outcome.status = "unchanged"
             return outcome
         try:
-            if pulled is None:
-                read, tree = self._reader.read_tree(content, task.member, container)
-            else:
-                # Read again where lint has something to tell of it: its parts are known by now.
-                read, tree = pulled.document, lambda: self._reader.read_tree(container.read(task.member))[1]()
-            findings = self._linter.document(
-                read, tree, lambda name: resolve_reference(container, task.member, name) is not None
-            )
-            outcome.rows = self._rows.document(read, findings)
+            with stages("extract"):
+                if pulled is None:
+                    read, tree = self._reader.read_tree(content, task.member, container)
+                else:
+                    # Read again where lint has something to tell of it: its parts are known by now.
+                    read, tree = pulled.document, lambda: self._reader.read_tree(container.read(task.member))[1]()
+            with stages("lint"):
+                findings = self._linter.document(
+                    read, tree, lambda name: resolve_reference(container, task.member, name) is not None
+                )
+            with stages("rows"):
+                outcome.rows = self._rows.document(read, findings)
             if outcome.rows.recovered is not None:
                 outcome.status, outcome.message = "recovered", outcome.rows.recovered
         except NotAnEsiDocument as error:
@@ -152,7 +164,10 @@ def main() -> None:
     encode = msgspec.msgpack.Encoder().encode
     while (request := read_frame(sys.stdin.buffer.read)) is not None:
         _end_after(_LONGEST_SECONDS)
-        write_frame(answers, encode(Answer.to(worker.handle(decode(request)))))
+        outcome = worker.handle(decode(request))
+        with worker.stages("transfer"):  # told with the next document
+            answer = encode(Answer.to(outcome))
+        write_frame(answers, answer)
         _end_after(0)
 
 
