@@ -234,3 +234,13 @@ def test_no_bytes_break_the_reader(content):
             read(document)
         except DocumentError as error:
             assert "\n" not in str(error)
+
+
+def test_lines_beyond_what_libxml2_counts():
+    """The line of a Device is that of its start tag, however long the document and whatever stands around it."""
+    far = "<!-- <Device> -->\n<Device\n Physics='>'\n><Type ProductCode='#x2'\n>T</Type></Device>"
+    text = esi(device("\n" * 70_000) + far + "\n" + device(revision="#x3"))
+    ends = [text.index("Physics='>'\n>") + len("Physics='>'\n"), text.rindex("<Device ")]
+    expected = [text.count("\n", 0, end) + 1 for end in ends]
+    assert expected[0] > 70_000
+    assert read(text).document.device_lines == ((1, *expected),)

@@ -12,6 +12,7 @@ from esicatalog.esi.binding import Record, read_record
 from esicatalog.esi.containers import Container, Folder, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.documents import ParsedDocument, parse_as_it_is, parse_document
+from esicatalog.esi.lines import lines_of
 from esicatalog.esi.notes import Finding, Notes, SubtreeCache
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import Diagnostics
@@ -90,15 +91,18 @@ class Reader:
             cut = self._repeats.cut(content)
             parsed = parse_as_it_is(cut.content) if cut is not None else None
         if cut is not None and parsed is not None:
-            read = self._read(parsed, Notes(self._cache, OWNERS, len(content), cut), member, container)
+            notes = Notes(self._cache, OWNERS, len(content), cut)
+            read = self._read(parsed, cut.content, notes, member, container)
             if cut.is_complete:
                 return read, DocumentTree(parsed.root, cut).itself
         with self._stages("parse"):
             parsed = parse_document(content)
-        read = self._read(parsed, Notes(self._cache, OWNERS, len(content)), member, container)
+        read = self._read(parsed, content, Notes(self._cache, OWNERS, len(content)), member, container)
         return read, DocumentTree(parsed.root).itself
 
-    def _read(self, parsed: ParsedDocument, notes: Notes, member: str, container: Container | None) -> ReadDocument:
+    def _read(
+        self, parsed: ParsedDocument, content: bytes, notes: Notes, member: str, container: Container | None
+    ) -> ReadDocument:
         if parsed.recovered:
             notes.findings.append(Finding("L01", "E", parsed.recovered, parsed.error_line))
         if parsed.root.tag == "EtherCATDict":
@@ -107,9 +111,8 @@ class Reader:
             diag = read_record(DiagInfo, parsed.root, notes)
             return _result(parsed, notes, schema_version=diag.schema_version, diag_messages=diag.diag_messages)
         elements, infos = _sections(parsed.root, notes)
-        lines = _lines(elements, "Descriptions/Devices/Device"), _lines(elements, "Descriptions/Modules/Module")
-        if parsed.root.tag == "EtherCATModule":
-            lines = lines[0], _lines(elements, "Modules/Module")
+        modules = "Modules/Module" if parsed.root.tag == "EtherCATModule" else "Descriptions/Modules/Module"
+        lines = _lines(elements, "Descriptions/Devices/Device", content), _lines(elements, modules, content)
         references: list[Reference] = []
         if container is not None:
             pull = _Puller(self, container, member, notes, references)
@@ -166,8 +169,11 @@ def _sections(root: etree._Element, notes: Notes) -> tuple[list[etree._Element],
     return [root], [read_record(EsiInfo, root, notes)]
 
 
-def _lines(elements: list[etree._Element], path: str) -> tuple[tuple[int, ...], ...]:
-    return tuple(tuple(item.sourceline or 0 for item in element.iterfind(path)) for element in elements)
+def _lines(sections: list[etree._Element], path: str, content: bytes) -> tuple[tuple[int, ...], ...]:
+    """Lines of the elements at a path below each section."""
+    found = [section.findall(path) for section in sections]
+    lines = iter(lines_of([element for elements in found for element in elements], content))
+    return tuple(tuple(next(lines) for _ in elements) for elements in found)
 
 
 def _result(parsed: ParsedDocument, notes: Notes, **fields: Any) -> ReadDocument:
