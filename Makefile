@@ -41,7 +41,7 @@ lint: install
 	$(BIN)/lint-imports
 
 test-corpus: install
-	ESICATALOG_CORPUS=$(CORPUS) $(BIN)/python -m pytest -m corpus
+	ESICATALOG_CORPUS=$(CORPUS) $(BIN)/python -m pytest -n auto --dist loadfile -m corpus
 
 # Looks for inputs that are answered neither with a result nor with a named error, FUZZ_SECONDS for each target.
 fuzz: install
