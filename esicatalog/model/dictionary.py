@@ -323,24 +323,7 @@ def _traits(member_flags: Flags | None, type_name: str | None, types: Mapping[st
 def _entry(member: _Member, values: DeclaredValues | None, traits: _Traits) -> ObjectEntry:
     default, minimum, maximum = _values(values, member.sub_item, traits.base)
     display = (values.display_names if values is not None else ()) or member.display_names
-    if default is minimum is maximum:
-        # Most entries have none of these; leaving them out makes an entry in half the time.
-        return ObjectEntry(
-            subindex=member.subindex,
-            name=member.name,
-            data_type=member.type,
-            base_type=traits.base_name,
-            bit_size=member.bit_size,
-            bit_offset=member.bit_offset,
-            access=traits.access,
-            access_word=traits.access_word,
-            category=traits.category,
-            pdo_mapping=traits.pdo_mapping,
-            safety_mapping=traits.safety_mapping,
-            unit=values.unit if values is not None else None,
-            display_name=display_text(display),
-        )
-    return ObjectEntry(
+    entry = ObjectEntry(
         subindex=member.subindex,
         name=member.name,
         data_type=member.type,
@@ -352,6 +335,13 @@ def _entry(member: _Member, values: DeclaredValues | None, traits: _Traits) -> O
         category=traits.category,
         pdo_mapping=traits.pdo_mapping,
         safety_mapping=traits.safety_mapping,
+        unit=values.unit if values is not None else None,
+        display_name=display_text(display),
+    )
+    if default is minimum is maximum:
+        return entry
+    return msgspec.structs.replace(
+        entry,
         default_raw=default.raw,
         default_kind=default.kind,
         default_int=default.number,
@@ -361,8 +351,6 @@ def _entry(member: _Member, values: DeclaredValues | None, traits: _Traits) -> O
         min_real=minimum.real,
         max_int=maximum.number,
         max_real=maximum.real,
-        unit=values.unit if values is not None else None,
-        display_name=display_text(display),
     )
 
 
