@@ -70,7 +70,7 @@ def becomes_a_device(path: Path) -> None:
         (becomes_a_pipe, "not a regular file"),
         (becomes_a_device, "not a regular file"),
         (becomes_a_folder, "cannot be read"),
-        (becomes_huge, "larger than 64 MB"),
+        (becomes_huge, "larger than 256 MB"),
         (lambda path: os.truncate(path, 0), "the file is empty"),
     ],
 )

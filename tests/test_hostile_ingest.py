@@ -210,7 +210,7 @@ ARCHIVES = {
         "failed",
         "another method than deflate",
     ),
-    "oversized.zip": Case(lambda: announcing(70_000_000, member("a.xml")), "failed", "larger than 64 MB"),
+    "oversized.zip": Case(lambda: announcing(270_000_000, member("a.xml")), "failed", "larger than 256 MB"),
     "understated.zip": Case(lambda: announcing(20, member("a.xml")), "failed", "cannot be unpacked"),
     "encrypted.zip": Case(lambda: encrypted(member("a.xml")), "failed", "encrypted"),
     "directory.zip": Case(large_directory, "failed", "directory is too large"),
@@ -231,13 +231,13 @@ def write_cases(folder: Path) -> None:
     with pytest.warns(UserWarning, match="Duplicate name"):
         content = members([("a.xml", b"first"), ("a.xml", esi(device()).encode())])
     (folder / "twice.zip").write_bytes(content)
-    with (folder / "200-mb.xml").open("wb") as stream:
+    with (folder / "300-mb.xml").open("wb") as stream:
         stream.write(b"<EtherCATInfo>")
-        stream.truncate(200 * 2**20)
+        stream.truncate(300 * 2**20)
 
 
 FILES = {
-    "200-mb.xml": ("failed", "larger than 64 MB"),
+    "300-mb.xml": ("failed", "larger than 256 MB"),
     "twice.zip!a.xml": ("stored", None),
     "twice.zip!a.xml (earlier)": ("failed", "another member has the same name"),
     "pipe.xml": ("skipped", "not a regular file"),

@@ -73,7 +73,7 @@ def test_words_find_the_same(corpus_db, corpus_url):
     asked += [word[chosen.randrange(len(word)) :][: chosen.randint(1, 6)] for word in words[:SEARCHED]]
     here, there = (answers(target, (), asked) for target in (corpus_db, corpus_url))
     assert here == there
-    assert sum(map(bool, here.values())) > SEARCHED
+    assert sum(map(bool, here.values())) > SEARCHED // 2
 
 
 def test_identities_are_answered_the_same(corpus_db, corpus_url, identities):

@@ -15,8 +15,9 @@ from typing import Protocol
 
 from esicatalog.errors import BrokenDocument, InputError
 
-MAX_DOCUMENT_BYTES = 64 * 1024 * 1024
-"""Largest document that is read, and largest archive inside another; real ESI files end at about 4 MB."""
+MAX_DOCUMENT_BYTES = 256 * 1024 * 1024
+"""Largest document that is read, and largest archive inside another. Real ESI files end at about 10 MB; all devices of
+a large vendor in one document, as ``export esi --vendor`` writes them, are 120."""
 MAX_MEMBERS = 100_000
 MAX_EXPANDED_BYTES = 8 * 1024**3
 """Of all members of an archive together."""
