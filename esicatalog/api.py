@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from esicatalog.export.verification import Verification
     from esicatalog.ingest.report import IngestReport
     from esicatalog.ingest.run import Progress
+    from esicatalog.lint.registry import Rule
+    from esicatalog.lint.report import DocumentFinding
     from esicatalog.scan.records import Scan, ScannedDictionary, ScannedPdos
     from esicatalog.sii.image import SiiImage
 
@@ -222,6 +224,13 @@ class Catalog:
     def content_hash(self) -> str | None:
         """SHA-256 of what the catalog holds, as the last ingest stored it; None while one is under way."""
         return self._identities().content_hash()
+
+    def findings(self, rules: "Iterable[Rule]") -> "Iterator[DocumentFinding]":
+        """What an ingest found by these rules, document by document, then what documents contradict each other in."""
+        from esicatalog.catalog.stored_findings import stored_findings
+
+        with self._connection() as connection:
+            yield from stored_findings(connection, rules)
 
     def check(self) -> "CheckResult":
         """Verify the database, its references and the stored content hash."""

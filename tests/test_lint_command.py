@@ -3,8 +3,10 @@
 import io
 import json
 import re
+import sqlite3
 import zipfile
 from collections import Counter
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -174,6 +176,18 @@ def test_findings_stored_in_a_catalog(tmp_path):
     assert [(item["file"], item["rule"], item["severity"]) for item in items] == [("a.xml", "L06", "E")] * 2
     assert run("--db", db).exit_code == 1
     assert run("--db", tmp_path / "missing.db").exit_code == 2
+
+
+def test_a_damaged_finding_is_one_line(tmp_path):
+    db = tmp_path / "catalog.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([FILES / "L45.bad.xml"], jobs=1)
+    with closing(sqlite3.connect(db)) as connection:
+        connection.execute("UPDATE findings SET message = CAST(x'FF' AS TEXT)")
+        connection.commit()
+    result = run("--db", db)
+    assert result.exit_code == 2
+    assert re.fullmatch(r"esicatalog: .*damaged.*\n", result.stderr)
 
 
 def test_an_ingest_stores_what_lint_says(tmp_path):

@@ -118,15 +118,10 @@ def _print_summary(shown: "list[Finding]", run: "_Run | None") -> None:
 
 
 def _stored(db: str, rules: "Sequence[Rule]") -> "Iterator[DocumentFinding]":
-    from esicatalog.catalog.database import open_catalog
-    from esicatalog.catalog.stored_findings import stored_findings
+    from esicatalog.api import Catalog
 
-    engine = open_catalog(db, read_only=True)
-    try:
-        with engine.connect() as connection:
-            yield from stored_findings(connection, rules)
-    finally:
-        engine.dispose()
+    with Catalog.open(db, read_only=True) as catalog:
+        yield from catalog.findings(rules)
 
 
 def _documents(item: "Found | FoundArchive") -> "Iterable[Found]":
