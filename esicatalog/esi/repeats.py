@@ -140,9 +140,9 @@ class Cut:
         """Element ``number`` of a list of parts, with its lines; one that was cut out stands alone."""
         for element in around:
             run = self._run(element)
-            if number < len(run or "1"):
+            if number < self.count(element):
                 return self._parsed(element, number) if run else element
-            number -= len(run or "1")
+            number -= self.count(element)
         return None
 
     def _run(self, element: etree._Element) -> list[_Known]:

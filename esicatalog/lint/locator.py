@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from lxml import etree
 
 from esicatalog.esi.binding import Field, Record, fields_of
+from esicatalog.esi.lines import LAST_COUNTED
 from esicatalog.esi.records.document import DiagInfo, DictInfo, Document, EsiInfo, InfoList, ModuleInfo
 from esicatalog.esi.repeats import LISTS
 from esicatalog.esi.tree import DocumentTree
@@ -27,7 +28,6 @@ _ROOTS: dict[str, type[Record]] = {
 }
 _SECTION: Place = ("infos", 0)
 """What the root itself is, in documents of these roots."""
-_LAST_COUNTED = 65535
 _SINGLE_SECTION = (EsiInfo, ModuleInfo)
 
 
@@ -107,11 +107,11 @@ class Locator:
 
 def _line(element: etree._Element) -> int:
     line = element.sourceline or 0
-    if line != _LAST_COUNTED:
+    if line != LAST_COUNTED:
         return line
     # libxml2 counts to 65535 where it cannot ask a text: the nearest element around it that knows more.
     around = (item.sourceline or 0 for item in element.iterancestors())
-    return next((line for line in around if line > _LAST_COUNTED), _LAST_COUNTED)
+    return next((line for line in around if line > LAST_COUNTED), LAST_COUNTED)
 
 
 @cache
