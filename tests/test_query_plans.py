@@ -124,6 +124,12 @@ def test_a_filter_alone(engine, name, data):
     check(engine, DeviceFilter(**{name: data.draw(FILTERS[name])}))
 
 
+@pytest.mark.parametrize("bits", [None, 1, 16, 32])
+@pytest.mark.parametrize("index", [0x6040, 0x7000, 0x60B2, 0x6064])
+def test_evidence_of_mappings_begins_with_the_devices_found(engine, index, bits):
+    check(engine, DeviceFilter(maps=((index, None),), bits=bits))
+
+
 @settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(wanted=filters())
 def test_filters_together(engine, wanted):

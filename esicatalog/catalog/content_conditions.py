@@ -80,16 +80,18 @@ def maps(mapped: Mapped, bits: int | None) -> Condition:
             pdos.c.sm,
         )
         fits = _entry_fits(tested(pdo_entries.c.entry_index), mapped, bits)
+        # From the devices to their PDOs to the entries: a planner that takes entries for few would begin with all.
+        of_pdo = pdo_entries.c.pdo_id == tested(pdos.c.id)
         own = (
             sa.select(pdos.c.device_id, sa.null(), *columns)
-            .join(pdo_entries, pdo_entries.c.pdo_id == pdos.c.id)
+            .join(pdo_entries, of_pdo)
             .where(*fits, pdos.c.device_id.in_(ids))
         )
         modular = (
             sa.select(_LINKS.device_id, modules.module_ident, *columns)
             .join(pdos, pdos.c.module_id == _LINKS.module_id)
             .join(schema.modules, modules.id == _LINKS.module_id)
-            .join(pdo_entries, pdo_entries.c.pdo_id == pdos.c.id)
+            .join(pdo_entries, of_pdo)
             .where(*fits, _LINKS.device_id.in_(ids))
         )
         for number, module, *facts in connection.execute(own.union_all(modular)):
