@@ -19,7 +19,16 @@ from esicatalog.catalog.device_filter import IDENTIFICATIONS, MODES, PROTOCOLS, 
 from esicatalog.catalog.search import conditions, device_query, find_devices
 from esicatalog.identity import Bounds, Identity
 
-ONE_ROW_A_DEVICE = {"devices", "device_facts", "mailboxes", "dc_modes", "profiles", "profile_channels", "vendor_names"}
+ONE_ROW_A_DEVICE = {
+    "devices",
+    "vendors",
+    "device_facts",
+    "mailboxes",
+    "dc_modes",
+    "profiles",
+    "profile_channels",
+    "vendor_names",
+}
 """Tables that may be read from end to end: about one short row a device, or fewer."""
 OF_FOUND = ONE_ROW_A_DEVICE | {"pdos", "modules", "device_modules", "drive_modes"}
 """Evidence of half of all devices may read these from end to end: that is what it is about."""
