@@ -73,8 +73,7 @@ class DocumentWorker:
                 if pulled is None:
                     read, tree = self._reader.read_tree(content, task.member, container)
                 else:
-                    # Read again where lint has something to tell of it: its parts are known by now.
-                    read, tree = pulled.document, lambda: self._reader.read_tree(container.read(task.member))[1]()
+                    read, tree = pulled.document, pulled.tree
             with stages("lint"):
                 findings = self._linter.document(
                     read, tree, lambda name: resolve_reference(container, task.member, name) is not None
