@@ -18,6 +18,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.cia402 import AXIS_STEP, CIA402, DRIVE_MODES, MODES_OF_OPERATION, DriveMode, named_modes
 from esicatalog.model.dictionary import type_table
+from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.drive_evidence import (
     MAX_AXES,
     NO,
@@ -68,11 +69,18 @@ class DriveModes(Record):
     verdicts: tuple[DriveModeVerdict, ...] = ()
 
 
-def drive_modes(device: Device, modules: Sequence[Module] = ()) -> DriveModes:
-    """Findings and verdicts for a device with the modules its slots can reach."""
+def drive_modes(device: Device, modules: Sequence[Module] = (), views: DictionaryViews | None = None) -> DriveModes:
+    """Findings and verdicts for a device with the modules its slots can reach.
+
+    ``views`` knows dictionaries that were looked at before.
+    """
+    views = views or DictionaryViews()
+    drives = [module for module in modules if may_be_drive(module, 1, views)]
+    if not drives and not may_be_drive(device, MAX_AXES, views):
+        return DriveModes(verdicts=tuple(_other_systems(device)))
     own = _device_parts(device)
     is_own_drive = any(map(has_cia402, own))
-    plugged = _module_parts(device, [m for m in modules if is_own_drive or may_be_drive(m.profiles, m.rx_pdos)])
+    plugged = _module_parts(device, modules if is_own_drive else drives)
     default_idents = {item.module.module_ident for item in default_modules(device, modules)} if plugged else set()
     groups = _configurations(own, plugged)
     evidence: list[ModeEvidence] = []
