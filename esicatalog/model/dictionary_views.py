@@ -1,12 +1,14 @@
 """Dictionaries looked at as a whole: objects by index, resolved when asked for; equal ones are looked at once."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
 
 from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.model.dictionary import ObjectEntry, ResolvedObject, resolve_object, type_table, used_types
 from esicatalog.model.memo import IdentityMemo, identities
 
 EntriesBySubindex = Mapping[int, ObjectEntry]
+Result = TypeVar("Result")
 
 _MAX_VIEWS = 500
 _MAX_RESOLVED = 4_000
@@ -52,6 +54,14 @@ class DictionaryView:
                 self.by_index.setdefault(declared.object_index, declared)
         self._resolver = resolver
         self._entries: dict[int, EntriesBySubindex] = {}
+        self._results: dict[Any, Any] = {}
+
+    def once(self, function: Callable[["DictionaryView"], Result]) -> Result:
+        """What a function gives for this view; it is called once."""
+        if function not in self._results:
+            self._results[function] = function(self)
+        result: Result = self._results[function]
+        return result
 
     def entries(self, index: int) -> EntriesBySubindex | None:
         """Entries of an object by subindex, None when the dictionary has no such object."""

@@ -19,7 +19,6 @@ HIGH, MEDIUM = "high", "medium"
 NOT_A_STATEMENT = "not a safety statement"
 
 _MAX_PDOS = 20_000
-_MAX_DICTIONARIES = 500
 
 _SAFETY_OBJECTS = (0xF980, 0xE901, 0xE600, 0xE700)
 _SAFETY_ADD_INFOS = (190, 290, 1904)
@@ -47,7 +46,6 @@ class FsoeSigns:
     def __init__(self, views: DictionaryViews) -> None:
         self._views = views
         self._of_pdo: IdentityMemo[_Signs] = IdentityMemo(_MAX_PDOS)
-        self._of_dictionary: IdentityMemo[_Signs] = IdentityMemo(_MAX_DICTIONARIES)
 
     def evidence(self, device: Device, modules: Sequence[Module] = ()) -> FsoeEvidence | None:
         """The first sign of the highest level, of the device before its modules."""
@@ -87,8 +85,7 @@ class FsoeSigns:
         return self._of_pdo.get(id(pdo), pdo, _pdo_signs, pdo)
 
     def _dictionary(self, dictionary: Dictionary) -> _Signs:
-        view = self._views.view(dictionary)
-        return self._of_dictionary.get(id(view), view, _dictionary_signs, view)
+        return self._views.view(dictionary).once(_dictionary_signs)
 
 
 def _pdo_signs(pdo: Pdo) -> _Signs:
