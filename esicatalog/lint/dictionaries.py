@@ -1,11 +1,12 @@
 """Objects as the rules see them: resolved only where a rule has to look at their entries."""
 
 from collections.abc import Sequence
-from functools import cached_property
 
-from esicatalog.esi.records.dictionary import DeclaredValues, Object, SubItem
+from esicatalog.esi.records.dictionary import DeclaredValues, InfoSubItem, Object, SubItem
 from esicatalog.model.dictionary import ObjectEntry, ResolvedObject
 from esicatalog.model.dictionary_views import Resolver, TypeSet
+
+_Pairs = Sequence[tuple[InfoSubItem, SubItem]]
 
 
 class ObjectSubject:
@@ -15,66 +16,61 @@ class ObjectSubject:
         self.declared = declared
         self.types = types
         self._resolver = resolver
+        data_type = types.by_name.get(declared.type or "")
+        self._sub_items: Sequence[SubItem] = data_type.sub_items if data_type is not None else ()
+        self._pairs = self._paired() if declared.info_sub_items and self._sub_items else None
+        self._resolved: ResolvedObject | None = None
+        self._with_values: Sequence[ObjectEntry] | None = None
 
-    @cached_property
+    @property
     def resolved(self) -> ResolvedObject:
         """The object with its entries."""
-        return self._resolver.resolve(self.declared, self.types)
+        if self._resolved is None:
+            self._resolved = self._resolver.resolve(self.declared, self.types)
+        return self._resolved
 
-    @cached_property
+    @property
+    def is_paired(self) -> bool:
+        """Whether every SubItem of Info has the name of one SubItem of the type, each another one."""
+        return self._pairs is not None
+
+    @property
     def with_values(self) -> Sequence[ObjectEntry]:
         """The entries that have a default, but none where nothing about the values can be wrong.
 
-        Most objects have no values, a number without limits, or in every SubItem a default of its length: they need
-        not be resolved.
+        Most objects have no values, numbers without limits, or defaults as long as their SubItems: they need not be
+        resolved.
         """
-        if self.values_fit or self._values_are_harmless:
-            return ()
-        return [entry for entry in self.resolved.entries if entry.default_raw is not None]
+        if self._with_values is None:
+            entries = () if self._values_are_harmless() else self.resolved.entries
+            self._with_values = [entry for entry in entries if entry.default_raw is not None]
+        return self._with_values
 
-    @cached_property
-    def _sub_items(self) -> Sequence[SubItem]:
-        data_type = self.types.by_name.get(self.declared.type or "")
-        return data_type.sub_items if data_type is not None else ()
-
-    @cached_property
-    def values_fit(self) -> bool:
-        """Whether Info names every SubItem in order, each with nothing but a default of its length."""
-        return self._names_all and all(
-            sub_item.bit_size is not None and info.default_value is None and _is_harmless(info, sub_item.bit_size)
-            for info, sub_item in zip(self.declared.info_sub_items, self._sub_items, strict=True)
-        )
-
-    @cached_property
-    def is_paired(self) -> bool:
-        """Whether Info names every SubItem in order, and none of these stands for the elements of an array."""
-        return self._names_all and not any(self._is_array(sub_item.type) for sub_item in self._sub_items)
-
-    @cached_property
-    def _names_all(self) -> bool:
+    def _paired(self) -> _Pairs | None:
+        """Values with the SubItems they belong to where names tell it: not among the elements of an array."""
         infos, sub_items = self.declared.info_sub_items, self._sub_items
-        return len(infos) == len(sub_items) > 0 and all(
-            info.name == sub_item.name for info, sub_item in zip(infos, sub_items, strict=True)
-        )
+        by_name = {sub_item.name: sub_item for sub_item in sub_items}
+        pairs = {info.name: (info, by_name[info.name]) for info in infos if info.name in by_name}
+        if len(pairs) < len(infos) or len(by_name) < len(sub_items):
+            return None
+        return None if any(self._is_array(sub_item.type) for sub_item in sub_items) else list(pairs.values())
 
     def _is_array(self, type_name: str | None) -> bool:
         data_type = self.types.by_name.get(type_name or "")
         return data_type is not None and bool(data_type.array_infos)
 
-    @property
     def _values_are_harmless(self) -> bool:
-        declared, sub_items = self.declared, self._sub_items
-        infos = declared.info_sub_items
-        if not sub_items:
-            return not infos and _is_harmless(declared, declared.bit_size)
-        if not all(_is_harmless(sub_item) for sub_item in sub_items):
+        declared = self.declared
+        if not self._sub_items:
+            return not declared.info_sub_items and _is_harmless(declared, declared.bit_size)
+        if not all(_is_harmless(sub_item, None) for sub_item in self._sub_items):
             return False
-        if self.is_paired:
-            return all(map(_is_harmless, infos, (sub_item.bit_size for sub_item in sub_items)))
-        return all(map(_is_harmless, infos))
+        if self._pairs is not None:
+            return all(_is_harmless(info, sub_item.bit_size) for info, sub_item in self._pairs)
+        return all(_is_harmless(info, None) for info in declared.info_sub_items)
 
 
-def _is_harmless(values: DeclaredValues | SubItem, bit_size: int | None = None) -> bool:
+def _is_harmless(values: DeclaredValues | SubItem, bit_size: int | None) -> bool:
     """Whether there are neither limits nor a text, and bytes only as many as a known size asks for."""
     data = values.default_data
     return (

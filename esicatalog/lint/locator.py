@@ -55,6 +55,7 @@ class Locator:
         self._document = document
         self._make_tree = tree
         self._known: dict[Place, _Known] = {}
+        self._listed: dict[tuple[etree._Element, str], list[etree._Element]] = {}
 
     @cached_property
     def _tree(self) -> DocumentTree:
@@ -102,7 +103,11 @@ class Locator:
         if holder in LISTS:
             found = around.find(holder)
             return self._tree.part(found, position) if found is not None else None
-        return next(iter(_nth(path)(around, number=position + 1)), None)
+        elements = self._listed.get((around, path))
+        if elements is None:
+            elements = around.findall(path) if "/" in path else list(around.iterchildren(path))
+            self._listed[around, path] = elements
+        return elements[position] if position < len(elements) else None
 
 
 def _line(element: etree._Element) -> int:
@@ -112,12 +117,6 @@ def _line(element: etree._Element) -> int:
     # libxml2 counts to 65535 where it cannot ask a text: the nearest element around it that knows more.
     around = (item.sourceline or 0 for item in element.iterancestors())
     return next((line for line in around if line > LAST_COUNTED), LAST_COUNTED)
-
-
-@cache
-def _nth(path: str) -> etree.XPath:
-    """Looks up one of the elements at a path; faster than listing all."""
-    return etree.XPath(f"({path})[$number]")
 
 
 @cache

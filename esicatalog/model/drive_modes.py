@@ -336,7 +336,7 @@ def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
             enumeration = types.get(sub_item.type or "")
             for item in enumeration.enum_infos if enumeration is not None else ():
                 text = display_text(item.texts) or ""
-                for mode in named_modes(text):
+                for mode in sorted(named_modes(text)):
                     found.setdefault(mode, (declared.object_index or 0, mode, text))
     return found
 
