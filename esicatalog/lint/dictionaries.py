@@ -1,6 +1,6 @@
 """Objects as the rules see them: resolved only where a rule has to look at their entries."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from esicatalog.esi.records.dictionary import DeclaredValues, InfoSubItem, Object, SubItem
 from esicatalog.model.dictionary import ObjectEntry, ResolvedObject
@@ -47,36 +47,56 @@ class ObjectSubject:
         return self._with_values
 
     def _paired(self) -> _Pairs | None:
-        """Values with the SubItems they belong to where names tell it: not among the elements of an array."""
+        """Values with the SubItems that they belong to, where names alone tell it."""
         infos, sub_items = self.declared.info_sub_items, self._sub_items
         by_name = {sub_item.name: sub_item for sub_item in sub_items}
         pairs = {info.name: (info, by_name[info.name]) for info in infos if info.name in by_name}
         if len(pairs) < len(infos) or len(by_name) < len(sub_items):
             return None
-        return None if any(self._is_array(sub_item.type) for sub_item in sub_items) else list(pairs.values())
+        if any(map(self._is_expanded, sub_items)) and not (len(pairs) == len(by_name) and _fit(pairs.values())):
+            return None
+        return list(pairs.values())
 
-    def _is_array(self, type_name: str | None) -> bool:
-        data_type = self.types.by_name.get(type_name or "")
+    def _is_expanded(self, sub_item: SubItem) -> bool:
+        """Whether a SubItem may stand for all elements of an array."""
+        data_type = self.types.by_name.get(sub_item.type or "")
         return data_type is not None and bool(data_type.array_infos)
 
     def _values_are_harmless(self) -> bool:
         declared = self.declared
         if not self._sub_items:
             return not declared.info_sub_items and _is_harmless(declared, declared.bit_size)
-        if not all(_is_harmless(sub_item, None) for sub_item in self._sub_items):
+        if not all(map(_says_nothing, self._sub_items)):
             return False
         if self._pairs is not None:
             return all(_is_harmless(info, sub_item.bit_size) for info, sub_item in self._pairs)
         return all(_is_harmless(info, None) for info in declared.info_sub_items)
 
 
-def _is_harmless(values: DeclaredValues | SubItem, bit_size: int | None) -> bool:
-    """Whether there are neither limits nor a text, and bytes only as many as a known size asks for."""
+def _fit(pairs: Iterable[tuple[InfoSubItem, SubItem]]) -> bool:
+    """Whether nothing but bytes is given, as many as each SubItem has: then one stands for one."""
+    return all(
+        info.default_value is None and sub_item.bit_size is not None and _is_harmless(info, sub_item.bit_size)
+        for info, sub_item in pairs
+    )
+
+
+def _says_nothing(sub_item: SubItem) -> bool:
+    """Whether a SubItem of a type has no values of its own, as it should."""
+    return not _has_default(sub_item) and sub_item.min_value is None and sub_item.max_value is None
+
+
+def _has_default(values: DeclaredValues | SubItem) -> bool:
+    return bool(values.default_data) or values.default_value is not None or values.default_string is not None
+
+
+def _is_harmless(values: DeclaredValues, bit_size: int | None) -> bool:
+    """Whether there is no default, or one without limits: a number, or as many bytes as a known size asks for."""
     data = values.default_data
-    return (
+    return not _has_default(values) or (
         (not data or (bit_size is not None and len(data) == 2 * ((bit_size + 7) // 8)))
         and values.default_string is None
         and values.min_value is None
         and values.max_value is None
-        and (isinstance(values, SubItem) or not (values.min_data or values.max_data))
+        and not (values.min_data or values.max_data)
     )
