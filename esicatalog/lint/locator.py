@@ -12,7 +12,6 @@ from lxml import etree
 from esicatalog.esi.binding import Field, Record, fields_of
 from esicatalog.esi.lines import LAST_COUNTED
 from esicatalog.esi.records.document import DiagInfo, DictInfo, Document, EsiInfo, InfoList, ModuleInfo
-from esicatalog.esi.repeats import LISTS
 from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.registry import Place
 
@@ -98,11 +97,9 @@ class Locator:
         return _Known(value, fields, shown, around.element, False)
 
     def _element(self, around: etree._Element, path: str, position: int) -> etree._Element | None:
-        holder = path.rpartition("/")[0]
-        if holder in LISTS:
-            found = around.find(holder)
-            return self._tree.part(found, position) if found is not None else None
-        return next(iter(_nth(path)(around, number=position + 1)), None)
+        holders, _, tag = path.rpartition("/")
+        holder = around.find(holders) if holders else around
+        return self._tree.child(holder, tag, position) if holder is not None else None
 
 
 def _line(element: etree._Element) -> int:
@@ -112,12 +109,6 @@ def _line(element: etree._Element) -> int:
     # libxml2 counts to 65535 where it cannot ask a text: the nearest element around it that knows more.
     around = (item.sourceline or 0 for item in element.iterancestors())
     return next((line for line in around if line > LAST_COUNTED), LAST_COUNTED)
-
-
-@cache
-def _nth(path: str) -> etree.XPath:
-    """Looks up one of the elements at a path; faster than listing all."""
-    return etree.XPath(f"({path})[$number]")
 
 
 @cache
