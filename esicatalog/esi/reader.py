@@ -13,10 +13,10 @@ from esicatalog.esi.containers import Container, Folder, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.documents import ParsedDocument, parse_as_it_is, parse_document
 from esicatalog.esi.lines import lines_of
-from esicatalog.esi.notes import Finding, Notes, SubtreeCache
+from esicatalog.esi.notes import Finding, Notes
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import Diagnostics
-from esicatalog.esi.records.dictionary import DataType, Dictionary, Flags, Object
+from esicatalog.esi.records.dictionary import DataType, Dictionary, Flags, InfoSubItem, Object, SubItem
 from esicatalog.esi.records.document import (
     DiagInfo,
     DictInfo,
@@ -27,7 +27,7 @@ from esicatalog.esi.records.document import (
     Reference,
 )
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.repeats import Repeats
 from esicatalog.esi.stages import Stages
@@ -36,8 +36,8 @@ from esicatalog.esi.tree import DocumentTree
 OWNERS: frozenset[type] = frozenset({Device, Module})
 """Records that keep the unmapped values found below them."""
 
-_CACHED: frozenset[type] = frozenset({DataType, Flags, Object, Pdo})
-"""Records that repeat from device to device and from revision to revision, or within one."""
+_REPEATED = (DataType, SubItem, Object, InfoSubItem, Flags, Pdo, Entry)
+"""Records of parts that repeat from device to device and from revision to revision."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
 _MAX_STANDALONE = 1_000
 _MAX_TREES_BYTES = 8_000_000
@@ -69,8 +69,7 @@ class Reader:
 
     def __init__(self, stages: Stages | None = None) -> None:
         self._stages = stages or Stages()
-        self._cache = SubtreeCache(_CACHED)
-        self._repeats = Repeats(DataType, Object)
+        self._repeats = Repeats(_REPEATED)
         self._standalone: dict[str, ReadDocument] = {}
         self._trees = _Trees()
         self._pulled: dict[tuple[int, str], tuple[Container, Pulled]] = {}
@@ -96,13 +95,12 @@ class Reader:
             cut = self._repeats.cut(content)
             parsed = parse_as_it_is(cut.content) if cut is not None else None
         if cut is not None and parsed is not None:
-            notes = Notes(self._cache, OWNERS, len(content), cut)
-            read = self._read(parsed, cut.content, notes, member, container)
+            read = self._read(parsed, cut.content, Notes(OWNERS, cut), member, container)
             if cut.is_complete:
                 return read, DocumentTree(parsed.root, cut).itself
         with self._stages("parse"):
             parsed = parse_document(content)
-        read = self._read(parsed, content, Notes(self._cache, OWNERS, len(content)), member, container)
+        read = self._read(parsed, content, Notes(OWNERS), member, container)
         return read, DocumentTree(parsed.root).itself
 
     def _read(

@@ -12,7 +12,6 @@ from lxml import etree
 from esicatalog.esi.binding import Field, Record, fields_of
 from esicatalog.esi.lines import LAST_COUNTED
 from esicatalog.esi.records.document import DiagInfo, DictInfo, Document, EsiInfo, InfoList, ModuleInfo
-from esicatalog.esi.repeats import LISTS
 from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.registry import Place
 
@@ -55,7 +54,6 @@ class Locator:
         self._document = document
         self._make_tree = tree
         self._known: dict[Place, _Known] = {}
-        self._listed: dict[tuple[etree._Element, str], list[etree._Element]] = {}
 
     @cached_property
     def _tree(self) -> DocumentTree:
@@ -99,15 +97,9 @@ class Locator:
         return _Known(value, fields, shown, around.element, False)
 
     def _element(self, around: etree._Element, path: str, position: int) -> etree._Element | None:
-        holder = path.rpartition("/")[0]
-        if holder in LISTS:
-            found = around.find(holder)
-            return self._tree.part(found, position) if found is not None else None
-        elements = self._listed.get((around, path))
-        if elements is None:
-            elements = around.findall(path) if "/" in path else list(around.iterchildren(path))
-            self._listed[around, path] = elements
-        return elements[position] if position < len(elements) else None
+        holders, _, tag = path.rpartition("/")
+        holder = around.find(holders) if holders else around
+        return self._tree.child(holder, tag, position) if holder is not None else None
 
 
 def _line(element: etree._Element) -> int:
