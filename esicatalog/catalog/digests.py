@@ -4,7 +4,7 @@ The content of a device description is the Device, its dictionaries and the modu
 vendor name, group, file version and line.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any
 
 import msgspec
@@ -14,82 +14,56 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import Diagnostics
 from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.esi.records.module import Module
-from esicatalog.model.dictionary import type_table, used_types
+from esicatalog.model.memo import IdentityMemo, identities
+from esicatalog.model.resolver import Resolver, TypeSet
 
 _encode = msgspec.msgpack.Encoder().encode
 _MEMO_LIMIT = 200_000
 _MAX_DICTIONARIES = 2_000
 
 
-class _Memo:
-    """Digests by object identity; holds the objects so that identities stay valid."""
-
-    def __init__(self) -> None:
-        self._known: dict[int, tuple[Any, bytes]] = {}
-
-    def get(self, record: Any, compute: Callable[[Any], bytes]) -> bytes:
-        known = self._known.get(id(record))
-        if known is None:
-            if len(self._known) >= _MEMO_LIMIT:
-                self._known.clear()
-            known = self._known[id(record)] = (record, compute(record))
-        return known[1]
-
-
 class Digests:
     """Computes digests; records that were seen before (the reader reuses them) cost nothing."""
 
-    def __init__(self) -> None:
-        self._plain = _Memo()
-        self._dictionaries = _Memo()
-        self._objects: dict[tuple[int, bytes], tuple[Object, bytes]] = {}
-        self._keys: dict[int, tuple[Dictionary, list[bytes]]] = {}
-        self._types: dict[tuple[int, ...], DeclaredTypes] = {}
-        self._types_of: dict[int, tuple[Dictionary, DeclaredTypes]] = {}
+    def __init__(self, resolver: Resolver | None = None) -> None:
+        self._resolver = resolver or Resolver()
+        self._plain: IdentityMemo[bytes] = IdentityMemo(_MEMO_LIMIT)
+        self._objects: IdentityMemo[bytes] = IdentityMemo(_MEMO_LIMIT)
+        self._type_sets: IdentityMemo[TypeSetDigests] = IdentityMemo(_MAX_DICTIONARIES)
+        self._object_lists: IdentityMemo[list[bytes]] = IdentityMemo(_MAX_DICTIONARIES)
+        self._dictionaries: IdentityMemo[bytes] = IdentityMemo(_MAX_DICTIONARIES)
 
     def data_type(self, data_type: DataType) -> bytes:
         """Digest of a data type as declared."""
-        return self._plain.get(data_type, _digest_record)
-
-    def object(self, declared: Object, type_closure: bytes) -> bytes:
-        """Digest of an object with the data types it uses: equal digests resolve to equal entries."""
-        key = (id(declared), type_closure)
-        known = self._objects.get(key)
-        if known is None:
-            if len(self._objects) >= _MEMO_LIMIT:
-                self._objects.clear()
-            known = self._objects[key] = (declared, digest(_digest_record(declared) + type_closure))
-        return known[1]
+        return self._plain.of(data_type, _digest_record)
 
     def objects(self, dictionary: Dictionary) -> list[bytes]:
-        """Digests of the objects of a dictionary in document order."""
-        known = self._keys.get(id(dictionary))
-        if known is None:
-            closure = self.types(dictionary).closure
-            if len(self._keys) >= _MAX_DICTIONARIES:
-                self._keys.clear()
-            known = (dictionary, [self.object(declared, closure(declared.type)) for declared in dictionary.objects])
-            self._keys[id(dictionary)] = known
-        return known[1]
+        """Digests of the objects of a dictionary, with the data types they use, in document order.
 
-    def types(self, dictionary: Dictionary) -> "DeclaredTypes":
-        """The data types of a dictionary; dictionaries that declare the same ones share them."""
-        found = self._types_of.get(id(dictionary))
-        if found is not None:
-            return found[1]
-        if len(self._types_of) >= _MAX_DICTIONARIES:
-            self._types_of.clear()
-            self._types.clear()
-        key = tuple(map(id, dictionary.data_types))
-        known = self._types.get(key)
-        if known is None:
-            known = self._types[key] = DeclaredTypes(self, dictionary.data_types)
-        self._types_of[id(dictionary)] = (dictionary, known)
-        return known
+        Equal digests resolve to equal entries.
+        """
+        types = self.types(dictionary)
+        key = (id(types), identities(dictionary.objects))
+        return self._object_lists.get(key, (types, dictionary), self._object_list, dictionary, types)
+
+    def _object_list(self, dictionary: Dictionary, types: "TypeSetDigests") -> list[bytes]:
+        closures = {name: types.closure(name) for name in {declared.type for declared in dictionary.objects}}
+        found = []
+        for declared in dictionary.objects:
+            closure = closures[declared.type]
+            found.append(self._objects.get((id(declared), closure), declared, _digest_object, declared, closure))
+        return found
+
+    def types(self, dictionary: Dictionary) -> "TypeSetDigests":
+        """Digests of the data types of a dictionary."""
+        return self._type_sets.of(self._resolver.types(dictionary), self._digest_types)
+
+    def _digest_types(self, types: TypeSet) -> "TypeSetDigests":
+        return TypeSetDigests(self, types)
 
     def dictionary(self, dictionary: Dictionary) -> bytes:
         """Digest of a dictionary: units, data types, objects."""
-        return self._dictionaries.get(dictionary, self._dictionary)
+        return self._dictionaries.of(dictionary, self._dictionary)
 
     def _dictionary(self, dictionary: Dictionary) -> bytes:
         rest = _encode(msgspec.structs.replace(dictionary, data_types=(), objects=()))
@@ -98,7 +72,7 @@ class Digests:
 
     def diagnostics(self, diagnostics: Diagnostics) -> bytes:
         """Digest of diagnosis texts."""
-        return self._plain.get(diagnostics, _digest_record)
+        return self._plain.of(diagnostics, _digest_record)
 
     def module(self, module: Module, vendor_id: int | None) -> bytes:
         """Digest of a module of a vendor."""
@@ -120,24 +94,27 @@ class Digests:
         return b"".join(parts)
 
 
-class DeclaredTypes:
+class TypeSetDigests:
     """The data types of a dictionary with their digests."""
 
-    def __init__(self, digests: Digests, data_types: tuple[DataType, ...]) -> None:
-        self.by_name: Mapping[str, DataType] = type_table(data_types)
-        self.digests = [digests.data_type(data_type) for data_type in data_types]
+    def __init__(self, digests: Digests, types: TypeSet) -> None:
+        self.types = types
+        self.digests = [digests.data_type(data_type) for data_type in types.data_types]
         self.digest = digest(b"".join(self.digests))
         self._digest_of = digests.data_type
-        self._declared = data_types  # keeps the identities valid that this was found by
-        self._closures: dict[str | None, bytes] = {None: b""}
+        self._closures: dict[str | None, bytes] = {}
 
     def closure(self, name: str | None) -> bytes:
         """Digest of the type ``name`` and everything it leads to; empty for a name that is not declared."""
         known = self._closures.get(name)
         if known is None:
-            used = b"".join(map(self._digest_of, used_types(name, self.by_name)))
+            used = b"".join(map(self._digest_of, self.types.used(name)))
             known = self._closures[name] = digest(used) if used else b""
         return known
+
+
+def _digest_object(declared: Object, closure: bytes) -> bytes:
+    return digest(_digest_record(declared) + closure)
 
 
 def _digest_record(record: Any) -> bytes:

@@ -4,7 +4,7 @@ Rows are lists of column values in the order of the table's codec. A row of a ch
 its parent row within the same description. Nothing in here knows a database.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import Any
 
 import msgspec
@@ -23,7 +23,8 @@ from esicatalog.esi.records.document import EsiInfo, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
 from esicatalog.model.derivation import Deriver
-from esicatalog.model.dictionary import ObjectEntry, resolve_object
+from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.resolver import TypeSet
 from esicatalog.model.slots import reachable_modules
 from esicatalog.model.sync import default_op_mode
 
@@ -148,12 +149,13 @@ class DocumentRows(msgspec.Struct):
 class RowMaker:
     """Turns documents into rows; content that was handed over before is referred to by key only.
 
-    ``deriver`` may know already what follows from the descriptions.
+    ``deriver`` may know already what follows from the descriptions and their objects.
     """
 
     def __init__(self, deriver: Deriver | None = None) -> None:
         self._deriver = deriver or Deriver()
-        self._digests = Digests()
+        self._resolver = self._deriver.resolver
+        self._digests = Digests(self._resolver)
         self._sent: set[bytes] = set()
         self._module_counts: dict[bytes, int] = {}
         self._out = DocumentRows("", "", None, [], [], [], None, None, [], [], [])
@@ -262,15 +264,20 @@ class RowMaker:
     def _dictionary(self, dictionary: Dictionary) -> bytes:
         key = self._digests.dictionary(dictionary)
         if self._new(key):
-            types = self._digests.types(dictionary).by_name
+            types = self._digests.types(dictionary).types
             object_keys = self._digests.objects(dictionary)
             for declared, object_key in zip(dictionary.objects, object_keys, strict=True):
                 if self._new(object_key):
-                    self._out.new_objects.append(_object_rows(declared, types, object_key))
+                    self._out.new_objects.append(self._object(declared, types, object_key))
             type_set = self._type_set(dictionary)
             row = codec(Dictionary).encode(dictionary)
             self._out.new_dictionaries.append(DictionaryRows(key, row, type_set, object_keys))
         return key
+
+    def _object(self, declared: Object, types: TypeSet, key: bytes) -> ObjectRows:
+        resolved = self._resolver.resolve(declared, types)
+        entries = positioned(ObjectEntry, resolved.entries)
+        return ObjectRows(key, codec(Object).encode(declared), resolved.object_code, entries)
 
     def _type_set(self, dictionary: Dictionary) -> bytes:
         types = self._digests.types(dictionary)
@@ -287,12 +294,6 @@ class RowMaker:
             enum_values = positioned(EnumInfo, data_type.enum_infos)
             self._out.new_types.append(TypeRows(key, codec(DataType).encode(data_type), sub_items, enum_values))
         return key
-
-
-def _object_rows(declared: Object, types: Mapping[str, DataType], key: bytes) -> ObjectRows:
-    resolved = resolve_object(declared, types)
-    entries = positioned(ObjectEntry, resolved.entries)
-    return ObjectRows(key, codec(Object).encode(declared), resolved.object_code, entries)
 
 
 def _collect(

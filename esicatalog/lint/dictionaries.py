@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 
 from esicatalog.esi.records.dictionary import DeclaredValues, InfoSubItem, Object, SubItem
 from esicatalog.model.dictionary import ObjectEntry, ResolvedObject
-from esicatalog.model.dictionary_views import Resolver, TypeSet
+from esicatalog.model.resolver import Resolver, TypeSet
 
 _Pairs = Sequence[tuple[InfoSubItem, SubItem]]
 

@@ -28,8 +28,9 @@ from esicatalog.lint.subjects import (
     pdo_mapping,
 )
 from esicatalog.model.derivation import Deriver
-from esicatalog.model.dictionary_views import DictionaryView, TypeSet
+from esicatalog.model.dictionary_views import DictionaryView
 from esicatalog.model.memo import IdentityMemo, identities
+from esicatalog.model.resolver import TypeSet
 from esicatalog.model.slots import accepts
 
 _MAX_RECORDS = 20_000
@@ -211,7 +212,7 @@ class Linter:
     def _check_object(self, declared: Object, types: TypeSet) -> _Hits:
         return [
             *self._check(declared, Record),
-            *self._check(ObjectSubject(declared, types, self._views.resolver), ObjectSubject),
+            *self._check(ObjectSubject(declared, types, self._deriver.resolver), ObjectSubject),
         ]
 
     def _check_types(self, types: TypeSet) -> _Hits:

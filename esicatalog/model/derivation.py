@@ -11,6 +11,7 @@ from esicatalog.model.drive_modes import DriveModes, drive_modes
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.process_data import ProcessData, SharedProcessData
 from esicatalog.model.process_image import SmImage
+from esicatalog.model.resolver import Resolver
 from esicatalog.model.safety import FsoeSigns
 
 _MAX_DERIVATIONS = 1_000
@@ -20,7 +21,8 @@ class Deriver:
     """Derives for many descriptions; what depends on records that they share is computed once."""
 
     def __init__(self) -> None:
-        self.views = DictionaryViews()
+        self.resolver = Resolver()
+        self.views = DictionaryViews(self.resolver)
         self._process_data = SharedProcessData()
         self._fsoe = FsoeSigns(self.views)
         self._derivations: IdentityMemo[Derivation] = IdentityMemo(_MAX_DERIVATIONS)

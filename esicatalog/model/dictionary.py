@@ -4,24 +4,23 @@ Rules of ESI-FACTS sections 6 and 7: subindices come from the data type; arrays 
 values are paired by position in arrays and by name in records; six flags are inherited as ETG.2000 figure 37 says.
 """
 
-import re
 from collections.abc import Iterable, Mapping
 from typing import Annotated, NamedTuple
 
 import msgspec
 
 from esicatalog.esi.binding import Doc, Record
-from esicatalog.esi.records.common import Name, display_text
-from esicatalog.esi.records.dictionary import DataType, DeclaredValues, Flags, InfoSubItem, Object, SubItem
+from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.dictionary import DataType, DeclaredValues, Flags, Object, SubItem
 from esicatalog.model.access import access_word, normalised_pdo_mapping
 from esicatalog.model.base_types import BaseType, base_type
+from esicatalog.model.members import Member, MemberMemo, Members
+from esicatalog.model.memo import IdentityMemo
 from esicatalog.model.values import Value, decode_data, decode_string, decode_value
 
-MAX_ELEMENTS = 4096
-"""Longer arrays stay one entry: no CoE array has more than 255 elements, the longest SoE list seen has 761."""
+_MAX_MADE = 100_000
 
 OBJECT_CODES = {"VAR": 7, "ARRAY": 8, "RECORD": 9}
-_NUMBERED = re.compile(r"sub\s*index\s*0*(\d+)", re.IGNORECASE)
 
 
 class ObjectEntry(Record):
@@ -65,19 +64,6 @@ class ResolvedObject(NamedTuple):
     remarks: tuple[tuple[str, str], ...]
 
 
-class _Member(NamedTuple):
-    """A subindex before values are paired with it."""
-
-    subindex: int
-    name: str | None
-    display_names: tuple[Name, ...]
-    type: str | None
-    bit_size: int | None
-    bit_offset: int | None
-    flags: Flags | None
-    sub_item: SubItem | None
-
-
 def type_table(data_types: Iterable[DataType]) -> dict[str, DataType]:
     """Data types by name; of two with the same name the first counts."""
     table: dict[str, DataType] = {}
@@ -119,44 +105,68 @@ def resolve_base(name: str | None, types: Mapping[str, DataType]) -> BaseType | 
 
 def resolve_object(declared: Object, types: Mapping[str, DataType]) -> ResolvedObject:
     """Resolve an object into its entries against the data types of its dictionary."""
-    data_type = types.get(declared.type) if declared.type else None
-    remarks: list[tuple[str, str]] = []
-    if data_type is None and declared.type and base_type(declared.type) is None:
-        remarks.append(("L41", f"type {declared.type!r} is not declared in the dictionary"))
-    values: Mapping[int, DeclaredValues]
-    if data_type is not None and data_type.sub_items:
-        members, is_array = _composite_members(data_type, types)
-        values = _pair(members, declared.info_sub_items, is_array, remarks)
-        code = OBJECT_CODES["ARRAY" if is_array else "RECORD"]
-    else:
-        members = [
-            _Member(
-                0, display_text(declared.names), (), declared.type, _simple_size(declared, data_type), 0, None, None
-            )
-        ]
-        values = {0: _single_values(declared, remarks)}
-        code = OBJECT_CODES["VAR"]
-    entries: list[ObjectEntry] = []
-    shared: dict[tuple[int, str | None], _Traits] = {}
-    pattern: tuple[SubItem | None, ObjectEntry] | None = None
-    for position, member in enumerate(members):
-        own_values = values.get(position)
-        if own_values is None and pattern is not None and member.sub_item is pattern[0]:
-            # Elements of an array without values of their own differ in their place only.
-            entries.append(
-                msgspec.structs.replace(
-                    pattern[1], subindex=member.subindex, name=member.name, bit_offset=member.bit_offset
-                )
-            )
-            continue
-        flags = member.flags or declared.flags
-        traits = shared.get((id(flags), member.type))
-        if traits is None:
-            traits = shared[(id(flags), member.type)] = _traits(flags, member.type, types)
-        entries.append(_entry(member, own_values, traits))
-        if own_values is None and member.sub_item is not None:
-            pattern = (member.sub_item, entries[-1])
-    return ResolvedObject(declared, code, tuple(entries), tuple(remarks))
+    return ObjectType(declared.type, types, EntryMemo()).resolve(declared)
+
+
+class EntryMemo:
+    """What was made of records before: where the reader gives the same records again, it is the same."""
+
+    def __init__(self) -> None:
+        self.members: MemberMemo = IdentityMemo(_MAX_MADE)
+        self._entries: IdentityMemo[ObjectEntry] = IdentityMemo(_MAX_MADE)
+        self._traits: IdentityMemo[_Traits] = IdentityMemo(_MAX_MADE)
+
+    def entry(self, member: Member, values: DeclaredValues | None, inherited: Flags | None) -> ObjectEntry:
+        """The entry of a member with its values; the object's flags count where the member has none."""
+        flags = member.flags or inherited
+        key = (id(member), id(values), id(flags))
+        return self._entries.get(key, (member, values, flags), self.new_entry, member, values, flags)
+
+    def new_entry(self, member: Member, values: DeclaredValues | None, flags: Flags | None) -> ObjectEntry:
+        """An entry that no other object has."""
+        return _entry(member, values, self._traits.of(flags, _traits))
+
+
+class ObjectType:
+    """What a type name means to the objects that name it."""
+
+    def __init__(self, name: str | None, types: Mapping[str, DataType], memo: EntryMemo) -> None:
+        self._name = name
+        self._memo = memo
+        data_type = types.get(name) if name else None
+        bases: dict[str | None, BaseType | None] = {}
+
+        def base(name: str | None) -> BaseType | None:
+            if name not in bases:
+                bases[name] = resolve_base(name, types)
+            return bases[name]
+
+        is_composite = data_type is not None and bool(data_type.sub_items)
+        self._members = Members(data_type, types, base, memo.members) if data_type and is_composite else None
+        self._base = base(name)
+        self._bit_size = data_type.bit_size if data_type is not None else None
+        self._is_unknown = bool(name) and data_type is None and base_type(name) is None
+
+    def resolve(self, declared: Object) -> ResolvedObject:
+        """The object, which names this type, with its entries."""
+        remarks: list[tuple[str, str]] = []
+        if self._is_unknown:
+            remarks.append(("L41", f"type {self._name!r} is not declared in the dictionary"))
+        members = self._members
+        entries: tuple[ObjectEntry, ...]
+        if members is None:
+            code = OBJECT_CODES["VAR"]
+            entries = (self._single_entry(declared, remarks),)
+        else:
+            code = OBJECT_CODES["ARRAY" if members.is_array else "RECORD"]
+            values, make = members.pair(declared.info_sub_items, remarks), self._memo.entry
+            entries = tuple(make(member, own, declared.flags) for member, own in zip(members, values, strict=True))
+        return ResolvedObject(declared, code, entries, tuple(remarks))
+
+    def _single_entry(self, declared: Object, remarks: list[tuple[str, str]]) -> ObjectEntry:
+        size = declared.bit_size if declared.bit_size is not None else self._bit_size
+        member = Member(0, display_text(declared.names), (), self._name, self._base, size, 0, None, None)
+        return self._memo.new_entry(member, _single_values(declared, remarks), declared.flags)
 
 
 def _single_values(declared: Object, remarks: list[tuple[str, str]]) -> DeclaredValues:
@@ -174,130 +184,9 @@ def _single_values(declared: Object, remarks: list[tuple[str, str]]) -> Declared
     return declared.info_sub_items[0]
 
 
-def _simple_size(declared: Object, data_type: DataType | None) -> int | None:
-    if declared.bit_size is not None:
-        return declared.bit_size
-    return data_type.bit_size if data_type is not None else None
-
-
-def _composite_members(data_type: DataType, types: Mapping[str, DataType]) -> tuple[list[_Member], bool]:
-    members: list[_Member] = []
-    expanded = 0
-    for sub_item in data_type.sub_items:
-        following = members[-1].subindex + 1 if members else 0
-        elements = _array_elements(sub_item, types, following, len(data_type.sub_items) == 2) if members else None
-        if elements is not None:
-            members.extend(elements)
-            expanded += 1
-            continue
-        members.append(
-            _Member(
-                sub_item.subindex if sub_item.subindex is not None else following,
-                sub_item.name,
-                sub_item.display_names,
-                sub_item.type,
-                sub_item.bit_size,
-                sub_item.bit_offset,
-                sub_item.flags,
-                sub_item,
-            )
-        )
-    return members, expanded == 1 and len(data_type.sub_items) == 2
-
-
-def _array_elements(
-    sub_item: SubItem, types: Mapping[str, DataType], following: int, whole_object: bool
-) -> list[_Member] | None:
-    """Elements of an array written with one sub-item for all of them (idiom A), or None for a single member.
-
-    Elements count from LBound; with LBound 0 (lists of SoE dictionaries) they follow the member before them and may
-    run beyond 255.
-    """
-    array = types.get(sub_item.type) if sub_item.type else None
-    if array is None or not array.array_infos:
-        return None
-    lbound = array.array_infos[0].lbound if array.array_infos[0].lbound is not None else 1
-    suffixed = lbound == 1 and (array.name or "").upper().endswith("ARR")
-    if sub_item.subindex is not None and not suffixed:
-        return None
-    count = 1
-    for info in array.array_infos:
-        count *= max(info.elements or 0, 0)
-    first = lbound if lbound > 0 else following
-    if first + count > MAX_ELEMENTS:
-        return None
-    size = array.bit_size // count if array.bit_size and count else None
-    offset = sub_item.bit_offset
-    return [
-        _Member(
-            first + k,
-            f"SubIndex {first + k:03d}" if whole_object else f"{sub_item.name}[{lbound + k}]",
-            (),
-            array.base_type,
-            size,
-            offset + k * size if offset is not None and size is not None else None,
-            sub_item.flags,
-            sub_item,
-        )
-        for k in range(count)
-    ]
-
-
-def _pair(
-    members: list[_Member], infos: tuple[InfoSubItem, ...], is_array: bool, remarks: list[tuple[str, str]]
-) -> dict[int, InfoSubItem]:
-    """Declared values by position of the member they belong to; never shifted to a neighbour."""
-    if not infos:
-        return {}
-    if is_array and len(infos) == len(members):
-        return dict(enumerate(infos))
-    by_name: dict[str, list[int]] = {}
-    for position, member in enumerate(members):
-        by_name.setdefault((member.name or "").strip(), []).append(position)
-    paired: dict[int, InfoSubItem] = {}
-    unmatched: list[InfoSubItem] = []
-    for info in infos:
-        places = by_name.get((info.name or "").strip())
-        if places:
-            paired[places.pop(0)] = info
-        else:
-            unmatched.append(info)
-    if not unmatched:
-        return paired
-    if is_array:
-        _pair_array_leftovers(members, unmatched, paired)
-        return paired
-    if len(infos) == len(members):
-        remarks.append(("L46", "sub-item names of Info differ from those of the data type; paired by position"))
-        return dict(enumerate(infos))
-    names = ", ".join(repr(info.name) for info in unmatched[:3])
-    remarks.append(("L46", f"Info sub-items {names} match no sub-item of the data type; left unpaired"))
-    return paired
-
-
-def _pair_array_leftovers(members: list[_Member], unmatched: list[InfoSubItem], paired: dict[int, InfoSubItem]) -> None:
-    """Values of an array whose names do not match: by the number in the name, else in order from the first element."""
-    positions = {member.subindex: position for position, member in enumerate(members)}
-    in_order = []
-    for info in unmatched:
-        numbered = _NUMBERED.fullmatch((info.name or "").strip())
-        position = positions.get(int(numbered[1])) if numbered else None
-        if position is not None and position not in paired:
-            paired[position] = info
-        elif numbered is None:
-            in_order.append(info)
-    if in_order and len(in_order) == len(members) - 1 and not paired.keys() - {0}:
-        paired.update((position, info) for position, info in enumerate(in_order, start=1))
-
-
-_FLAG_DEFAULTS = Flags()
-
-
 class _Traits(NamedTuple):
-    """What members with the same flags and type share."""
+    """What members with the same flags share."""
 
-    base: BaseType | None
-    base_name: str | None
     access: str
     access_word: int
     category: str | None
@@ -305,13 +194,13 @@ class _Traits(NamedTuple):
     safety_mapping: str | None
 
 
-def _traits(member_flags: Flags | None, type_name: str | None, types: Mapping[str, DataType]) -> _Traits:
-    base = resolve_base(type_name, types)
-    flags = member_flags or _FLAG_DEFAULTS
+_FLAG_DEFAULTS = Flags()
+
+
+def _traits(declared: Flags | None) -> _Traits:
+    flags = declared or _FLAG_DEFAULTS
     mapping = normalised_pdo_mapping(flags.pdo_mapping)
     return _Traits(
-        base,
-        base.name if base is not None else None,
         flags.access or "ro",
         access_word(flags, mapping),
         flags.category,
@@ -320,14 +209,14 @@ def _traits(member_flags: Flags | None, type_name: str | None, types: Mapping[st
     )
 
 
-def _entry(member: _Member, values: DeclaredValues | None, traits: _Traits) -> ObjectEntry:
-    default, minimum, maximum = _values(values, member.sub_item, traits.base)
+def _entry(member: Member, values: DeclaredValues | None, traits: _Traits) -> ObjectEntry:
+    default, minimum, maximum = _values(values, member.sub_item, member.base)
     display = (values.display_names if values is not None else ()) or member.display_names
     entry = ObjectEntry(
         subindex=member.subindex,
         name=member.name,
         data_type=member.type,
-        base_type=traits.base_name,
+        base_type=member.base.name if member.base is not None else None,
         bit_size=member.bit_size,
         bit_offset=member.bit_offset,
         access=traits.access,

@@ -3,43 +3,15 @@
 from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
 
-from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
-from esicatalog.model.dictionary import ObjectEntry, ResolvedObject, resolve_object, type_table, used_types
+from esicatalog.esi.records.dictionary import Dictionary, Object
+from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.memo import IdentityMemo, identities
+from esicatalog.model.resolver import Resolver, TypeSet
 
 EntriesBySubindex = Mapping[int, ObjectEntry]
 Result = TypeVar("Result")
 
 _MAX_VIEWS = 500
-_MAX_RESOLVED = 4_000
-
-
-class TypeSet:
-    """The data types of one or several equal dictionaries."""
-
-    def __init__(self, data_types: tuple[DataType, ...]) -> None:
-        self.data_types = data_types
-        self.by_name: Mapping[str, DataType] = type_table(data_types)
-        self._closures: dict[str | None, tuple[int, ...]] = {}
-
-    def closure(self, name: str | None) -> tuple[int, ...]:
-        """Identities of the declared types that a type name leads to."""
-        found = self._closures.get(name)
-        if found is None:
-            found = self._closures[name] = identities(used_types(name, self.by_name))
-        return found
-
-
-class Resolver:
-    """Resolves objects; what was asked for lately is not resolved again."""
-
-    def __init__(self) -> None:
-        self._resolved: IdentityMemo[ResolvedObject] = IdentityMemo(_MAX_RESOLVED)
-
-    def resolve(self, declared: Object, types: TypeSet) -> ResolvedObject:
-        """The object with its entries."""
-        key = (id(declared), types.closure(declared.type))
-        return self._resolved.get(key, (declared, types), resolve_object, declared, types.by_name)
 
 
 class DictionaryView:
@@ -75,18 +47,16 @@ class DictionaryView:
 class DictionaryViews:
     """Makes views; dictionaries of the same data types and objects share one."""
 
-    def __init__(self) -> None:
+    def __init__(self, resolver: Resolver | None = None) -> None:
+        self.resolver = resolver or Resolver()
         self._of_dictionary: IdentityMemo[DictionaryView] = IdentityMemo(_MAX_VIEWS)
-        self._types: IdentityMemo[TypeSet] = IdentityMemo(_MAX_VIEWS)
         self._views: IdentityMemo[DictionaryView] = IdentityMemo(_MAX_VIEWS)
-        self.resolver = Resolver()
 
     def view(self, dictionary: Dictionary) -> DictionaryView:
         """The view of a dictionary."""
-        return self._of_dictionary.get(id(dictionary), dictionary, self._view, dictionary)
+        return self._of_dictionary.of(dictionary, self._view)
 
     def _view(self, dictionary: Dictionary) -> DictionaryView:
-        data_types = dictionary.data_types
-        types = self._types.get(identities(data_types), data_types, TypeSet, data_types)
+        types = self.resolver.types(dictionary)
         key = (id(types), identities(dictionary.objects))
         return self._views.get(key, (types, dictionary), DictionaryView, dictionary, types, self.resolver)

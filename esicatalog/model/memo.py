@@ -1,7 +1,4 @@
-"""Results that depend on records alone, computed once for each.
-
-The reader gives the same record for the same words, so identity tells what was seen before.
-"""
+"""What was found before of records that are met again: the reader gives the same record for the same words."""
 
 from collections.abc import Callable, Hashable, Iterable
 from typing import Any, Generic, TypeVar
@@ -25,6 +22,11 @@ class IdentityMemo(Generic[Result]):
                 self._known.clear()
             self._known[key] = known
         return known[1]
+
+    def of(self, record: Any, compute: Callable[[Any], Result]) -> Result:
+        """The result for a single record."""
+        known = self._known.get(id(record))
+        return known[1] if known is not None else self.get(id(record), record, compute, record)
 
 
 def identities(records: Iterable[Any]) -> tuple[int, ...]:

@@ -82,7 +82,7 @@ class FsoeSigns:
         return None
 
     def _pdo(self, pdo: Pdo) -> _Signs:
-        return self._of_pdo.get(id(pdo), pdo, _pdo_signs, pdo)
+        return self._of_pdo.of(pdo, _pdo_signs)
 
     def _dictionary(self, dictionary: Dictionary) -> _Signs:
         return self._views.view(dictionary).once(_dictionary_signs)

@@ -6,7 +6,7 @@ from esicatalog.esi.records.pdo import Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import MappedEntry, PdoMapping
 from esicatalog.model.base_types import BASE_TYPES, BaseType, base_type
-from esicatalog.model.dictionary_views import TypeSet
+from esicatalog.model.resolver import TypeSet
 
 _LETTERS = {"RxPdo": "R", "TxPdo": "T"}
 _KINDS_OF_BITS = frozenset({"bool", "uint", "bits"})

@@ -1,0 +1,172 @@
+"""Members of composite data types, and which declared values belong to which of them (ESI-FACTS sections 6 and 7)."""
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from esicatalog.esi.records.common import Name
+from esicatalog.esi.records.dictionary import DataType, DeclaredValues, Flags, InfoSubItem, SubItem
+from esicatalog.model.base_types import BaseType
+from esicatalog.model.memo import IdentityMemo
+
+MAX_ELEMENTS = 4096
+"""Longer arrays stay one entry: no CoE array has more than 255 elements, the longest SoE list seen has 761."""
+
+_NUMBERED = re.compile(r"sub\s*index\s*0*(\d+)", re.IGNORECASE)
+
+
+class Member(NamedTuple):
+    """A subindex before values are paired with it."""
+
+    subindex: int
+    name: str | None
+    display_names: tuple[Name, ...]
+    type: str | None
+    base: BaseType | None
+    bit_size: int | None
+    bit_offset: int | None
+    flags: Flags | None
+    sub_item: SubItem | None
+
+
+MemberMemo = IdentityMemo[tuple[Member, ...]]
+"""Members by the SubItem that declares them: many data types have the same SubItems."""
+
+
+class Members:
+    """The members of a data type with SubItems; ``base`` tells what a type name comes down to."""
+
+    def __init__(
+        self,
+        data_type: DataType,
+        types: Mapping[str, DataType],
+        base: Callable[[str | None], BaseType | None],
+        memo: MemberMemo,
+    ) -> None:
+        members: list[Member] = []
+        is_pair = len(data_type.sub_items) == 2
+        expanded = 0
+        for sub_item in data_type.sub_items:
+            following = members[-1].subindex + 1 if members else 0
+            array = types.get(sub_item.type) if sub_item.type and members else None
+            places = _element_places(sub_item, array, following) if array is not None else None
+            if array is not None and places is not None:
+                of_element = base(array.base_type)
+                key = (id(sub_item), id(array), places.start, is_pair, of_element)
+                members += memo.get(key, (sub_item, array), _elements, sub_item, array, places, is_pair, of_element)
+                expanded += 1
+            else:
+                subindex = sub_item.subindex if sub_item.subindex is not None else following
+                own = base(sub_item.type)
+                members += memo.get((id(sub_item), subindex, own), sub_item, _single, sub_item, subindex, own)
+        self._members = members
+        self.is_array = expanded == 1 and is_pair
+        self._names = [member.name for member in members]
+        self._by_name: dict[str, list[int]] = {}
+        for position, name in enumerate(self._names):
+            self._by_name.setdefault((name or "").strip(), []).append(position)
+
+    def __iter__(self) -> Iterator[Member]:
+        return iter(self._members)
+
+    def pair(self, infos: tuple[InfoSubItem, ...], remarks: list[tuple[str, str]]) -> Sequence[DeclaredValues | None]:
+        """Declared values of each member; never shifted to a neighbour."""
+        if not infos:
+            return [None] * len(self._members)
+        is_complete = len(infos) == len(self._members)
+        if is_complete and (self.is_array or [info.name for info in infos] == self._names):
+            return infos
+        paired: dict[int, InfoSubItem] = {}
+        unmatched: list[InfoSubItem] = []
+        for info in infos:
+            places = self._by_name.get((info.name or "").strip(), ())
+            free = next((position for position in places if position not in paired), None)
+            if free is not None:
+                paired[free] = info
+            else:
+                unmatched.append(info)
+        if unmatched and self.is_array:
+            self._pair_leftovers(unmatched, paired)
+        elif unmatched and is_complete:
+            remarks.append(("L46", "sub-item names of Info differ from those of the data type; paired by position"))
+            return infos
+        elif unmatched:
+            names = ", ".join(repr(info.name) for info in unmatched[:3])
+            remarks.append(("L46", f"Info sub-items {names} match no sub-item of the data type; left unpaired"))
+        return [paired.get(position) for position in range(len(self._members))]
+
+    def _pair_leftovers(self, unmatched: list[InfoSubItem], paired: dict[int, InfoSubItem]) -> None:
+        """Values of an array whose names do not match: by the number in the name, else in order from the first."""
+        positions = {member.subindex: position for position, member in enumerate(self._members)}
+        in_order = []
+        for info in unmatched:
+            numbered = _NUMBERED.fullmatch((info.name or "").strip())
+            position = positions.get(int(numbered[1])) if numbered else None
+            if position is not None and position not in paired:
+                paired[position] = info
+            elif numbered is None:
+                in_order.append(info)
+        if in_order and len(in_order) == len(self._members) - 1 and not paired.keys() - {0}:
+            paired.update((position, info) for position, info in enumerate(in_order, start=1))
+
+
+def _single(sub_item: SubItem, subindex: int, base: BaseType | None) -> tuple[Member]:
+    return (
+        Member(
+            subindex,
+            sub_item.name,
+            sub_item.display_names,
+            sub_item.type,
+            base,
+            sub_item.bit_size,
+            sub_item.bit_offset,
+            sub_item.flags,
+            sub_item,
+        ),
+    )
+
+
+def _lower_bound(array: DataType) -> int:
+    lbound = array.array_infos[0].lbound
+    return lbound if lbound is not None else 1
+
+
+def _element_places(sub_item: SubItem, array: DataType, following: int) -> range | None:
+    """Subindices of an array written with one sub-item for all elements (idiom A), or None for a single member.
+
+    Elements count from LBound; with LBound 0 (lists of SoE dictionaries) they follow the member before them and may
+    run beyond 255.
+    """
+    if not array.array_infos:
+        return None
+    lbound = _lower_bound(array)
+    suffixed = lbound == 1 and (array.name or "").upper().endswith("ARR")
+    if sub_item.subindex is not None and not suffixed:
+        return None
+    count = 1
+    for info in array.array_infos:
+        count *= max(info.elements or 0, 0)
+    first = lbound if lbound > 0 else following
+    return range(first, first + count) if first + count <= MAX_ELEMENTS else None
+
+
+def _elements(
+    sub_item: SubItem, array: DataType, places: range, whole_object: bool, base: BaseType | None
+) -> tuple[Member, ...]:
+    lbound = _lower_bound(array)
+    size = array.bit_size // len(places) if array.bit_size and places else None
+    offset = sub_item.bit_offset
+    return tuple(
+        Member(
+            subindex,
+            f"SubIndex {subindex:03d}" if whole_object else f"{sub_item.name}[{lbound + k}]",
+            (),
+            array.base_type,
+            base,
+            size,
+            offset + k * size if offset is not None and size is not None else None,
+            sub_item.flags,
+            sub_item,
+        )
+        for k, subindex in enumerate(places)
+    )
