@@ -40,6 +40,8 @@ _REPEATED = (DataType, SubItem, Object, InfoSubItem, Flags, Pdo, Entry)
 """Records of parts that repeat from device to device and from revision to revision."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
 _MAX_STANDALONE = 1_000
+_MAX_TREES_BYTES = 8_000_000
+"""Of the text of kept trees, which take five times as much; the dictionaries of the largest library seen have 12 MB."""
 
 
 class ReadDocument(msgspec.Struct, frozen=True):
@@ -55,6 +57,8 @@ class Pulled(NamedTuple):
     sha256: str
     byte_count: int
     document: ReadDocument
+    tree: Callable[[], DocumentTree]
+    """Gives its elements; whoever asks twice may make it read the document again."""
 
 
 class Reader:
@@ -67,6 +71,7 @@ class Reader:
         self._stages = stages or Stages()
         self._repeats = Repeats(_REPEATED)
         self._standalone: dict[str, ReadDocument] = {}
+        self._trees = _Trees()
         self._pulled: dict[tuple[int, str], tuple[Container, Pulled]] = {}
 
     def pulled(self, container: Container, member: str) -> Pulled | None:
@@ -135,7 +140,11 @@ class Reader:
     def external(self, kind: str, container: Container, member: str, content: bytes, sha256: str) -> Any:
         """Dictionary, diagnosis texts or modules of a referenced document; raises :class:`DocumentError`."""
         read = self._read_standalone(content, sha256)
-        self._pulled[id(container), member] = (container, Pulled(sha256, len(content), read))
+
+        def tree() -> DocumentTree:
+            return self._trees.take(sha256) or self.read_tree(container.read(member))[1]()
+
+        self._pulled[id(container), member] = (container, Pulled(sha256, len(content), read, tree))
         document = read.document
         held = {
             "DictionaryFile": document.dictionary,
@@ -153,8 +162,33 @@ class Reader:
             if len(self._standalone) >= _MAX_STANDALONE:
                 self._standalone.clear()
                 self._pulled.clear()
-            known = self._standalone[sha256] = self.read(content)
+            known, tree = self.read_tree(content)
+            self._standalone[sha256] = known
+            self._trees.keep(sha256, tree(), len(content))
         return known
+
+
+class _Trees:
+    """Trees of documents that were read for others, until these are handled as themselves; the oldest give way."""
+
+    def __init__(self) -> None:
+        self._kept: dict[str, tuple[DocumentTree, int]] = {}
+        self._held_bytes = 0
+
+    def keep(self, sha256: str, tree: DocumentTree, byte_count: int) -> None:
+        """Keep the tree of a document of so many bytes; what was cut out of it takes no room."""
+        self.take(sha256)
+        held = len(tree.cut.content) if tree.cut is not None else byte_count
+        self._kept[sha256] = tree, held
+        self._held_bytes += held
+        while self._held_bytes > _MAX_TREES_BYTES:
+            self.take(next(iter(self._kept)))
+
+    def take(self, sha256: str) -> DocumentTree | None:
+        """The tree of a document, which is then no longer kept."""
+        tree, held = self._kept.pop(sha256, (None, 0))
+        self._held_bytes -= held
+        return tree
 
 
 def _sections(root: etree._Element, notes: Notes) -> tuple[list[etree._Element], list[EsiInfo]]:

@@ -25,6 +25,7 @@ from esicatalog.esi.stages import Stages
 from esicatalog.ingest.tasks import Answer, Outcome, Task
 from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
 from esicatalog.lint.linter import Linter
+from esicatalog.model.derivation import Deriver
 
 MEMORY_LIMIT_BYTES = 3 * 1024**3
 _MAX_OPENED = 16
@@ -42,8 +43,9 @@ class DocumentWorker:
     def __init__(self) -> None:
         self.stages = Stages()
         self._reader = Reader(self.stages)
-        self._linter = Linter()
-        self._rows = RowMaker()
+        deriver = Deriver()
+        self._linter = Linter(deriver=deriver)
+        self._rows = RowMaker(deriver)
         self._opened: dict[tuple[str, tuple[str, ...]], tuple[Container, ReferenceHashes]] = {}
 
     def handle(self, task: Task) -> Outcome:
@@ -73,8 +75,7 @@ class DocumentWorker:
                 if pulled is None:
                     read, tree = self._reader.read_tree(content, task.member, container)
                 else:
-                    # Read again where lint has something to tell of it: its parts are known by now.
-                    read, tree = pulled.document, lambda: self._reader.read_tree(container.read(task.member))[1]()
+                    read, tree = pulled.document, pulled.tree
             with stages("lint"):
                 findings = self._linter.document(
                     read, tree, lambda name: resolve_reference(container, task.member, name) is not None

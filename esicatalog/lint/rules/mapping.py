@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.lint.dictionaries import TypeSet
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import MappedEntry, PdoMapping
 from esicatalog.model.base_types import BASE_TYPES, BaseType, base_type
+from esicatalog.model.dictionary_views import TypeSet
 
 _LETTERS = {"RxPdo": "R", "TxPdo": "T"}
 _KINDS_OF_BITS = frozenset({"bool", "uint", "bits"})
