@@ -1,7 +1,7 @@
 """The worker process: reads documents and answers with rows. It never imports SQLAlchemy.
 
-Run as ``python -m esicatalog.ingest.worker``; requests and answers are length-prefixed msgpack on stdin and stdout.
-A document can cost it its life (memory limit) but not its siblings theirs.
+Requests and answers are length-prefixed msgpack; run as ``python -m esicatalog.ingest.worker`` it takes them on stdin
+and stdout. A document can cost it its life (memory limit) but not its siblings theirs.
 """
 
 import contextlib
@@ -143,8 +143,11 @@ def write_frame(stream: IO[bytes], message: bytes) -> None:
     stream.flush()
 
 
-def main() -> None:
-    """Answer tasks until stdin ends."""
+def settle_in() -> None:
+    """Make this process a worker: it lets the writer go first, is bounded in memory and outlives Ctrl-C.
+
+    Ctrl-C goes to all processes of a terminal; the pool ends its workers itself.
+    """
     with contextlib.suppress(AttributeError, OSError):
         os.nice(_NICENESS)
     with contextlib.suppress(ImportError, ValueError, OSError):
@@ -153,16 +156,17 @@ def main() -> None:
         limits = [limit for limit in resource.getrlimit(resource.RLIMIT_AS) if limit != resource.RLIM_INFINITY]
         limit = min([MEMORY_LIMIT_BYTES, *limits])
         resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
-    # Ctrl-C goes to all processes of a terminal; the pool ends its workers itself.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # Records and rows hold no cycles: looking for some again and again costs more than reading many a document.
     gc.set_threshold(100_000, 20, 100)
-    answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)
+
+
+def serve(requests: IO[bytes], answers: IO[bytes]) -> None:
+    """Answer tasks until there are no more."""
     worker = DocumentWorker()
     decode = msgspec.msgpack.Decoder(Task).decode
     encode = msgspec.msgpack.Encoder().encode
-    while (request := read_frame(sys.stdin.buffer.read)) is not None:
+    while (request := read_frame(requests.read)) is not None:
         _end_after(_LONGEST_SECONDS)
         outcome = worker.handle(decode(request))
         with worker.stages("transfer"):  # told with the next document
@@ -175,6 +179,14 @@ def _end_after(seconds: int) -> None:
     """Let the system end this process after so many seconds, 0 = never."""
     with contextlib.suppress(AttributeError):  # Windows has no alarm.
         signal.alarm(seconds)
+
+
+def main() -> None:
+    """Answer on stdout what is asked on stdin; whatever else is printed goes to stderr."""
+    settle_in()
+    answers = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)
+    serve(sys.stdin.buffer, answers)
 
 
 if __name__ == "__main__":
