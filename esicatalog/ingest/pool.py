@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
-from esicatalog.ingest.process import WorkerProcess, can_fork, forked_worker, new_worker
+from esicatalog.ingest.process import Helper, can_fork, forked, interpreter
 from esicatalog.ingest.tasks import Answer, Outcome, Task
-from esicatalog.ingest.worker import DocumentWorker
+from esicatalog.ingest.worker import DocumentWorker, serve
 
 DEADLINE_SECONDS = 120.0
 """Longest time a document may take; the largest real one takes a few seconds."""
@@ -34,17 +34,17 @@ class Pool:
         self._changed = threading.Condition()
         self._outcomes: deque[bytes | BaseException] = deque()
         self._waiting_bytes = 0
-        self._processes: set[WorkerProcess] = set()
+        self._processes: set[Helper] = set()
         self._stopped = False
         self._count = min(jobs, len(tasks))
         self._threads: list[threading.Thread] = []
 
     def start(self) -> None:
         """Start reading."""
-        # All copies are made before the first thread begins.
-        forked = [forked_worker() for _ in range(self._count)] if can_fork() else [None] * self._count
-        self._processes.update(worker for worker in forked if worker is not None)
-        self._threads = [threading.Thread(target=self._serve, args=(worker,), daemon=True) for worker in forked]
+        may_fork = can_fork()  # All copies are made before the first thread begins.
+        workers = [forked(serve) if may_fork else None for _ in range(self._count)]
+        self._processes.update(worker for worker in workers if worker is not None)
+        self._threads = [threading.Thread(target=self._serve, args=(worker,), daemon=True) for worker in workers]
         for thread in self._threads:
             thread.start()
 
@@ -103,7 +103,7 @@ class Pool:
                 if place in self._tasks:
                     held.append(self._tasks.pop(place))
 
-    def _serve(self, worker: WorkerProcess | None) -> None:
+    def _serve(self, worker: Helper | None) -> None:
         """One thread per worker process: hand out tasks, wait for answers, replace the process when it dies."""
         held: deque[Task] = deque()
         try:
@@ -125,18 +125,18 @@ class Pool:
             if worker is not None:
                 self._end(worker)
 
-    def _launch(self) -> WorkerProcess:
-        worker = new_worker()
+    def _launch(self) -> Helper:
+        worker = interpreter("esicatalog.ingest.worker")
         self._processes.add(worker)
         if self._stopped:
             worker.kill()
         return worker
 
-    def _end(self, worker: WorkerProcess) -> None:
+    def _end(self, worker: Helper) -> None:
         self._processes.discard(worker)
         worker.end()
 
-    def _ask(self, worker: WorkerProcess, task: Task) -> Answer:
+    def _ask(self, worker: Helper, task: Task) -> Answer:
         problem = "the reading process died (out of memory or a crash)"
         try:
             answer = worker.ask(msgspec.msgpack.encode(task), self._deadline_seconds)

@@ -1,26 +1,72 @@
-"""Worker processes: how they are started, asked and ended.
+"""Processes that work for this one: how they are started, asked and ended.
 
-A worker is forked where this process is one that may be copied, so that nothing is imported twice; else, and in place
+Where this process is one that may be copied, a helper is forked, so that nothing is imported twice; else, and in place
 of one that died, it is a new interpreter.
 """
 
+import contextlib
 import gc
 import os
 import select
 import signal
+import struct
 import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterable
-from contextlib import suppress
-from itertools import pairwise
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import IO, NoReturn, Protocol
 
-from esicatalog.ingest.worker import read_frame, serve, settle_in, write_frame
+MEMORY_LIMIT_BYTES = 3 * 1024**3
+_THREADS = Path("/proc/self/task")
+_DESCRIPTORS = Path("/proc/self/fd")
+_LENGTH = struct.Struct("<Q")
 
-_TASKS = Path("/proc/self/task")
+Serve = Callable[[IO[bytes], IO[bytes]], None]
+"""What a helper does: read requests and write answers until there are no more requests."""
+
+
+def read_frame(read: Callable[[int], bytes]) -> bytes | None:
+    """One length-prefixed message, or None at the end of the stream."""
+    head = _read_exactly(read, _LENGTH.size)
+    if head is None:
+        return None
+    return _read_exactly(read, _LENGTH.unpack(head)[0])
+
+
+def _read_exactly(read: Callable[[int], bytes], size: int) -> bytes | None:
+    parts = []
+    while size:
+        part = read(min(size, 1 << 20))
+        if not part:
+            return None
+        parts.append(part)
+        size -= len(part)
+    return b"".join(parts)
+
+
+def write_frame(stream: IO[bytes], message: bytes) -> None:
+    """Send one length-prefixed message."""
+    stream.write(_LENGTH.pack(len(message)))
+    stream.write(message)
+    stream.flush()
+
+
+def settle_in() -> None:
+    """Make this process a helper: it is bounded in memory and outlives Ctrl-C.
+
+    Ctrl-C goes to all processes of a terminal; who started a helper ends it.
+    """
+    with contextlib.suppress(ImportError, ValueError, OSError):
+        import resource
+
+        limits = [limit for limit in resource.getrlimit(resource.RLIMIT_AS) if limit != resource.RLIM_INFINITY]
+        limit = min([MEMORY_LIMIT_BYTES, *limits])
+        resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # Records and rows hold no cycles: looking for some again and again costs more than reading many a document.
+    gc.set_threshold(100_000, 20, 100)
 
 
 class _Process(Protocol):
@@ -33,7 +79,7 @@ class _Process(Protocol):
     def poll(self) -> int | None: ...
 
 
-class WorkerProcess:
+class Helper:
     """A process that answers requests, one at a time."""
 
     def __init__(self, process: _Process, requests: IO[bytes], answers: IO[bytes]) -> None:
@@ -78,35 +124,35 @@ class WorkerProcess:
 
 
 def can_fork() -> bool:
-    """Whether a copy of this process can be a worker: no thread but this one, no database library, no catalog open.
+    """Whether a copy of this process can be a helper: no thread but this one, no database library, no catalog open.
 
     A thread might hold a lock for ever in the copy. Systems without ``/proc`` cannot tell, or do not fork safely.
     """
     try:
-        return "sqlalchemy" not in sys.modules and len(list(_TASKS.iterdir())) == 1
+        return "sqlalchemy" not in sys.modules and len(list(_THREADS.iterdir())) == 1
     except OSError:
         return False
 
 
-def forked_worker() -> WorkerProcess:
-    """A worker that begins as a copy of this process (see :func:`can_fork`)."""
+def forked(serve: Serve) -> Helper:
+    """A helper that begins as a copy of this process (see :func:`can_fork`)."""
     for_requests, requests = os.pipe()
     answers, for_answers = os.pipe()
-    # Until the copy is a worker no signal may make it do what this process would do.
+    # Until the copy has become a helper no signal may make it do what this process would do.
     blocked = signal.pthread_sigmask(signal.SIG_BLOCK, signal.valid_signals())
     number = os.fork()
     if number == 0:
-        _be_a_worker(for_requests, for_answers, blocked)
+        _help(serve, for_requests, for_answers, blocked)
     signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
     os.close(for_requests)
     os.close(for_answers)
-    return WorkerProcess(_Forked(number), os.fdopen(requests, "wb", 0), os.fdopen(answers, "rb", 0))
+    return Helper(_Forked(number), os.fdopen(requests, "wb", 0), os.fdopen(answers, "rb", 0))
 
 
-def new_worker() -> WorkerProcess:
-    """A worker in a new interpreter."""
+def interpreter(module: str) -> Helper:
+    """A helper in a new interpreter: a module that serves on stdin and stdout."""
     process = subprocess.Popen(
-        [sys.executable, "-m", "esicatalog.ingest.worker"],
+        [sys.executable, "-m", module],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
@@ -114,7 +160,7 @@ def new_worker() -> WorkerProcess:
     )
     assert process.stdin is not None
     assert process.stdout is not None
-    return WorkerProcess(process, process.stdin, process.stdout)
+    return Helper(process, process.stdin, process.stdout)
 
 
 class _Forked:
@@ -128,7 +174,7 @@ class _Forked:
     def kill(self) -> None:
         with self._lock:
             if self._status is None:
-                with suppress(ProcessLookupError):
+                with contextlib.suppress(ProcessLookupError):
                     os.kill(self._number, signal.SIGKILL)
 
     def wait(self) -> int | None:
@@ -149,7 +195,7 @@ class _Forked:
             return self._status
 
 
-def _be_a_worker(requests: int, answers: int, mask: Iterable[int]) -> NoReturn:
+def _help(serve: Serve, requests: int, answers: int, mask: Iterable[int]) -> NoReturn:
     """What the copy does instead of going on; nothing of what this process would do at its end happens in it."""
     try:
         for number in signal.valid_signals():
@@ -171,6 +217,7 @@ def _leave_all_but(*kept: int) -> None:
     nothing = os.open(os.devnull, os.O_RDWR)
     for standard in {0, 1, 2}.difference(kept):
         os.dup2(nothing, standard)
-    spared = sorted({0, 1, 2, *kept, os.sysconf("SC_OPEN_MAX")})
-    for below, above in pairwise(spared):
-        os.closerange(below + 1, above)
+    for descriptor in [int(path.name) for path in _DESCRIPTORS.iterdir()]:
+        if descriptor not in (0, 1, 2, *kept):
+            with contextlib.suppress(OSError):  # that of the list itself
+                os.close(descriptor)

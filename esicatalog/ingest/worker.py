@@ -5,12 +5,9 @@ and stdout. A document can cost it its life (memory limit) but not its siblings 
 """
 
 import contextlib
-import gc
 import os
 import signal
-import struct
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import IO
 
@@ -22,18 +19,17 @@ from esicatalog.esi.containers import Archive, Container, Folder, resolve_refere
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.stages import Stages
+from esicatalog.ingest.process import read_frame, settle_in, write_frame
 from esicatalog.ingest.tasks import Answer, Outcome, Task
 from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
 from esicatalog.lint.linter import Linter
 
-MEMORY_LIMIT_BYTES = 3 * 1024**3
 _MAX_OPENED = 16
 """Containers kept open: neighbours in the order of reading lie in different archives."""
 _NICENESS = 10
 """The writer runs first: whatever it leaves for after the last document is done by one core alone."""
 _LONGEST_SECONDS = 300
 """For when nobody is left to end a document that never ends: longer than the pool waits for one."""
-_LENGTH = struct.Struct("<Q")
 
 
 class DocumentWorker:
@@ -117,52 +113,10 @@ class DocumentWorker:
         return opened
 
 
-def read_frame(read: Callable[[int], bytes]) -> bytes | None:
-    """One length-prefixed message, or None at the end of the stream."""
-    head = _read_exactly(read, _LENGTH.size)
-    if head is None:
-        return None
-    return _read_exactly(read, _LENGTH.unpack(head)[0])
-
-
-def _read_exactly(read: Callable[[int], bytes], size: int) -> bytes | None:
-    parts = []
-    while size:
-        part = read(min(size, 1 << 20))
-        if not part:
-            return None
-        parts.append(part)
-        size -= len(part)
-    return b"".join(parts)
-
-
-def write_frame(stream: IO[bytes], message: bytes) -> None:
-    """Send one length-prefixed message."""
-    stream.write(_LENGTH.pack(len(message)))
-    stream.write(message)
-    stream.flush()
-
-
-def settle_in() -> None:
-    """Make this process a worker: it lets the writer go first, is bounded in memory and outlives Ctrl-C.
-
-    Ctrl-C goes to all processes of a terminal; the pool ends its workers itself.
-    """
-    with contextlib.suppress(AttributeError, OSError):
-        os.nice(_NICENESS)
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource
-
-        limits = [limit for limit in resource.getrlimit(resource.RLIMIT_AS) if limit != resource.RLIM_INFINITY]
-        limit = min([MEMORY_LIMIT_BYTES, *limits])
-        resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    # Records and rows hold no cycles: looking for some again and again costs more than reading many a document.
-    gc.set_threshold(100_000, 20, 100)
-
-
 def serve(requests: IO[bytes], answers: IO[bytes]) -> None:
     """Answer tasks until there are no more."""
+    with contextlib.suppress(AttributeError, OSError):
+        os.nice(_NICENESS)
     worker = DocumentWorker()
     decode = msgspec.msgpack.Decoder(Task).decode
     encode = msgspec.msgpack.Encoder().encode
