@@ -20,13 +20,13 @@ class DocumentTree:
         """The tree: what gives it when it needs no work."""
         return self
 
-    def child(self, around: etree._Element, tag: str, number: int) -> etree._Element | None:
-        """Child ``number`` from 0 with this tag, with its lines; one that was cut out stands alone."""
-        family = self._families.get((around, tag))
+    def element(self, around: etree._Element, path: str, number: int) -> etree._Element | None:
+        """Element ``number`` from 0 at a path below another, with its lines; one that was cut out stands alone."""
+        family = self._families.get((around, path))
         if family is None:
-            elements = list(around.iterchildren(tag))
+            elements = around.findall(path) if "/" in path else list(around.iterchildren(path))
             counts = [self.cut.count(element) for element in elements] if self.cut is not None else [1] * len(elements)
-            family = self._families[around, tag] = (elements, list(accumulate(counts, initial=0)))
+            family = self._families[around, path] = (elements, list(accumulate(counts, initial=0)))
         elements, firsts = family
         if number >= firsts[-1]:
             return None

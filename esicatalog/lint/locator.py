@@ -91,15 +91,10 @@ class Locator:
             shown += f"[{position}]" if len(value) > 1 else ""
             value = value[position]
         fields = _fields(type(value)) if isinstance(value, Record) else {}
-        element = self._element(around.element, path, position or 0) if around.exact else None
+        element = self._tree.element(around.element, path, position or 0) if around.exact else None
         if element is not None:
             return _Known(value, fields, shown, element, True)
         return _Known(value, fields, shown, around.element, False)
-
-    def _element(self, around: etree._Element, path: str, position: int) -> etree._Element | None:
-        holders, _, tag = path.rpartition("/")
-        holder = around.find(holders) if holders else around
-        return self._tree.child(holder, tag, position) if holder is not None else None
 
 
 def _line(element: etree._Element) -> int:
