@@ -22,6 +22,7 @@ from lxml import etree
 
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
 from esicatalog.esi.documents import make_parser
+from esicatalog.esi.lines import LAST_COUNTED
 
 MARK = f"repeated-{secrets.token_hex(8)}"
 """Attribute that tells what an element stands for; of those that stand for themselves too."""
@@ -100,6 +101,7 @@ class Cut:
         self._memory = memory
         self._marks: list[tuple[_Kind, Part | list[Part]]] = []
         self._met = 0
+        self._alone: dict[tuple[bytes, int], etree._Element] = {}
         self._unclosed: set[_Kind] = set()
         """Kinds of which a start tag without an end tag was met: looking for more might take forever."""
         pieces: list[bytes] = []
@@ -258,9 +260,28 @@ class Cut:
         run = self._run(element)
         if not run:
             return element
-        lines_before = (element.sourceline or 1) - 1 + sum([part.line_count for part in run[:number]])
         # Lines are counted by the parser, which knows more of them than an element can be given.
-        return etree.fromstring(b"\n" * lines_before + run[number].words, make_parser(encoding=self.encoding))
+        return self._parsed(b"\n" * self._lines_before(element, number) + run[number].words)
+
+    def standing_alone(self, element: etree._Element, number: int) -> tuple[etree._Element, int]:
+        """:meth:`itself` with lines of its own, and how many lines come before it; for many looks at many parts."""
+        run = self._run(element)
+        if not run:
+            return element, 0
+        part, lines_before = run[number], self._lines_before(element, number)
+        # The parser has lines beyond the last counted one from texts: it must meet the part on the same side of it.
+        crosses = lines_before < LAST_COUNTED <= lines_before + part.line_count
+        blank_lines = lines_before if crosses else LAST_COUNTED if lines_before >= LAST_COUNTED else 0
+        alone = self._alone.get((part.words, blank_lines))
+        if alone is None:
+            alone = self._alone[part.words, blank_lines] = self._parsed(b"\n" * blank_lines + part.words)
+        return alone, lines_before - blank_lines
+
+    def _parsed(self, words: bytes) -> etree._Element:
+        return etree.fromstring(words, make_parser(encoding=self.encoding))
+
+    def _lines_before(self, element: etree._Element, number: int) -> int:
+        return (element.sourceline or 1) - 1 + sum([part.line_count for part in self._run(element)[:number]])
 
     def _run(self, element: etree._Element) -> Sequence[Part]:
         """The parts that an element stands for; empty for an element that was not cut out."""

@@ -2,10 +2,18 @@
 
 from bisect import bisect_right
 from itertools import accumulate
+from typing import NamedTuple
 
 from lxml import etree
 
 from esicatalog.esi.repeats import Cut
+
+
+class Located(NamedTuple):
+    """An element; one that was cut out stands alone and has lines of its own, ``lines_before`` come before them."""
+
+    element: etree._Element
+    lines_before: int
 
 
 class DocumentTree:
@@ -20,8 +28,8 @@ class DocumentTree:
         """The tree: what gives it when it needs no work."""
         return self
 
-    def element(self, around: etree._Element, path: str, number: int) -> etree._Element | None:
-        """Element ``number`` from 0 at a path below another, with its lines; one that was cut out stands alone."""
+    def element(self, around: etree._Element, path: str, number: int) -> Located | None:
+        """Element ``number`` from 0 at a path below another."""
         family = self._families.get((around, path))
         if family is None:
             elements = around.findall(path) if "/" in path else list(around.iterchildren(path))
@@ -31,7 +39,9 @@ class DocumentTree:
         if number >= firsts[-1]:
             return None
         at = bisect_right(firsts, number) - 1
-        return elements[at] if self.cut is None else self.cut.itself(elements[at], number - firsts[at])
+        if self.cut is None:
+            return Located(elements[at], 0)
+        return Located(*self.cut.standing_alone(elements[at], number - firsts[at]))
 
     def whole(self) -> etree._Element:
         """The root, with everything below it as the document has it."""

@@ -38,12 +38,16 @@ class Position(NamedTuple):
 
 
 class _Known(NamedTuple):
-    """A place that was looked up; ``element`` is the nearest one that the tree has, ``exact`` whether it is the one."""
+    """A place that was looked up; ``element`` is the nearest one that the tree has, ``exact`` whether it is the one.
+
+    Its line is counted from where its tree starts, ``lines_before`` come before that.
+    """
 
     record: Any
     fields: dict[str, Field]
     path: str
     element: etree._Element
+    lines_before: int
     exact: bool
 
 
@@ -62,7 +66,8 @@ class Locator:
     def position(self, place: Place) -> Position:
         """Path and line of a place; of the nearest element around it where the document has none there."""
         found = self._look_up(place)
-        return Position(found.path, _line(found.element))
+        line = _line(found.element)
+        return Position(found.path, line and found.lines_before + line)
 
     def _look_up(self, place: Place) -> _Known:
         found = self._known.get(place)
@@ -72,7 +77,7 @@ class Locator:
 
     def _root(self) -> _Known:
         record_type = _ROOTS[self._document.root]
-        return _Known(self._document, _fields(record_type), self._document.root, self._tree.root, True)
+        return _Known(self._document, _fields(record_type), self._document.root, self._tree.root, 0, True)
 
     def _step(self, place: Place) -> _Known:
         if place == _SECTION and (record_type := _ROOTS[self._document.root]) in _SINGLE_SECTION:
@@ -91,10 +96,10 @@ class Locator:
             shown += f"[{position}]" if len(value) > 1 else ""
             value = value[position]
         fields = _fields(type(value)) if isinstance(value, Record) else {}
-        element = self._tree.element(around.element, path, position or 0) if around.exact else None
-        if element is not None:
-            return _Known(value, fields, shown, element, True)
-        return _Known(value, fields, shown, around.element, False)
+        found = self._tree.element(around.element, path, position or 0) if around.exact else None
+        if found is None:
+            return _Known(value, fields, shown, around.element, around.lines_before, False)
+        return _Known(value, fields, shown, found.element, around.lines_before + found.lines_before, True)
 
 
 def _line(element: etree._Element) -> int:
