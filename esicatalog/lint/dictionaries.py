@@ -49,13 +49,16 @@ class ObjectSubject:
     def _paired(self) -> _Pairs | None:
         """Values with the SubItems that they belong to, where names alone tell it."""
         infos, sub_items = self.declared.info_sub_items, self._sub_items
-        by_name = {sub_item.name: sub_item for sub_item in sub_items}
-        pairs = {info.name: (info, by_name[info.name]) for info in infos if info.name in by_name}
-        if len(pairs) < len(infos) or len(by_name) < len(sub_items):
+        pairs = list(zip(infos, sub_items, strict=False))
+        in_order = len(infos) == len(sub_items) and all(info.name == sub_item.name for info, sub_item in pairs)
+        if not in_order:
+            by_name = {sub_item.name: sub_item for sub_item in sub_items}
+            pairs = [(info, by_name[info.name]) for info in infos if info.name in by_name]
+            if len({info.name for info, _ in pairs}) < len(infos) or len(by_name) < len(sub_items):
+                return None
+        if any(map(self._is_expanded, sub_items)) and not (in_order and _fit(pairs)):
             return None
-        if any(map(self._is_expanded, sub_items)) and not (len(pairs) == len(by_name) and _fit(pairs.values())):
-            return None
-        return list(pairs.values())
+        return pairs
 
     def _is_expanded(self, sub_item: SubItem) -> bool:
         """Whether a SubItem may stand for all elements of an array."""

@@ -13,7 +13,7 @@ import msgspec
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.dictionary import Dictionary
+from esicatalog.esi.records.dictionary import DataType, Dictionary
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.cia402 import AXIS_STEP, CIA402, DRIVE_MODES, MODES_OF_OPERATION, DriveMode, named_modes
@@ -329,16 +329,21 @@ def _motion_terminal_modes(device: Device, views: DictionaryViews) -> list[tuple
 def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
     """Modes that values of objects name: where each is named first."""
     types = view.types.by_name
+    named = {
+        name: [(mode, text) for text in _enum_texts(data_type) for mode in sorted(named_modes(text))]
+        for name, data_type in types.items()
+    }
     found: dict[str, tuple[int, str, str]] = {}
     for declared in view.dictionary.objects:
         data_type = types.get(declared.type or "")
         for sub_item in data_type.sub_items if data_type is not None else ():
-            enumeration = types.get(sub_item.type or "")
-            for item in enumeration.enum_infos if enumeration is not None else ():
-                text = display_text(item.texts) or ""
-                for mode in sorted(named_modes(text)):
-                    found.setdefault(mode, (declared.object_index or 0, mode, text))
+            for mode, text in named.get(sub_item.type or "", ()):
+                found.setdefault(mode, (declared.object_index or 0, mode, text))
     return found
+
+
+def _enum_texts(data_type: DataType) -> list[str]:
+    return [display_text(item.texts) or "" for item in data_type.enum_infos]
 
 
 def _is_motion_terminal(profile_no: int | None, add_info: int | None) -> bool:

@@ -1,7 +1,8 @@
 """Rules about names and images."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
+from operator import attrgetter
 
 from esicatalog.esi.binding import Record, fields_of
 from esicatalog.esi.records.common import ENGLISH, Name
@@ -20,8 +21,10 @@ _HEADER_BYTES = 26
 
 
 @cache
-def _name_fields(record_type: type[Record]) -> tuple[tuple[str, str], ...]:
-    return tuple((f.name, f.xml.path) for f in fields_of(record_type) if f.many and f.item is Name)
+def _name_fields(record_type: type[Record]) -> tuple[tuple[str, str, Callable[[Record], Sequence[Name]]], ...]:
+    """Field, element and access to the value of each list of names."""
+    fields = [f for f in fields_of(record_type) if f.many and f.item is Name]
+    return tuple((f.name, f.xml.path, attrgetter(f.name)) for f in fields)
 
 
 @rule("L17", WARNING, "ETG.2000 NameType: one element a language, LcId 1033 when absent")
@@ -33,12 +36,12 @@ def language_twice(record: Record) -> Iterator[Found]:
 
 
 def _languages_twice(records: Sequence[Record], record_type: type[Record], nested: str = "") -> Iterator[Found]:
-    for field, element in _name_fields(record_type):
+    for field, element, get in _name_fields(record_type):
+        if max(map(len, map(get, records)), default=0) < 2:
+            continue  # nearly always
         for position, record in enumerate(records):
-            names = getattr(record, field)
-            if len(names) > 1:  # seldom
-                place: Place = (nested, position) if nested else ()
-                yield from _second_ones(names, element, (*place, field))
+            place: Place = (nested, position) if nested else ()
+            yield from _second_ones(get(record), element, (*place, field))
 
 
 def _second_ones(names: Sequence[Name], element: str, place: Place) -> Iterator[Found]:
