@@ -22,7 +22,8 @@ def answer(value):
         while read_frame(requests.read) is not None:
             write_frame(answers, json.dumps(value()).encode())
     helper = forked(serve)
-    said = helper.ask(b"", 60)
+    helper.send(b"")
+    said = helper.receive(60)
     helper.end()
     return said and json.loads(said)
 """

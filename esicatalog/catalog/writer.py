@@ -87,6 +87,7 @@ class Writer:
                 "groups",
             )
         }
+        self._sources = _KeyMap(connection, schema.sources, "location")
         self._vendors: set[int] = set()
         self._images: set[str] = set()
         self._archives: dict[str, int] = {}
@@ -148,7 +149,7 @@ class Writer:
         """Forget what was known of the rows in the database. Nothing may be queued."""
         self._buffer.forget_ids()
         self._archives.clear()
-        for keys in self._keys.values():
+        for keys in (self._sources, *self._keys.values()):
             keys.forget()
         self._vendors = set(self._connection.execute(sa.select(schema.vendors.c.vendor_id)).scalars())
         self._images = set(self._connection.execute(sa.select(schema.images.c.sha256)).scalars())
@@ -156,8 +157,7 @@ class Writer:
     def forget(self, location: str) -> None:
         """Drop what a location brought; descriptions that nobody else carries go with the next commit."""
         self._begin()
-        sources = schema.sources.c
-        found = self._connection.execute(sa.select(sources.id).where(sources.location == location)).scalar()
+        found = self._sources.take(location)
         if found is None:
             return
         self._buffer.flush()
@@ -175,7 +175,7 @@ class Writer:
             schema.unmapped,
         ):
             self._connection.execute(sa.delete(table).where(table.c.source_id == found))
-        self._connection.execute(sa.delete(schema.sources).where(sources.id == found))
+        self._connection.execute(sa.delete(schema.sources).where(schema.sources.c.id == found))
         self._dropped = True
 
     def archive_begun(self, location: str) -> None:
@@ -208,7 +208,9 @@ class Writer:
         return number
 
     def commit(self) -> None:
-        """Write what is queued, put variants and vendors in order, commit: the turn ends."""
+        """Write what is queued, put variants and vendors in order, commit: the turn, if there is one, ends."""
+        if not self._is_writing:
+            return
         with self._stages("write"):
             self._buffer.flush()
         with self._stages("order"):
@@ -255,6 +257,7 @@ class Writer:
             self._part_id("diagnostics", document.diagnostics if document else None),
         )
         self._buffer.add("sources", [row])
+        self._sources.put(source.location, number)
         return number
 
     def _add_section(self, source_id: int, position: int, section: Section) -> None:
@@ -388,11 +391,12 @@ class Writer:
 
 
 class _KeyMap:
-    """Row numbers by content digest: those met in this run, and on demand those of the database."""
+    """Row numbers by content digest or other key: those met in this run, and on demand those of the database."""
 
-    def __init__(self, connection: sa.Connection, table: sa.Table) -> None:
+    def __init__(self, connection: sa.Connection, table: sa.Table, key: str = "content_hash") -> None:
         self._connection = connection
         self._table = table
+        self._key = table.c[key]
         self._known: dict[bytes | str, int] = {}
         self._empty = False
 
@@ -421,8 +425,14 @@ class _KeyMap:
         missing = [key for key in keys if key not in self._known]
         table = self._table.c
         for part in chunks(missing):
-            query = sa.select(table.content_hash, table.id).where(table.content_hash.in_(part))
+            query = sa.select(self._key, table.id).where(self._key.in_(part))
             self._known.update((key, number) for key, number in self._connection.execute(query))
+
+    def take(self, key: bytes | str) -> int | None:
+        """Row number of a key, which is about to be deleted."""
+        number = self.get(key)
+        self._known.pop(key, None)
+        return number
 
     def put(self, key: bytes | str, number: int) -> None:
         """Remember the row number of a digest just queued."""

@@ -29,8 +29,9 @@ class HashingAhead:
         """What is known by now; the rest is nobody's work any more."""
         if self._helper is None:
             return {}
+        self._helper.send(b"")
         try:
-            answer = self._helper.ask(b"", _PATIENCE_SECONDS)
+            answer = self._helper.receive(_PATIENCE_SECONDS)
         except TimeoutError:
             answer = None
         self.end()

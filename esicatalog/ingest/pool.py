@@ -1,4 +1,4 @@
-"""Worker processes of our own: one task at a time each, a deadline per document, a dead worker costs one document."""
+"""Worker processes of our own: a deadline per document, a dead worker costs one document."""
 
 import threading
 import time
@@ -15,6 +15,11 @@ DEADLINE_SECONDS = 120.0
 """Longest time a document may take; the largest real one takes a few seconds."""
 _MAX_WAITING_BYTES = 64 * 1024 * 1024
 """Outcomes wait as bytes, ten times smaller than as rows: workers go on while the writer writes."""
+_ASKED_AT_ONCE = 2
+_FITS_BYTES = 4096
+"""Of a request that waits in any pipe: nobody waits until it is read, who meanwhile may wait to be read."""
+_ENOUGH_TASKS = 2
+"""For each worker: with fewer left, none waits behind another while somebody has nothing to do."""
 
 
 def read_here(tasks: Sequence[Task]) -> Iterator[Outcome]:
@@ -88,10 +93,13 @@ class Pool:
             self._outcomes.append(error)
             self._changed.notify_all()
 
-    def _next(self, held: deque[Task]) -> Task | None:
+    def _next(self, held: deque[Task], ahead: bool) -> Task | None:
+        """A task for a worker; one ``ahead`` of its time only while there are enough for all."""
         with self._changed:
             if held:
                 return held.popleft()
+            if ahead and len(self._tasks) < _ENOUGH_TASKS * self._count:
+                return None
             place = next(iter(self._tasks), None)
             return self._tasks.pop(place) if place is not None else None
 
@@ -104,20 +112,33 @@ class Pool:
                     held.append(self._tasks.pop(place))
 
     def _serve(self, worker: Helper | None) -> None:
-        """One thread per worker process: hand out tasks, wait for answers, replace the process when it dies."""
+        """One thread per worker process: hand out tasks, wait for answers, replace the process when it dies.
+
+        While a worker reads a document it has the next task already, else it would wait for this thread's turn.
+        """
         held: deque[Task] = deque()
+        asked: deque[Task] = deque()
         try:
             while not self._stopped:
-                task = self._next(held)
-                if task is None:
+                while len(asked) < _ASKED_AT_ONCE and (task := self._next(held, ahead=bool(asked))) is not None:
+                    request = msgspec.msgpack.encode(task)
+                    if asked and len(request) > _FITS_BYTES:
+                        held.appendleft(task)
+                        break
+                    if worker is None:
+                        worker = self._launch()
+                    worker.send(request)
+                    asked.append(task)
+                if worker is None or not asked:
                     break
-                if worker is None:
-                    worker = self._launch()
-                answer = self._ask(worker, task)
+                task = asked.popleft()
+                answer = self._receive(worker, task)
                 self._hold(task, answer.references, held)
                 if not worker.is_alive:
                     self._end(worker)
                     worker = None
+                    held.extendleft(reversed(asked))
+                    asked.clear()
                 self._put(bytes(answer.outcome))
         except BaseException as error:
             self._fail(error)
@@ -136,10 +157,10 @@ class Pool:
         self._processes.discard(worker)
         worker.end()
 
-    def _ask(self, worker: Helper, task: Task) -> Answer:
+    def _receive(self, worker: Helper, task: Task) -> Answer:
         problem = "the reading process died (out of memory or a crash)"
         try:
-            answer = worker.ask(msgspec.msgpack.encode(task), self._deadline_seconds)
+            answer = worker.receive(self._deadline_seconds)
         except TimeoutError:
             answer = None
             problem = f"gave up after {self._deadline_seconds:.0f} s"

@@ -21,6 +21,7 @@ from typing import IO, NoReturn, Protocol
 MEMORY_LIMIT_BYTES = 3 * 1024**3
 _THREADS = Path("/proc/self/task")
 _DESCRIPTORS = Path("/proc/self/fd")
+_PIPE_BYTES = 1024 * 1024
 _LENGTH = struct.Struct("<Q")
 
 Serve = Callable[[IO[bytes], IO[bytes]], None]
@@ -80,15 +81,21 @@ class _Process(Protocol):
 
 
 class Helper:
-    """A process that answers requests, one at a time."""
+    """A process that answers requests in their order."""
 
     def __init__(self, process: _Process, requests: IO[bytes], answers: IO[bytes]) -> None:
         self._process = process
         self._requests = requests
         self._answers = answers
+        _widen(answers)
 
-    def ask(self, request: bytes, seconds: float) -> bytes | None:
-        """Send a request and wait for its answer, None when the process died.
+    def send(self, request: bytes) -> None:
+        """Send a request, be there anybody to read it or not."""
+        with contextlib.suppress(BrokenPipeError, ConnectionError):
+            write_frame(self._requests, request)
+
+    def receive(self, seconds: float) -> bytes | None:
+        """Wait for the next answer, None when the process died.
 
         Raises :class:`TimeoutError` when there is no answer after so many seconds.
         """
@@ -100,11 +107,9 @@ class Helper:
                 raise TimeoutError
             return self._answers.read(size) or b""
 
-        try:
-            write_frame(self._requests, request)
+        with contextlib.suppress(ConnectionError):
             return read_frame(read)
-        except (BrokenPipeError, ConnectionError):
-            return None
+        return None
 
     @property
     def is_alive(self) -> bool:
@@ -121,6 +126,14 @@ class Helper:
         self._process.wait()
         self._requests.close()
         self._answers.close()
+
+
+def _widen(answers: IO[bytes]) -> None:
+    """Let most answers fit into the pipe: who wrote one goes on before it is read."""
+    with contextlib.suppress(ImportError, AttributeError, OSError):
+        import fcntl
+
+        fcntl.fcntl(answers, fcntl.F_SETPIPE_SZ, _PIPE_BYTES)
 
 
 def can_fork() -> bool:

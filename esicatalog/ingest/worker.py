@@ -27,7 +27,7 @@ from esicatalog.model.derivation import Deriver
 
 _MAX_OPENED = 16
 """Containers kept open: neighbours in the order of reading lie in different archives."""
-_NICENESS = 10
+_NICENESS = 5
 """The writer runs first: whatever it leaves for after the last document is done by one core alone."""
 _LONGEST_SECONDS = 300
 """For when nobody is left to end a document that never ends: longer than the pool waits for one."""
