@@ -1,18 +1,19 @@
 """Bulk inserts: rows of many documents are gathered per table and written parents first."""
 
-from collections.abc import Iterable, Iterator, Sequence
-from operator import itemgetter
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import sqlalchemy as sa
 
-from esicatalog.catalog.copy_rows import copy_rows
+from esicatalog.catalog.copy_rows import CopyInserts
 from esicatalog.catalog.derived import DerivedRows
+from esicatalog.catalog.inserts import Inserts, Links, Part
 from esicatalog.catalog.schema import metadata
+from esicatalog.catalog.shared import NO_NUMBERS, NewlyShared, Numbers, Row
+from esicatalog.catalog.sqlite_inserts import SqliteInserts
 
-_CHUNK_ROWS = 10_000
-_MAX_QUEUED_ROWS = 50_000
-_SAMPLE_ROWS = 1_000
+_MAX_QUEUED = 50_000
 _TABLES = metadata.sorted_tables
 
 
@@ -21,9 +22,14 @@ class RowBuffer:
 
     def __init__(self, connection: sa.Connection) -> None:
         self._connection = connection
+        self._inserts: Inserts = (
+            SqliteInserts(connection) if connection.dialect.name == "sqlite" else CopyInserts(connection, self.take_ids)
+        )
         self._next: dict[str, int] = {}
-        self._rows: dict[str, list[tuple[Any, ...]]] = {}
-        self._shapes: dict[str, _Shape] = {}
+        self._rows: dict[str, list[Row]] = defaultdict(list)
+        self._links: dict[str, list[Links]] = defaultdict(list)
+        self._parts: dict[str, list[Part]] = defaultdict(list)
+        self._shared: dict[tuple[str, int], list[Row]] = defaultdict(list)
 
     def take_ids(self, table: str, count: int = 1) -> int:
         """Reserve ``count`` consecutive row numbers of a table; returns the first."""
@@ -38,15 +44,33 @@ class RowBuffer:
         """After others wrote: the next row numbers are looked up again. Nothing may be queued."""
         self._next.clear()
 
-    def add(self, table: str, rows: Iterable[tuple[Any, ...]]) -> None:
+    def add(self, table: str, rows: Iterable[Row]) -> None:
         """Queue complete rows (all columns in the order of the table)."""
-        self._rows.setdefault(table, []).extend(rows)
+        self._rows[table].extend(rows)
 
     def add_numbered(self, table: str, rows: Sequence[Sequence[Any]], *owner: Any) -> int:
         """Queue rows that lack their number and owner columns; returns the number of the first."""
         first = self.take_ids(table, len(rows))
-        self._rows.setdefault(table, []).extend([(number, *owner, *row) for number, row in enumerate(rows, first)])
+        self._rows[table].extend([(number, *owner, *row) for number, row in enumerate(rows, first)])
         return first
+
+    def add_links(self, table: str, owner: int, targets: list[int]) -> None:
+        """Queue rows (owner, position, target)."""
+        if targets:
+            self._links[table].append(Links(owner, targets))
+
+    def add_part(self, table: str, parent: int, maker: int, numbers: Numbers) -> None:
+        """Queue the rows that hang on the row ``parent``, named by numbers that :meth:`share` told of."""
+        if numbers != NO_NUMBERS:
+            self._parts[table].append(Part(parent, maker, numbers))
+
+    def share(self, told: NewlyShared) -> None:
+        """Learn the shared rows that parts refer to from now on."""
+        if told.starts_anew:
+            self.flush()
+            self._inserts.forget(told.maker)
+        for table, rows in told.rows.items():
+            self._shared[table, told.maker].extend(rows)
 
     def add_derived(self, device_id: int, rows: DerivedRows) -> None:
         """Queue what a device implies."""
@@ -55,64 +79,23 @@ class RowBuffer:
         self.add("mode_evidence", [(device_id, *row) for row in rows.mode_evidence])
 
     def flush_if_full(self) -> None:
-        """Write the queued rows when there are many: memory stays bounded whatever a document holds."""
-        if sum(map(len, self._rows.values())) > _MAX_QUEUED_ROWS:
+        """Write what is queued when it is much: memory stays bounded whatever a document holds."""
+        queues = (self._rows, self._links, self._parts, self._shared)
+        if sum(len(queued) for queue in queues for queued in queue.values()) > _MAX_QUEUED:
             self.flush()
 
     def flush(self) -> None:
-        """Write all queued rows in an order that foreign keys allow."""
+        """Write all that is queued in an order that foreign keys allow."""
+        for (name, maker), shared in self._shared.items():
+            self._inserts.hold(metadata.tables[name], maker, shared)
+        self._shared.clear()
         for table in _TABLES:
-            rows = self._rows.pop(table.name, None)
-            if rows and self._connection.dialect.name != "sqlite":
-                copy_rows(self._connection, table, rows)
-            elif rows:
-                self._write(table, rows)
-
-    def _write(self, table: sa.Table, rows: list[tuple[Any, ...]]) -> None:
-        shape = self._shapes.get(table.name)
-        if shape is None:
-            shape = self._shapes[table.name] = _Shape(rows)
-        names = table.columns.keys()
-        for start in range(0, len(rows), _CHUNK_ROWS):
-            for columns, part in shape.parts(rows[start : start + _CHUNK_ROWS]):
-                marks = ", ".join("?" * len(columns))
-                insert = f"INSERT INTO {table.name} ({', '.join(names[at] for at in columns)}) VALUES ({marks})"
-                self._connection.exec_driver_sql(insert, part)
-
-
-class _Shape:
-    """Which columns of a table are seldom filled: handing over a NULL costs as much as a value, leaving it out nothing.
-
-    Learned from the first rows; rows that need more columns are inserted with all of them.
-    """
-
-    def __init__(self, rows: Sequence[tuple[Any, ...]]) -> None:
-        sample = rows[:_SAMPLE_ROWS]
-        self._all = range(len(rows[0]))
-        missing = [sum(value is None for value in column) for column in zip(*sample, strict=True)]
-        order = sorted(self._all, key=missing.__getitem__)
-        needed = sorted(
-            max((at for at, column in enumerate(order) if row[column] is not None), default=0) for row in sample
-        )
-        # As many leading columns as nine of ten rows need.
-        self._taken = order[: needed[len(needed) * 9 // 10] + 1]
-        self._take = itemgetter(*self._taken) if len(self._taken) > 1 else None
-        self._rest = order[len(self._taken) :]
-        self._leave = itemgetter(*self._rest) if len(self._rest) > 1 else None
-        self._nothing = (None,) * len(self._rest)
-
-    def parts(self, rows: list[tuple[Any, ...]]) -> Iterator[tuple[Sequence[int], list[tuple[Any, ...]]]]:
-        """Rows with the positions of the columns that they hold."""
-        if self._take is None or self._leave is None:
-            yield self._all, rows
-            return
-        leave, nothing = self._leave, self._nothing
-        full = [row for row in rows if leave(row) != nothing]
-        if full:
-            yield self._all, full
-            rows = [row for row in rows if leave(row) == nothing]
-        if rows:
-            yield self._taken, list(map(self._take, rows))
+            if rows := self._rows.pop(table.name, None):
+                self._inserts.rows(table, rows)
+            if links := self._links.pop(table.name, None):
+                self._inserts.links(table, links)
+            if parts := self._parts.pop(table.name, None):
+                self._inserts.parts(table, parts)
 
 
 def chunks(values: Iterable[Any], size: int = 500) -> Iterable[list[Any]]:

@@ -1,19 +1,17 @@
 """Rows of what a description implies: facts, drive modes and places in the default process image. No SQLAlchemy."""
 
 from collections.abc import Iterable, Mapping
-from typing import Any
 
 import msgspec
 
 from esicatalog.catalog.mapping import codec
+from esicatalog.catalog.shared import Row
 from esicatalog.esi.binding import Record
 from esicatalog.model.derivation import Derivation
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_evidence import ModeEvidence
 from esicatalog.model.drive_modes import DriveModeVerdict
 from esicatalog.model.process_image import SmImage
-
-Row = tuple[Any, ...]
 
 PdoPlace = tuple[int, list[int]]
 """SyncManager of an assigned PDO and the bit offset of each of its entries."""
@@ -52,15 +50,3 @@ def pdo_places(images: Iterable[SmImage]) -> PdoPlaces:
         for pdo in image.pdos
         if pdo.slot_number is None and pdo.position is not None
     }
-
-
-def add_places(tables: dict[str, list[Row]], places: PdoPlaces) -> None:
-    """Append SyncManager and bit offset, None where there is none, to the rows of PDOs and entries."""
-    pdos = tables.get("pdos")
-    if pdos is None:
-        return
-    found = [places.get((direction, position)) for position, direction, *_ in pdos]
-    tables["pdos"] = [(*row, place[0] if place else None) for row, place in zip(pdos, found, strict=True)]
-    entries = tables.get("pdo_entries")
-    if entries is not None:
-        tables["pdo_entries"] = [(*row, place[1][row[1]] if (place := found[row[0]]) else None) for row in entries]

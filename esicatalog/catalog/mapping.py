@@ -57,6 +57,11 @@ class Child(NamedTuple):
     single: bool = False
     under_parent: bool = False
 
+    @property
+    def constant(self) -> tuple[str, ...]:
+        """Value of the discriminator, which is a column of its own."""
+        return (self.discriminator[1],) if self.discriminator is not None else ()
+
 
 CHILDREN: dict[type[Record], tuple[Child, ...]] = {
     Device: (

@@ -1,7 +1,7 @@
 """Documents as rows: what a worker hands to the writer, each distinct content once.
 
-Rows are lists of column values in the order of the table's codec. A row of a child table starts with the number of
-its parent row within the same description. Nothing in here knows a database.
+Rows are lists of column values in the order of the table's codec; those that hang on other rows are shared
+(:mod:`esicatalog.catalog.shared`). Nothing in here knows a database.
 """
 
 from collections.abc import Iterable
@@ -9,11 +9,12 @@ from typing import Any
 
 import msgspec
 
-from esicatalog.catalog.derived import DerivedRows, PdoPlaces, Row, add_places, derived_rows, pdo_places, positioned
+from esicatalog.catalog.derived import DerivedRows, PdoPlaces, derived_rows, pdo_places
 from esicatalog.catalog.digests import Digests
-from esicatalog.catalog.mapping import CHILDREN, codec, extension_rows, image_key, to_json
+from esicatalog.catalog.mapping import codec, to_json
+from esicatalog.catalog.owned import Image, OwnedRowMaker, OwnedRows, image_row
+from esicatalog.catalog.shared import NewlyShared, Numbers, Row, Sharing
 from esicatalog.esi.notes import Finding
-from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.reader import ReadDocument
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.device import Device
@@ -34,8 +35,8 @@ class TypeRows(msgspec.Struct):
 
     key: bytes
     row: Row
-    sub_items: list[Row]
-    enum_values: list[Row]
+    sub_items: Numbers
+    enum_values: Numbers
 
 
 class ObjectRows(msgspec.Struct):
@@ -44,7 +45,7 @@ class ObjectRows(msgspec.Struct):
     key: bytes
     row: Row
     object_code: int
-    entries: list[Row]
+    entries: Numbers
 
 
 class DiagnosticsRows(msgspec.Struct):
@@ -52,23 +53,23 @@ class DiagnosticsRows(msgspec.Struct):
 
     key: bytes
     row: Row
-    messages: list[Row]
+    messages: Numbers
 
 
 class TypeSetRows(msgspec.Struct):
-    """All data types of a dictionary: their keys in document order."""
+    """All data types of a dictionary: the numbers of their keys in document order."""
 
     key: bytes
-    data_types: list[bytes]
+    data_types: list[int]
 
 
 class DictionaryRows(msgspec.Struct):
-    """A dictionary: its own row, the key of its type set and those of its objects in document order."""
+    """A dictionary: its own row, the key of its type set and the numbers of its objects' in document order."""
 
     key: bytes
     row: Row
     type_set: bytes
-    objects: list[bytes]
+    objects: list[int]
 
 
 class OwnerRows(msgspec.Struct):
@@ -77,12 +78,10 @@ class OwnerRows(msgspec.Struct):
     key: bytes
     vendor_id: int | None
     row: Row
-    tables: dict[str, list[Row]]
+    owned: OwnedRows
     profile_parts: list[tuple[bytes | None, bytes | None]]
     """Keys of dictionary and diagnosis texts of each profile."""
-    extensions: list[tuple[str, int, str, str]]
     unmapped: list[tuple[str, str]]
-    images: list[tuple[str, bytes | None, str | None]]
     texts: list[tuple[str, int, int | None, str]]
     """(kind, position, LcId, text) of names, comments and links."""
     element_count: int
@@ -120,7 +119,7 @@ class Section(msgspec.Struct):
     vendor: Row | None
     groups: list[Row]
     shared_pdos: str | None
-    images: list[tuple[str, bytes | None, str | None]]
+    images: list[Image]
 
 
 class DocumentRows(msgspec.Struct):
@@ -137,6 +136,7 @@ class DocumentRows(msgspec.Struct):
     references: list[tuple[str, str, str | None, str | None]]
     findings: list[tuple[str, str, str, int, str]]
     unmapped: list[tuple[str, str]]
+    shared: NewlyShared
     new_types: list[TypeRows] = []
     new_type_sets: list[TypeSetRows] = []
     new_objects: list[ObjectRows] = []
@@ -156,12 +156,28 @@ class RowMaker:
         self._deriver = deriver or Deriver()
         self._resolver = self._deriver.resolver
         self._digests = Digests(self._resolver)
+        self._sharing = Sharing()
+        self._owned = OwnedRowMaker(self._sharing)
         self._sent: set[bytes] = set()
         self._module_counts: dict[bytes, int] = {}
-        self._out = DocumentRows("", "", None, [], [], [], None, None, [], [], [])
 
     def document(self, read: ReadDocument, findings: Iterable[Finding]) -> DocumentRows:
         """The rows of one document and what was found in it."""
+        if self._sharing.is_full:
+            self._share_anew()
+        try:
+            return self._document(read, findings)
+        except BaseException:
+            # What this document would have handed over never is.
+            self._share_anew()
+            self._sent.clear()
+            raise
+
+    def _share_anew(self) -> None:
+        self._sharing.start_anew()
+        self._owned = OwnedRowMaker(self._sharing)
+
+    def _document(self, read: ReadDocument, findings: Iterable[Finding]) -> DocumentRows:
         document = read.document
         self._out = out = DocumentRows(
             root=document.root,
@@ -175,6 +191,7 @@ class RowMaker:
             references=[(ref.kind, ref.text, ref.location, ref.sha256) for ref in document.references],
             findings=[(f.rule, f.severity, f.message, f.line, f.path) for f in findings],
             unmapped=[(item.path, item.value) for item in document.unmapped],
+            shared=self._sharing.begin(),
         )
         if document.dictionary is not None:
             out.dictionary = self._dictionary(document.dictionary)
@@ -226,11 +243,6 @@ class RowMaker:
         return key
 
     def _owner(self, owner: Device | Module, key: bytes, vendor_id: int | None, places: PdoPlaces) -> dict[str, Any]:
-        tables: dict[str, list[Row]] = {}
-        extensions: list[tuple[str, int, str, str]] = []
-        images: list[tuple[str, bytes | None, str | None]] = []
-        _collect(owner, "", 0, tables, extensions, images)
-        add_places(tables, places)
         dictionaries = [profile.dictionary for profile in owner.profiles]
         entries = sum(len(pdo.entries) for pdo in (*owner.rx_pdos, *owner.tx_pdos))
         objects = sum(len(dictionary.objects) for dictionary in dictionaries if dictionary is not None)
@@ -238,11 +250,9 @@ class RowMaker:
             "key": key,
             "vendor_id": vendor_id,
             "row": codec(type(owner)).encode(owner),
-            "tables": tables,
+            "owned": self._owned.rows(owner, places),
             "profile_parts": [self._profile_parts(profile) for profile in owner.profiles],
-            "extensions": extensions,
             "unmapped": [(item.path, item.value) for item in owner.unmapped],
-            "images": images,
             "texts": _texts(owner),
             "element_count": objects + entries,
         }
@@ -256,7 +266,7 @@ class RowMaker:
     def _diagnostics(self, diagnostics: Diagnostics) -> bytes:
         key = self._digests.diagnostics(diagnostics)
         if self._new(key):
-            messages = positioned(DiagMessage, diagnostics.diag_messages)
+            messages = self._sharing.rows("diag_messages", map(codec(DiagMessage).encode, diagnostics.diag_messages))
             row = codec(Diagnostics).encode(diagnostics)
             self._out.new_diagnostics.append(DiagnosticsRows(key, row, messages))
         return key
@@ -271,12 +281,12 @@ class RowMaker:
                     self._out.new_objects.append(self._object(declared, types, object_key))
             type_set = self._type_set(dictionary)
             row = codec(Dictionary).encode(dictionary)
-            self._out.new_dictionaries.append(DictionaryRows(key, row, type_set, object_keys))
+            self._out.new_dictionaries.append(DictionaryRows(key, row, type_set, self._sharing.digests(object_keys)))
         return key
 
     def _object(self, declared: Object, types: TypeSet, key: bytes) -> ObjectRows:
         resolved = self._resolver.resolve(declared, types)
-        entries = positioned(ObjectEntry, resolved.entries)
+        entries = self._sharing.records("object_entries", resolved.entries, ObjectEntry)
         return ObjectRows(key, codec(Object).encode(declared), resolved.object_code, entries)
 
     def _type_set(self, dictionary: Dictionary) -> bytes:
@@ -284,50 +294,16 @@ class RowMaker:
         if self._new(types.digest):
             for data_type in dictionary.data_types:
                 self._data_type(data_type)
-            self._out.new_type_sets.append(TypeSetRows(types.digest, types.digests))
+            self._out.new_type_sets.append(TypeSetRows(types.digest, self._sharing.digests(types.digests)))
         return types.digest
 
     def _data_type(self, data_type: DataType) -> bytes:
         key = self._digests.data_type(data_type)
         if self._new(key):
-            sub_items = positioned(SubItem, data_type.sub_items)
-            enum_values = positioned(EnumInfo, data_type.enum_infos)
+            sub_items = self._sharing.records("sub_items", data_type.sub_items, SubItem)
+            enum_values = self._sharing.rows("enum_values", map(codec(EnumInfo).encode, data_type.enum_infos))
             self._out.new_types.append(TypeRows(key, codec(DataType).encode(data_type), sub_items, enum_values))
         return key
-
-
-def _collect(
-    record: Any,
-    table: str,
-    number: int,
-    tables: dict[str, list[Row]],
-    extensions: list[tuple[str, int, str, str]],
-    images: list[tuple[str, bytes | None, str | None]],
-) -> None:
-    """Rows of everything below ``record``, which is row ``number`` of ``table`` ("" for the owner itself)."""
-    record_codec = codec(type(record))
-    if record_codec.extensions:
-        extensions.extend(extension_rows(record, table, number))
-    if record_codec.image_column is not None and record.image_data is not None:
-        images.append(_image(record.image_data))
-    for child in CHILDREN.get(type(record), ()):
-        held = getattr(record, child.field)
-        if not held:
-            continue
-        rows = tables.setdefault(child.table, [])
-        prefix: tuple[Any, ...] = (number,) if child.under_parent else ()
-        constant = (child.discriminator[1],) if child.discriminator is not None else ()
-        for position, item in enumerate((held,) if child.single else held):
-            item_number = len(rows)
-            rows.append((*prefix, position, *constant, *codec(type(item)).encode(item)))
-            _collect(item, child.table, item_number, tables, extensions, images)
-
-
-def _image(hex_text: str) -> tuple[str, bytes | None, str | None]:
-    data = decode_hex_binary(hex_text)
-    key = image_key(hex_text)
-    assert key is not None
-    return key, data, hex_text if data is None else None
 
 
 def _texts(owner: Device | Module) -> list[tuple[str, int, int | None, str]]:
@@ -340,7 +316,9 @@ def _texts(owner: Device | Module) -> list[tuple[str, int, int | None, str]]:
 
 
 def _section(info: EsiInfo) -> Section:
-    images = [_image(item.image_data) for item in (info.vendor, *info.groups) if item is not None and item.image_data]
+    images = [
+        image_row(item.image_data) for item in (info.vendor, *info.groups) if item is not None and item.image_data
+    ]
     return Section(
         vendor_id=info.vendor.vendor_id if info.vendor is not None else None,
         schema_version=info.schema_version,

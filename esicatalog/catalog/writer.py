@@ -3,13 +3,13 @@
 Everything between two calls of :meth:`Writer.commit` is one transaction; what is committed is always consistent.
 """
 
-from collections.abc import Sequence
 from typing import Any
 
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
-from esicatalog.catalog.bulk import RowBuffer, chunks
+from esicatalog.catalog.bulk import RowBuffer
+from esicatalog.catalog.key_map import KeyMap
 from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, codec, to_json
 from esicatalog.catalog.rows import (
     DeviceRows,
@@ -24,8 +24,8 @@ from esicatalog.catalog.rows import (
     TypeSetRows,
 )
 from esicatalog.catalog.settle import Affected, collect_garbage, forget_content_hash, settle
+from esicatalog.catalog.shared import NewlyShared, Row
 from esicatalog.catalog.turns import take_turn
-from esicatalog.errors import CatalogError
 from esicatalog.esi.content import digest
 from esicatalog.esi.records.document import Vendor
 from esicatalog.esi.stages import Stages
@@ -75,7 +75,7 @@ class Writer:
         self._reader_version = reader_version
         self._buffer = RowBuffer(connection)
         self._keys = {
-            table: _KeyMap(connection, schema.metadata.tables[table])
+            table: KeyMap(connection, schema.metadata.tables[table])
             for table in (
                 "data_types",
                 "type_sets",
@@ -87,10 +87,11 @@ class Writer:
                 "groups",
             )
         }
-        self._sources = _KeyMap(connection, schema.sources, "location")
+        self._sources = KeyMap(connection, schema.sources, "location")
         self._vendors: set[int] = set()
         self._images: set[str] = set()
         self._archives: dict[str, int] = {}
+        self._digests: dict[int, list[bytes]] = {}
         self._affected = Affected()
         self._dropped = False
         self._turn: int | None = None
@@ -102,23 +103,24 @@ class Writer:
         if document is None:
             self._add_source(source, None)
             return
+        maker = self._learn(document.shared)
         for types in document.new_types:
-            self._add_type(types)
+            self._add_type(types, maker)
         for type_set in document.new_type_sets:
-            self._add_type_set(type_set)
+            self._add_type_set(type_set, maker)
         for objects in document.new_objects:
-            self._add_object(objects)
+            self._add_object(objects, maker)
         for dictionary in document.new_dictionaries:
-            self._add_dictionary(dictionary)
+            self._add_dictionary(dictionary, maker)
         for diagnostics in document.new_diagnostics:
-            self._add_diagnostics(diagnostics)
+            self._add_diagnostics(diagnostics, maker)
         vendor_ids = [section.vendor_id for section in document.sections]
         for vendor_id in vendor_ids:
             self._add_vendor(vendor_id)
         for module in document.new_modules:
-            self._add_module(module)
+            self._add_module(module, maker)
         for device in document.new_devices:
-            self._add_device(device)
+            self._add_device(device, maker)
         source_id = self._add_source(source, document)
         for position, section in enumerate(document.sections):
             self._add_section(source_id, position, section)
@@ -133,6 +135,14 @@ class Writer:
             self._buffer.add_numbered("module_sources", [module_row])
         self._add_notes(source_id, document)
         self._buffer.flush_if_full()
+
+    def _learn(self, shared: NewlyShared) -> int:
+        """Take over what a document's maker has numbered; gives the maker."""
+        if shared.starts_anew:
+            self._digests[shared.maker] = []
+        self._digests[shared.maker] += shared.digests
+        self._buffer.share(shared)
+        return shared.maker
 
     def _begin(self) -> None:
         """Take a turn, if this is not one yet: what others wrote before is looked up again."""
@@ -288,31 +298,31 @@ class Writer:
         unmapped = [(position, *item) for position, item in enumerate(document.unmapped)]
         self._buffer.add_numbered("unmapped", unmapped, None, None, source_id)
 
-    def _add_type(self, types: TypeRows) -> None:
+    def _add_type(self, types: TypeRows, maker: int) -> None:
         keys = self._keys["data_types"]
         if keys.get(types.key) is not None:
             return
         number = self._buffer.add_numbered("data_types", [(types.key, *types.row)])
         keys.put(types.key, number)
-        self._buffer.add_numbered("sub_items", types.sub_items, number)
-        self._buffer.add_numbered("enum_values", types.enum_values, number)
+        self._buffer.add_part("sub_items", number, maker, types.sub_items)
+        self._buffer.add_part("enum_values", number, maker, types.enum_values)
 
-    def _add_object(self, rows: ObjectRows) -> None:
+    def _add_object(self, rows: ObjectRows, maker: int) -> None:
         keys = self._keys["objects"]
         if keys.get(rows.key) is not None:
             return
         number = self._buffer.add_numbered("objects", [(rows.key, *rows.row, rows.object_code)])
         keys.put(rows.key, number)
-        self._buffer.add_numbered("object_entries", rows.entries, number)
+        self._buffer.add_part("object_entries", number, maker, rows.entries)
 
-    def _add_type_set(self, rows: TypeSetRows) -> None:
+    def _add_type_set(self, rows: TypeSetRows, maker: int) -> None:
         keys = self._keys["type_sets"]
         if keys.get(rows.key) is None:
             number = self._buffer.add_numbered("type_sets", [(rows.key,)])
             keys.put(rows.key, number)
-            self._add_links("type_set_data_types", number, "data_types", rows.data_types)
+            self._add_links("type_set_data_types", number, "data_types", maker, rows.data_types)
 
-    def _add_dictionary(self, rows: DictionaryRows) -> None:
+    def _add_dictionary(self, rows: DictionaryRows, maker: int) -> None:
         keys = self._keys["dictionaries"]
         if keys.get(rows.key) is not None:
             return
@@ -320,26 +330,25 @@ class Writer:
         row = (rows.key, type_set, *rows.row, len(rows.objects))
         number = self._buffer.add_numbered("dictionaries", [row])
         keys.put(rows.key, number)
-        self._add_links("dictionary_objects", number, "objects", rows.objects)
+        self._add_links("dictionary_objects", number, "objects", maker, rows.objects)
 
-    def _add_links(self, table: str, owner: int, target: str, parts: list[bytes]) -> None:
+    def _add_links(self, table: str, owner: int, target: str, maker: int, parts: list[int]) -> None:
         """Rows (owner, position, number of the part)."""
-        numbers = self._keys[target]
-        numbers.load(parts)
-        self._buffer.add(table, [(owner, at, numbers.require(key)) for at, key in enumerate(parts)])
+        digests = self._digests[maker]
+        self._buffer.add_links(table, owner, self._keys[target].require_all([digests[part] for part in parts]))
 
-    def _add_diagnostics(self, rows: DiagnosticsRows) -> None:
+    def _add_diagnostics(self, rows: DiagnosticsRows, maker: int) -> None:
         keys = self._keys["diagnostics"]
         if keys.get(rows.key) is not None:
             return
         number = self._buffer.add_numbered("diagnostics", [(rows.key, *rows.row)])
         keys.put(rows.key, number)
-        self._buffer.add_numbered("diag_messages", rows.messages, number)
+        self._buffer.add_part("diag_messages", number, maker, rows.messages)
 
     def _part_id(self, table: str, key: bytes | None) -> int | None:
         return self._keys[table].require(key) if key is not None else None
 
-    def _add_module(self, rows: ModuleRows) -> None:
+    def _add_module(self, rows: ModuleRows, maker: int) -> None:
         keys = self._keys["modules"]
         if keys.get(rows.key.hex()) is not None:
             return
@@ -347,98 +356,40 @@ class Writer:
         row = (rows.vendor_id, rows.key.hex(), *rows.row, rows.element_count)
         number = self._buffer.add_numbered("modules", [row])
         keys.put(rows.key.hex(), number)
-        self._add_owned(rows, None, number)
+        self._add_owned(rows, maker, None, number)
 
-    def _add_device(self, rows: DeviceRows) -> None:
+    def _add_device(self, rows: DeviceRows, maker: int) -> None:
         keys = self._keys["devices"]
         if keys.get(rows.key.hex()) is not None:
             return
         number = self._buffer.take_ids("devices")
         keys.put(rows.key.hex(), number)
-        self._keys["modules"].load([module.hex() for module in rows.modules])
-        modules = [self._keys["modules"].require(module.hex()) for module in rows.modules]
+        modules = self._keys["modules"].require_all([module.hex() for module in rows.modules])
         not_settled = (False, False, None, None)
         row = (number, rows.vendor_id, -number, rows.key.hex(), *rows.row, rows.default_op_mode, rows.element_count)
         self._buffer.add("devices", [(*row, *not_settled)])
-        self._add_owned(rows, number, None)
+        self._add_owned(rows, maker, number, None)
         self._buffer.add_derived(number, rows.derived)
-        self._buffer.add("device_modules", [(number, at, module) for at, module in enumerate(modules)])
+        self._buffer.add_links("device_modules", number, modules)
 
-    def _add_owned(self, rows: OwnerRows, device_id: int | None, module_id: int | None) -> None:
+    def _add_owned(self, rows: OwnerRows, maker: int, device_id: int | None, module_id: int | None) -> None:
         first: dict[str, int] = {}
-        for table, table_rows in rows.tables.items():
-            parent = _PARENTS.get(table)
-            if parent is not None:
-                base = first[parent]
-                table_rows = [(base + row[0], *row[1:]) for row in table_rows]
-                self._buffer.add_numbered(table, table_rows)
-            elif table == "profiles":
-                first[table] = self._add_profiles(rows, device_id, module_id)
-            else:
-                first[table] = self._buffer.add_numbered(table, table_rows, device_id, module_id)
-        self._add_images(rows.images)
+        for table, table_rows in rows.owned.tables.items():
+            if table == "profiles":
+                table_rows = self._profiles(rows, table_rows)
+            first[table] = self._buffer.add_numbered(table, table_rows, device_id, module_id)
+        for table, parts in rows.owned.parts.items():
+            base = first[_PARENTS[table]]
+            for number, numbers in parts:
+                self._buffer.add_part(table, base + number, maker, numbers)
+        self._add_images(rows.owned.images)
         self._buffer.add_numbered("device_names", rows.texts, device_id, module_id)
-        self._buffer.add_numbered("vendor_extensions", rows.extensions, device_id, module_id)
+        self._buffer.add_numbered("vendor_extensions", rows.owned.extensions, device_id, module_id)
         unmapped = [(position, *item) for position, item in enumerate(rows.unmapped)]
         self._buffer.add_numbered("unmapped", [(None, *row) for row in unmapped], device_id, module_id)
 
-    def _add_profiles(self, rows: OwnerRows, device_id: int | None, module_id: int | None) -> int:
-        profiles = [
+    def _profiles(self, rows: OwnerRows, profiles: list[Row]) -> list[Row]:
+        return [
             (row[0], self._part_id("dictionaries", dictionary), self._part_id("diagnostics", diagnostics), *row[1:])
-            for row, (dictionary, diagnostics) in zip(rows.tables["profiles"], rows.profile_parts, strict=True)
+            for row, (dictionary, diagnostics) in zip(profiles, rows.profile_parts, strict=True)
         ]
-        return self._buffer.add_numbered("profiles", profiles, device_id, module_id)
-
-
-class _KeyMap:
-    """Row numbers by content digest or other key: those met in this run, and on demand those of the database."""
-
-    def __init__(self, connection: sa.Connection, table: sa.Table, key: str = "content_hash") -> None:
-        self._connection = connection
-        self._table = table
-        self._key = table.c[key]
-        self._known: dict[bytes | str, int] = {}
-        self._empty = False
-
-    def get(self, key: bytes | str) -> int | None:
-        """Row number of a digest, None when it is not stored."""
-        if key not in self._known:
-            self.load([key])
-        return self._known.get(key)
-
-    def require(self, key: bytes | str) -> int:
-        """Row number of a digest that must be there: its rows came earlier in this run.
-
-        Raises :class:`CatalogError` when another ingest meanwhile dropped the documents that it came with.
-        """
-        number = self.get(key)
-        if number is None:
-            raise CatalogError(
-                f"another ingest dropped documents that this one had just stored ({self._table.name}); repeat this one"
-            )
-        return number
-
-    def load(self, keys: Sequence[bytes | str]) -> None:
-        """Look up many digests at once."""
-        if self._empty:
-            return
-        missing = [key for key in keys if key not in self._known]
-        table = self._table.c
-        for part in chunks(missing):
-            query = sa.select(self._key, table.id).where(self._key.in_(part))
-            self._known.update((key, number) for key, number in self._connection.execute(query))
-
-    def take(self, key: bytes | str) -> int | None:
-        """Row number of a key, which is about to be deleted."""
-        number = self.get(key)
-        self._known.pop(key, None)
-        return number
-
-    def put(self, key: bytes | str, number: int) -> None:
-        """Remember the row number of a digest just queued."""
-        self._known[key] = number
-
-    def forget(self) -> None:
-        """After rows were deleted or others wrote: nothing is known any more."""
-        self._known.clear()
-        self._empty = self._connection.execute(sa.select(self._table.c.id).limit(1)).first() is None

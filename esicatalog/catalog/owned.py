@@ -1,0 +1,120 @@
+"""Rows of everything that hangs on a device or module. Nothing in here knows a database."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import msgspec
+
+from esicatalog.catalog.derived import PdoPlace, PdoPlaces
+from esicatalog.catalog.mapping import CHILDREN, Child, codec, extension_rows, image_key
+from esicatalog.catalog.shared import NO_NUMBERS, Numbers, Row, Sharing
+from esicatalog.esi.numbers import decode_hex_binary
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
+from esicatalog.model.memo import IdentityMemo
+
+_MAX_PDOS = 20_000
+
+Image = tuple[str, bytes | None, str | None]
+"""Key, bytes, and the text of one that is not hexBinary."""
+
+
+class OwnedRows(msgspec.Struct):
+    """Rows below a device or module."""
+
+    tables: dict[str, list[Row]] = {}
+    """Rows that hang on the device or module itself."""
+    parts: dict[str, list[tuple[int, Numbers]]] = {}
+    """Rows that hang on those: the number of the row within its table above, and shared rows."""
+    extensions: list[tuple[str, int, str, str]] = []
+    images: list[Image] = []
+
+
+class _PdoRows(msgspec.Struct):
+    """What a PDO has in common with itself in other devices."""
+
+    row: Row
+    exclusions: Numbers
+
+
+class OwnedRowMaker:
+    """Makes rows of devices and modules; of a PDO that many have, once."""
+
+    def __init__(self, sharing: Sharing) -> None:
+        self._sharing = sharing
+        self._pdos: IdentityMemo[_PdoRows] = IdentityMemo(_MAX_PDOS)
+        self._entries: IdentityMemo[Numbers] = IdentityMemo(_MAX_PDOS)
+
+    def rows(self, owner: Device | Module, places: PdoPlaces) -> OwnedRows:
+        """Everything below a device or module, whose PDOs have these places in its process image."""
+        found = OwnedRows()
+        self._add(found, owner, "", 0, places)
+        return found
+
+    def _add(self, found: OwnedRows, record: Any, table: str, number: int, places: PdoPlaces) -> None:
+        """Add what is below ``record``, which is row ``number`` of ``table`` ("" for the owner itself)."""
+        record_codec = codec(type(record))
+        if record_codec.extensions:
+            found.extensions.extend(extension_rows(record, table, number))
+        found.images.extend(_images([record]))
+        for child in CHILDREN.get(type(record), ()):
+            held = getattr(record, child.field)
+            if not held:
+                continue
+            if child.under_parent:
+                numbers = self._sharing.rows(child.table, map(codec(type(held[0])).encode, held))
+                found.images.extend(_images(held))
+                found.parts.setdefault(child.table, []).append((number, numbers))
+            elif child.table == "pdos":
+                self._add_pdos(found, child, held, places)
+            else:
+                rows = found.tables.setdefault(child.table, [])
+                for position, item in enumerate((held,) if child.single else held):
+                    item_number = len(rows)
+                    rows.append((position, *child.constant, *codec(type(item)).encode(item)))
+                    self._add(found, item, child.table, item_number, places)
+
+    def _add_pdos(self, found: OwnedRows, child: Child, pdos: Sequence[Pdo], places: PdoPlaces) -> None:
+        rows = found.tables.setdefault(child.table, [])
+        entries = found.parts.setdefault("pdo_entries", [])
+        exclusions = found.parts.setdefault("pdo_exclusions", [])
+        (direction,) = child.constant
+        for position, pdo in enumerate(pdos):
+            number = len(rows)
+            made = self._pdos.of(pdo, self._pdo_rows)
+            place = places.get((direction, position))
+            rows.append((position, direction, *made.row, place[0] if place else None))
+            if pdo.entries:
+                entries.append((number, self._entries_of(pdo, place)))
+            if made.exclusions != NO_NUMBERS:
+                exclusions.append((number, made.exclusions))
+
+    def _pdo_rows(self, pdo: Pdo) -> _PdoRows:
+        exclusions = self._sharing.rows("pdo_exclusions", map(codec(Exclude).encode, pdo.excludes))
+        return _PdoRows(codec(Pdo).encode(pdo), exclusions)
+
+    def _entries_of(self, pdo: Pdo, place: PdoPlace | None) -> Numbers:
+        """Entries with the offset of each in the process image; the first tells those of the others."""
+        offsets = place[1] if place and place[1] else [None] * len(pdo.entries)
+        return self._entries.get((id(pdo), offsets[0]), pdo, self._entry_numbers, pdo, offsets)
+
+    def _entry_numbers(self, pdo: Pdo, offsets: Sequence[int | None]) -> Numbers:
+        encode = codec(Entry).encode
+        rows = [(*encode(entry), offset) for entry, offset in zip(pdo.entries, offsets, strict=True)]
+        return self._sharing.rows("pdo_entries", rows)
+
+
+def _images(records: Sequence[Any]) -> list[Image]:
+    """Rows of the images of records of one type."""
+    if codec(type(records[0])).image_column is None:
+        return []
+    return [image_row(record.image_data) for record in records if record.image_data is not None]
+
+
+def image_row(hex_text: str) -> Image:
+    """The row of an image."""
+    data = decode_hex_binary(hex_text)
+    key = image_key(hex_text)
+    assert key is not None
+    return key, data, hex_text if data is None else None
