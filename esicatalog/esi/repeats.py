@@ -49,6 +49,8 @@ class _Kind:
         self.start = f"<{tag}".encode()
         self.openings = (self.start + b">", self.start + b" ")
         self.closing = f"</{tag}>".encode()
+        self.expected = (*self.openings, b"</")
+        """What comes behind such an element, unless that is a comment."""
         self.inner = inner
 
 
@@ -164,8 +166,8 @@ class Cut:
                 previous = part
                 at += len(part.words)
                 continue
-            begin = _LEADING.match(text, at).end()  # type: ignore[union-attr]
-            if kind in self._unclosed or not text.startswith(kind.openings, begin):
+            begin = at if text.startswith(kind.expected, at) else _LEADING.match(text, at).end()  # type: ignore[union-attr]
+            if not text.startswith(kind.openings, begin) or kind in self._unclosed:
                 break
             end = text.find(kind.closing, begin)
             if end < 0:
