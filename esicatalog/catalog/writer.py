@@ -41,6 +41,9 @@ _PARENTS = {
 """Parent table of the tables whose rows hang on another row."""
 
 
+_SOURCE_ID = sa.select(schema.sources.c.id).where(schema.sources.c.location == sa.bindparam("location"))
+
+
 class SourceRow:
     """Where a document came from and what became of it; ``archive`` is the location of the archive it lies in."""
 
@@ -166,8 +169,7 @@ class Writer:
     def forget(self, location: str) -> None:
         """Drop what a location brought; descriptions that nobody else carries go with the next commit."""
         self._begin()
-        sources = schema.sources.c
-        found = self._connection.execute(sa.select(sources.id).where(sources.location == location)).scalar()
+        found = self._connection.execute(_SOURCE_ID, {"location": location}).scalar()
         if found is None:
             return
         self._buffer.flush()
@@ -185,7 +187,7 @@ class Writer:
             schema.unmapped,
         ):
             self._connection.execute(sa.delete(table).where(table.c.source_id == found))
-        self._connection.execute(sa.delete(schema.sources).where(sources.id == found))
+        self._connection.execute(sa.delete(schema.sources).where(schema.sources.c.id == found))
         self._dropped = True
 
     def archive_begun(self, location: str) -> None:
