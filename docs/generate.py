@@ -1,4 +1,4 @@
-"""Write what follows from the code: datasette-metadata.yml, docs/schema.md, docs/cli.md.
+"""Write what follows from the code: datasette-metadata.yml, docs/schema.md, docs/cli.md, migrations/new_catalog.sql.
 
 python docs/generate.py            writes the files
 python docs/generate.py --check    names the files that are not up to date; exit code 1 when there are any
@@ -14,6 +14,7 @@ import sqlalchemy as sa
 import yaml
 from canned_queries import CANNED_QUERIES
 
+from esicatalog.catalog import database
 from esicatalog.catalog.schema import metadata
 from esicatalog.catalog.views import FULL_TEXT, FULL_TEXT_DOC, create_views, views
 from esicatalog.cli.main import cli
@@ -347,10 +348,25 @@ def _help_block(command: click.Command, parent: click.Context | None) -> list[st
     return ["```", *command.get_help(context).splitlines(), "```"]
 
 
+def new_catalog() -> str:
+    """SQL of a new catalog: what the migrations make of an empty SQLite file."""
+    engine = sa.create_engine("sqlite://", poolclass=sa.StaticPool)
+    database.upgrade(engine)
+    with engine.connect() as connection:
+        made = connection.exec_driver_sql(
+            "SELECT sql FROM sqlite_master WHERE sql IS NOT NULL AND name NOT LIKE ? ORDER BY rowid",
+            (f"{FULL_TEXT}_%",),  # the full-text table makes its own
+        )
+        version = f"INSERT INTO alembic_version (version_num) VALUES ('{database.schema_version(connection)}')"
+        statements = ["\n".join(map(str.rstrip, text.strip().splitlines())) for text in [*made.scalars(), version]]
+    return f"-- {GENERATED}\n{database.STATEMENT_END.join(statements)}\n"
+
+
 FILES = {
     "datasette-metadata.yml": datasette_metadata,
     "docs/schema.md": schema_reference,
     "docs/cli.md": cli_reference,
+    f"migrations/{database.NEW_CATALOG}": new_catalog,
 }
 
 

@@ -42,12 +42,15 @@ if TYPE_CHECKING:
 class Catalog:
     """A catalog of EtherCAT devices in a database."""
 
-    def __init__(self, target: str | os.PathLike[str], create: bool, read_only: bool) -> None:
+    def __init__(
+        self, target: str | os.PathLike[str], create: bool = False, read_only: bool = False, at_once: bool = True
+    ) -> None:
+        """As :meth:`open`; with ``at_once`` false an existing catalog too is opened when it is first used."""
         self._target = target
         self._read_only = read_only
         self._opened: sa.Engine | None = None
         self._lookup: IdentityLookup | None = None
-        if not (create and _is_missing_file(target)):
+        if at_once and not (create and _is_missing_file(target)):
             self._open(create)
 
     @classmethod
@@ -104,8 +107,10 @@ class Catalog:
 
         given = list(paths)
         with Reading(jobs) as reading:
-            if self._opened is None:
+            if self._opened is None and _is_missing_file(self._target):
                 reading.start(make_plan(given))
+            elif self._opened is None:
+                reading.hash_ahead(given)
             from esicatalog.ingest.run import ingest
 
             return ingest(self._open(create=True), given, reading, prune, progress)

@@ -9,6 +9,7 @@ import time
 import zipfile
 from pathlib import Path
 
+import msgspec
 import pytest
 from snippets import device, esi, write
 
@@ -17,7 +18,7 @@ from esicatalog.esi.reader import Reader
 from esicatalog.ingest import plan as planning
 from esicatalog.ingest import run as _run  # noqa: F401  (it must not be loaded while a test has changed the plan)
 from esicatalog.ingest.pool import Pool
-from esicatalog.ingest.tasks import Task
+from esicatalog.ingest.tasks import Known, Task
 
 GOOD = "good.xml"
 
@@ -210,3 +211,17 @@ def test_a_document_past_its_deadline_is_given_up_and_the_next_is_read(tmp_path)
     outcomes = {outcome.number: outcome.status for outcome in pool.outcomes()}
     pool.stop()
     assert outcomes == {0: "stored", 1: "stored"}
+
+
+def test_long_requests_and_long_answers_do_not_wait_for_each_other(tmp_path):
+    names = [f"{number}.xml" for number in range(6)]
+    for number, name in enumerate(names):
+        devices = (device("<Sm>Outputs</Sm>" * 6_000, product=f"#x{number}{n}") for n in range(1, 9))
+        write(tmp_path, {name: esi("".join(devices))})
+    known = Known("", tuple((f"{number}.xml", "0" * 64) for number in range(10_000)))
+    pool = Pool([Task(number, str(tmp_path), False, (), name, known) for number, name in enumerate(names)], 1, 60)
+    pool.start()
+    outcomes = list(pool.outcomes())
+    pool.stop()
+    assert [outcome.status for outcome in outcomes] == ["stored"] * len(names)
+    assert min(len(msgspec.msgpack.encode(outcome)) for outcome in outcomes) > 2**20

@@ -7,7 +7,6 @@ from esicatalog.esi.documents import parse_document
 from esicatalog.esi.notes import Notes
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.tree import DocumentTree
-from esicatalog.lint.dictionaries import IdentityMemo
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.locator import Locator
 
@@ -105,15 +104,3 @@ def test_nothing_to_report_asks_for_no_tree():
 
     read = Reader().read(esi(device()).encode())
     assert Linter().document(read, tree) == []
-
-
-def test_a_full_memo_starts_anew():
-    memo: IdentityMemo[int] = IdentityMemo(2)
-    calls = []
-
-    def compute(value: int) -> int:
-        calls.append(value)
-        return value
-
-    assert [memo.get(key, None, compute, key) for key in (1, 2, 1, 3, 1)] == [1, 2, 1, 3, 1]
-    assert calls == [1, 2, 3, 1]

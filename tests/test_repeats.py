@@ -16,6 +16,30 @@ from esicatalog.ingest.discover import FoundArchive, archive_members, discover
 
 TYPE = "<DataType><Name>DT1000</Name><BitSize>32</BitSize></DataType>"
 OBJECT = "<Object><Index>#x1000</Index><Name>Type</Name><Type>DT1000</Type><BitSize>32</BitSize></Object>"
+FLAGS = "<Flags><Access>ro</Access><Category>o</Category></Flags>"
+RECORD = (
+    "<DataType><Name>DT1018</Name><BitSize>80</BitSize>"
+    + "".join(
+        f"<SubItem><SubIdx>{n}</SubIdx><Name>Sub {n}</Name><Type>UDINT</Type><BitSize>32</BitSize>"
+        f"<BitOffs>{16 + 32 * (n - 1)}</BitOffs>{FLAGS}</SubItem>"
+        for n in range(3)
+    )
+    + "</DataType>"
+)
+
+
+def values(index: str, *defaults: str) -> str:
+    """An object with declared values of its sub-items."""
+    infos = "".join(
+        f"\n<SubItem><Name>Sub {n}</Name><Info><DefaultData>{data}</DefaultData></Info></SubItem>"
+        for n, data in enumerate(defaults)
+    )
+    return (
+        f"<Object><Index>{index}</Index><Name>Identity</Name><Type>DT1018</Type><BitSize>80</BitSize>"
+        f"<Info>{infos}\n</Info>{FLAGS}</Object>"
+    )
+
+
 BROKEN = "<Object><Index>#xZZ</Index><Name>Broken</Name></Object>"
 
 
@@ -41,6 +65,62 @@ def test_the_same_words_give_the_same_records(monkeypatch):
     first, second = parts_of(read)
     assert all(one is other for one, other in zip(first, second, strict=True))
     assert read == plain(content, monkeypatch)
+
+
+def test_parts_of_new_parts_are_known_too(monkeypatch):
+    """One object differs from the other in a single value: all else of it is the same record."""
+    content = twice(RECORD, values("#x1018", "03", "01000000") + values("#x1018", "03", "02000000")).encode()
+    read = Reader().read(content)
+    record, first, second = parts_of(read)[0]
+    assert first.info_sub_items[0] is second.info_sub_items[0]
+    assert first.info_sub_items[1].default_data == "01000000" and second.info_sub_items[1].default_data == "02000000"
+    assert all(member.flags is first.flags is second.flags for member in record.sub_items)
+    assert read == plain(content, monkeypatch)
+
+
+def test_pdos_and_their_entries_are_known_again(monkeypatch):
+    entry = "<Entry><Index>#x6041</Index><SubIndex>0</SubIndex><BitLen>16</BitLen></Entry>"
+    gap = "<Entry><Index>#x0</Index><BitLen>8</BitLen></Entry>"
+    one, other = (f'<TxPdo Sm="3"><Index>#x1A0{n}</Index><Name>P</Name>{entry}{gap * n}</TxPdo>' for n in (0, 1))
+    first = f'<RxPdo Fixed="1"><Index>#x1600</Index><Name>R</Name>{entry}</RxPdo>\n{one}\n'
+    content = esi(device(first + other) + device(first, revision="#x2")).encode()
+    read = Reader().read(content)
+    old, new = read.document.infos[0].devices
+    assert new.tx_pdos[0] is old.tx_pdos[0] and new.rx_pdos[0] is old.rx_pdos[0]
+    assert old.tx_pdos[1].entries[0] is old.tx_pdos[0].entries[0]
+    assert [pdo.pdo_index for pdo in old.tx_pdos] == [0x1A00, 0x1A01] and len(old.tx_pdos[1].entries) == 2
+    assert read == plain(content, monkeypatch)
+
+
+def test_what_follows_in_another_encoding_is_looked_up_anew():
+    """The same bytes behind the same part, as UTF-8 after Latin-1: known words, unknown meaning."""
+    text = '<?xml version="1.0" encoding="{}"?>' + twice(TYPE, OBJECT + OBJECT.replace("Type<", "\u00c3\u00a4<"))
+    reader = Reader()
+    latin = text.format("iso-8859-1").encode("iso-8859-1")
+    for content, name in ((latin, "\u00c3\u00a4"), (latin.replace(b"iso-8859-1", b"utf-8"), "\u00e4")) * 2:
+        assert [held[2].names[0].text for held in parts_of(reader.read(content))] == [name, name]
+
+
+def test_findings_in_parts_of_a_part_keep_their_lines_and_places(monkeypatch):
+    objects = values("#x1018", "03", "0x", "0x", "05") + "\n" + values("#x1019", "03", "0x", "0x", "05")
+    text = twice(RECORD, objects)
+    reader = Reader()
+    reader.read(twice(RECORD, values("#x1018", "03", "04", "06")).encode())
+    found = reader.read(text.encode())
+    assert [f.line for f in found.findings] == [n for n, line in enumerate(text.splitlines(), 1) if ">0x<" in line]
+    assert {f.path.rpartition("Info/SubItem")[2] for f in found.findings} == {
+        "[1]/Info/DefaultData",
+        "[2]/Info/DefaultData",
+    }
+    assert found == plain(text.encode(), monkeypatch)
+
+
+@pytest.mark.parametrize("piece", ["<RxPdo >", "<DataTypes>", "<DataTypes><!--", "<DataTypes><DataType>", "<Flags>"])
+def test_start_tags_without_end_are_not_sought_for_again_and_again(piece):
+    """That would take time with the square of their number: an hour for these. None of them is well-formed."""
+    content = f"<EtherCATInfo>{piece * 200_000}</EtherCATInfo>".encode()
+    found = outcome(Reader(), content)
+    assert isinstance(found, str) or found.document.recovered  # type: ignore[attr-defined]
 
 
 def test_findings_of_repeated_parts_are_told_for_each_with_its_line_and_place():
@@ -150,7 +230,9 @@ def _small_reader(self: Reader) -> None:
 
 
 PIECES = st.sampled_from(
-    [TYPE, OBJECT, BROKEN, "\n", " ", "<!--", "-->", "<![CDATA[", "]]>", "</Object>", "<Object>", "<DataTypes>",
+    [TYPE, OBJECT, BROKEN, RECORD, values("#x1018", "03", "04"), FLAGS, "<SubItem>", "</SubItem>", "<SubItem a='1'/>",
+     "<RxPdo Sm='2'><Index>#x1600</Index><Name/></RxPdo>",
+     "\n", " ", "<!--", "-->", "<![CDATA[", "]]>", "</Object>", "<Object>", "<DataTypes>",
      "</DataTypes>", "<Objects>", "</Objects>", "</Dictionary>", "<Object/>", "<Object a='1'>", "&amp;", "&x;", "<?p?>"]
 )  # fmt: skip
 

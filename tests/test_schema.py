@@ -41,6 +41,26 @@ def described(path: Path) -> dict[str, object]:
     return found
 
 
+def test_a_new_catalog_is_what_the_migrations_make(tmp_path):
+    made, upgraded = tmp_path / "made.db", tmp_path / "upgraded.db"
+    migrated(made).dispose()
+    database.upgrade(database.make_engine(database.catalog_url(upgraded)))
+    assert described(made) == described(upgraded)
+    for query in (
+        "SELECT type, name FROM sqlite_master ORDER BY 1, 2",
+        "SELECT sql FROM sqlite_master WHERE type = 'view' ORDER BY name",
+        "SELECT * FROM alembic_version",
+    ):
+        assert rows(made, query) == rows(upgraded, query)
+
+
+def test_of_two_that_make_a_catalog_at_once_the_second_finds_it_made(tmp_path):
+    engine = database.make_engine(database.catalog_url(tmp_path / "c.db"))
+    migrated(tmp_path / "c.db").dispose()
+    assert database._create(engine) == database.SCHEMA_VERSION
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM alembic_version") == 1
+
+
 @pytest.mark.parametrize("table", schema.metadata.sorted_tables, ids=str)
 def test_every_table_and_column_has_a_comment(table):
     assert table.comment

@@ -26,20 +26,26 @@ def profile(profile_no: int) -> Condition:
 def has_object(item: Mapped) -> Condition:
     """Devices with an object in their dictionary or in that of a reachable module."""
     index, subindex = item
-    objects, held, entries = schema.objects.c, schema.dictionary_objects.c, schema.object_entries.c
-    has_subindex: sa.ColumnElement[bool] = sa.true()
-    if subindex is not None:
-        entry = sa.select(entries.subindex).where(entries.object_id == held.object_id, entries.subindex == subindex)
-        has_subindex = entry.exists()
+    objects, held = schema.objects.c, schema.dictionary_objects.c
     holding = profiles.join(schema.dictionary_objects, held.dictionary_id == profiles.c.dictionary_id)
     found = _owning_devices(profiles, holding.join(schema.objects, objects.id == held.object_id))
-    found = found.where(objects.object_index == index, has_subindex)
+    found = found.where(objects.object_index == index, _has_subindex(objects.id, subindex))
     named = tested(held.object_id).in_(sa.select(objects.id).where(objects.object_index == index))
     holds = (
-        sa.select(held.object_id).where(held.dictionary_id == profiles.c.dictionary_id, named, has_subindex).exists()
+        sa.select(held.object_id)
+        .where(held.dictionary_id == profiles.c.dictionary_id, named, _has_subindex(held.object_id, subindex))
+        .exists()
     )
     words = f"object 0x{index:04X}" + (f":{subindex:02X}" if subindex is not None else "") + " in the dictionary"
     return _own_or_modular(found, holds, words, f"{words} of a module")
+
+
+def _has_subindex(object_id: sa.ColumnElement[int], subindex: int | None) -> sa.ColumnElement[bool]:
+    """Whether an object has a subindex; asked of each object once, however many dictionaries hold it."""
+    if subindex is None:
+        return sa.true()
+    entries = schema.object_entries.c
+    return sa.select(entries.subindex).where(entries.object_id == object_id, entries.subindex == subindex).exists()
 
 
 def _owning_devices(table: sa.Table, joined: sa.FromClause | None = None) -> sa.Select[Any]:

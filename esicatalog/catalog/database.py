@@ -19,6 +19,11 @@ from esicatalog.resources import resource
 SCHEMA_VERSION = "0003"
 """Revision of the newest migration."""
 
+NEW_CATALOG = "new_catalog.sql"
+"""What the migrations make of an empty SQLite file, written down beside them by docs/generate.py."""
+STATEMENT_END = ";\n\n"
+"""Between the statements in there."""
+
 DEFAULT_CATALOG = "catalog.db"
 
 
@@ -122,7 +127,9 @@ def open_catalog(target: str | os.PathLike[str], create: bool = False, read_only
 
 
 def _create(engine: sa.Engine) -> str:
-    """Make the tables; of several that begin at once on a server one makes them, the others find them made."""
+    """Make the tables; of several that begin at once one makes them, the others find them made."""
+    if engine.dialect.name == "sqlite":
+        return _create_file(engine)
     try:
         upgrade(engine, only_new=True)
     except sa.exc.DBAPIError:
@@ -132,6 +139,23 @@ def _create(engine: sa.Engine) -> str:
             raise
         return made_by_another
     return SCHEMA_VERSION
+
+
+def _create_file(engine: sa.Engine) -> str:
+    """A new file holds what the migrations make of it; running them takes longer than many an ingest."""
+    with engine.begin() as connection:
+        _begin_upgrade(connection)
+        made_by_another = schema_version(connection)
+        if made_by_another is not None:
+            return made_by_another
+        for statement in (resource("migrations") / NEW_CATALOG).read_text("utf-8").split(STATEMENT_END):
+            connection.exec_driver_sql(statement)
+    return SCHEMA_VERSION
+
+
+def _begin_upgrade(connection: sa.Connection) -> None:
+    """Python's sqlite3 begins no transaction for CREATE: who is killed would leave half a catalog."""
+    connection.exec_driver_sql("BEGIN IMMEDIATE")
 
 
 def _connected(target: str | os.PathLike[str], create: bool, read_only: bool = False) -> tuple[sa.Engine, str | None]:
@@ -284,7 +308,7 @@ def _require_unicode(connection: sa.Connection) -> None:
 
 
 def upgrade(engine: sa.Engine, only_new: bool = False) -> None:
-    """Bring a database to the current schema; a new catalog is made the same way.
+    """Bring a database to the current schema; what a new catalog is, is made the same way.
 
     With ``only_new`` a catalog that another process has just made is left as it is.
     """
@@ -297,8 +321,7 @@ def upgrade(engine: sa.Engine, only_new: bool = False) -> None:
     config.set_main_option("script_location", str(resource("migrations")))
     with engine.begin() as connection:
         if connection.dialect.name == "sqlite":
-            # Python's sqlite3 begins no transaction for CREATE: a killed upgrade would leave half a catalog
-            connection.exec_driver_sql("BEGIN IMMEDIATE")
+            _begin_upgrade(connection)
         is_new = schema_version(connection) is None
         if only_new and not is_new:
             return

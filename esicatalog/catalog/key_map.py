@@ -9,11 +9,12 @@ from esicatalog.errors import CatalogError
 
 
 class KeyMap:
-    """Row numbers by content digest: those met in this run, and on demand those of the database."""
+    """Row numbers by content digest or other key: those met in this run, and on demand those of the database."""
 
-    def __init__(self, connection: sa.Connection, table: sa.Table) -> None:
+    def __init__(self, connection: sa.Connection, table: sa.Table, key: str = "content_hash") -> None:
         self._connection = connection
         self._table = table
+        self._key = table.c[key]
         self._known: dict[bytes | str, int] = {}
         self._empty = False
 
@@ -47,8 +48,14 @@ class KeyMap:
         missing = [key for key in keys if key not in self._known]
         table = self._table.c
         for part in chunks(missing):
-            query = sa.select(table.content_hash, table.id).where(table.content_hash.in_(part))
+            query = sa.select(self._key, table.id).where(self._key.in_(part))
             self._known.update((key, number) for key, number in self._connection.execute(query))
+
+    def take(self, key: bytes | str) -> int | None:
+        """Row number of a key, which is about to be deleted."""
+        number = self.get(key)
+        self._known.pop(key, None)
+        return number
 
     def put(self, key: bytes | str, number: int) -> None:
         """Remember the row number of a digest just queued."""

@@ -23,9 +23,9 @@ from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Ob
 from esicatalog.esi.records.document import EsiInfo, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
-from esicatalog.model.derivation import derive
+from esicatalog.model.derivation import Deriver
 from esicatalog.model.dictionary import ObjectEntry
-from esicatalog.model.resolver import Resolver, TypeSet
+from esicatalog.model.resolver import TypeSet
 from esicatalog.model.slots import reachable_modules
 from esicatalog.model.sync import default_op_mode
 
@@ -147,10 +147,14 @@ class DocumentRows(msgspec.Struct):
 
 
 class RowMaker:
-    """Turns documents into rows; content that was handed over before is referred to by key only."""
+    """Turns documents into rows; content that was handed over before is referred to by key only.
 
-    def __init__(self, resolver: Resolver | None = None) -> None:
-        self._resolver = resolver or Resolver()
+    ``deriver`` may know already what follows from the descriptions and their objects.
+    """
+
+    def __init__(self, deriver: Deriver | None = None) -> None:
+        self._deriver = deriver or Deriver()
+        self._resolver = self._deriver.resolver
         self._digests = Digests(self._resolver)
         self._sharing = Sharing()
         self._owned = OwnedRowMaker(self._sharing)
@@ -219,7 +223,7 @@ class RowMaker:
     def _device(self, device: Device, vendor_id: int | None, modules: list[Module], module_keys: list[bytes]) -> bytes:
         key = self._digests.device(device, vendor_id, module_keys)
         if self._new(key):
-            derived = derive(device, modules)
+            derived = self._deriver.derive(device, modules)
             rows = DeviceRows(
                 **self._owner(device, key, vendor_id, pdo_places(derived.images)),
                 modules=module_keys,

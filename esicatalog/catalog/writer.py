@@ -41,9 +41,6 @@ _PARENTS = {
 """Parent table of the tables whose rows hang on another row."""
 
 
-_SOURCE_ID = sa.select(schema.sources.c.id).where(schema.sources.c.location == sa.bindparam("location"))
-
-
 class SourceRow:
     """Where a document came from and what became of it; ``archive`` is the location of the archive it lies in."""
 
@@ -90,6 +87,7 @@ class Writer:
                 "groups",
             )
         }
+        self._sources = KeyMap(connection, schema.sources, "location")
         self._vendors: set[int] = set()
         self._images: set[str] = set()
         self._archives: dict[str, int] = {}
@@ -161,7 +159,7 @@ class Writer:
         """Forget what was known of the rows in the database. Nothing may be queued."""
         self._buffer.forget_ids()
         self._archives.clear()
-        for keys in self._keys.values():
+        for keys in (self._sources, *self._keys.values()):
             keys.forget()
         self._vendors = set(self._connection.execute(sa.select(schema.vendors.c.vendor_id)).scalars())
         self._images = set(self._connection.execute(sa.select(schema.images.c.sha256)).scalars())
@@ -169,7 +167,7 @@ class Writer:
     def forget(self, location: str) -> None:
         """Drop what a location brought; descriptions that nobody else carries go with the next commit."""
         self._begin()
-        found = self._connection.execute(_SOURCE_ID, {"location": location}).scalar()
+        found = self._sources.take(location)
         if found is None:
             return
         self._buffer.flush()
@@ -220,7 +218,9 @@ class Writer:
         return number
 
     def commit(self) -> None:
-        """Write what is queued, put variants and vendors in order, commit: the turn ends."""
+        """Write what is queued, put variants and vendors in order, commit: the turn, if there is one, ends."""
+        if not self._is_writing:
+            return
         with self._stages("write"):
             self._buffer.flush()
         with self._stages("order"):
@@ -267,6 +267,7 @@ class Writer:
             self._part_id("diagnostics", document.diagnostics if document else None),
         )
         self._buffer.add("sources", [row])
+        self._sources.put(source.location, number)
         return number
 
     def _add_section(self, source_id: int, position: int, section: Section) -> None:

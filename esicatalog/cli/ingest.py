@@ -36,7 +36,7 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, prof
     """
     from esicatalog.api import Catalog
 
-    with _terminable(), Catalog.open(db, create=True) as catalog:
+    with _terminable(), Catalog(db, create=True, at_once=False) as catalog:
         try:
             report = catalog.ingest(paths, jobs, prune, _Progress())
         finally:

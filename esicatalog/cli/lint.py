@@ -212,12 +212,10 @@ class _Run:
 
         container = self._container(found)
         pulled = self._reader.pulled(container, found.name)
-        content = container.read(found.name)
         if pulled is None:
-            read, tree = self._reader.read_tree(content, found.name, container)
+            read, tree = self._reader.read_tree(container.read(found.name), found.name, container)
         else:
-            read, tree = pulled.document, lambda: self._reader.read_tree(content)[1]()
-        tree = _once(tree)
+            read, tree = pulled.document, _once(pulled.tree)
         self.document_count += 1
         findings = self._linter.document(
             read, tree, lambda name: resolve_reference(container, found.name, name) is not None

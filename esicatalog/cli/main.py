@@ -46,8 +46,9 @@ class _LazyGroup(click.Group):
         run: Callable[..., Any] = super().main
         if not options.pop("standalone_mode", True):
             return run(*args, standalone_mode=False, **options)
-        if sys.stdout is None:  # closed by the shell: >&-
-            sys.stdout = open(os.devnull, "w")  # noqa: SIM115
+        for name in ("stdout", "stderr"):
+            if getattr(sys, name) is None:  # closed by the shell: >&-
+                setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115
         try:
             code = run(*args, standalone_mode=False, **options)
         except click.exceptions.NoArgsIsHelpError as error:

@@ -20,6 +20,7 @@ from lxml import etree
 
 from esicatalog.esi.notes import Notes
 from esicatalog.esi.numbers import TEXT, Scalar
+from esicatalog.esi.repeats import MARK
 
 
 @typing.dataclass_transform(frozen_default=True, kw_only_default=True)
@@ -205,7 +206,7 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
     for name, text in element.items():
         slot = node.attributes.get(name)
         if slot is None:
-            if not name.startswith(_SCHEMA_INSTANCE):
+            if name != MARK and not name.startswith(_SCHEMA_INSTANCE):
                 notes.unmapped_attribute(element, name, text)
         elif slot.name in values:
             notes.unmapped_attribute(element, name, text, repeated=True)

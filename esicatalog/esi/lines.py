@@ -28,4 +28,6 @@ def lines_of(elements: Sequence[etree._Element], content: bytes) -> list[int]:
     return [exact[element] for element in elements]
 
 
-_START_TAG = rb"""<!--.*?-->|<!\[CDATA\[.*?\]\]>|<\?.*?\?>|(?P<found><TAG(?=[\s/>])(?:"[^"]*"|'[^']*'|[^>"'])*>)"""
+_START_TAG = rb"""<(?:!--.*?-->|!\[CDATA\[.*?\]\]>|\?.*?\?>|(?P<found>TAG(?=[\s/>])(?:"[^"]*"|'[^']*'|[^>"'])*>))"""
+"""What could hold the text of a start tag goes by as a whole. The common ``<`` stands before the alternatives: so the
+search jumps from one to the next, ten times as fast."""

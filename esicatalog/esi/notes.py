@@ -66,29 +66,17 @@ class _Positions:
 
 
 class Notes:
-    """Collects findings and unmapped values of one document, and reuses records of repeated subtrees.
+    """Collects findings and unmapped values of one document; ``cut`` knows what parts of it mean without reading."""
 
-    A subtree whose reading gave no note is remembered under its serialised text, so that the same ``Object``
-    of another device or document is read once per process.
-    """
-
-    def __init__(
-        self,
-        cache: "SubtreeCache | None" = None,
-        owners: frozenset[type] = frozenset(),
-        document_bytes: int = 0,
-        cut: Cut | None = None,
-    ) -> None:
-        self._subtree_budget = 20 * document_bytes + 16_000_000
+    def __init__(self, owners: frozenset[type] = frozenset(), cut: Cut | None = None) -> None:
         self.findings: list[Finding] = []
         self.unmapped: list[Unmapped] = []
         self._kept_count = 0
         self._base: etree._Element | None = None
         self._cut = cut
         self._positions = _Positions(cut.count if cut is not None else _one)
-        self._cache = cache
         self._owners = owners
-        self.watched: frozenset[Any] = owners | (cache.record_types if cache is not None else frozenset())
+        self.watched: frozenset[Any] = owners | (cut.record_types if cut is not None else frozenset())
         """Record types that :meth:`read_child` has to be asked for."""
 
     def path(self, element: etree._Element, base: etree._Element | None = None) -> str:
@@ -156,9 +144,9 @@ class Notes:
     def read_child(
         self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]
     ) -> tuple[Any, ...]:
-        """The records of an element whose type is cacheable or an owner: one, or a run that was cut out.
+        """The records of a watched element: one, or a run that was cut out.
 
-        An equal subtree read before gives its record again; an owner takes the unmapped values found below it.
+        Words read before give their records again; an owner takes the unmapped values found below it.
         """
         if record_type in self._owners:
             return (self._read_owner(record_type, element, read),)
@@ -166,24 +154,10 @@ class Notes:
         if isinstance(part, tuple):
             return part
         before = len(self.findings)
-        record = self._read_cached(record_type, element, read)
+        record = read(record_type, element, self)
         if part is not None and self._cut is not None and before == len(self.findings):
-            self._cut.learn(record_type, part, record, element)
+            self._cut.learn(part, record)
         return (record,)
-
-    def _read_cached(self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]) -> Any:
-        assert self._cache is not None
-        subtree = _serialise(element, encoding="unicode", with_tail=False)
-        self._subtree_budget -= len(subtree)
-        if self._subtree_budget < 0:
-            raise BrokenDocument("its namespace declarations take more room than all else; no ESI document's do")
-        record = self._cache.records[record_type].get(subtree)
-        if record is None:
-            before = len(self.findings)
-            record = read(record_type, element, self)
-            if before == len(self.findings):
-                self._cache.add(record_type, subtree, record)
-        return record
 
     def _read_owner(self, record_type: Any, element: etree._Element, read: Callable[[Any, Any, "Notes"], Any]) -> Any:
         outer_base, outer_unmapped = self._base, self.unmapped
@@ -193,25 +167,3 @@ class Notes:
             record = msgspec.structs.replace(record, unmapped=tuple(self.unmapped))
         self._base, self.unmapped = outer_base, outer_unmapped
         return record
-
-
-class SubtreeCache:
-    """Records of subtrees read without a note, by record type and serialised text."""
-
-    def __init__(self, record_types: frozenset[type], capacity_characters: int = 48_000_000) -> None:
-        self.record_types = record_types
-        self.records: dict[type, dict[str, Any]] = {record_type: {} for record_type in record_types}
-        self._capacity_characters = capacity_characters
-        self._held_characters = 0
-
-    def add(self, record_type: type, subtree: str, record: Any) -> None:
-        """Remember a record; an over-full cache starts anew."""
-        self._held_characters += len(subtree)
-        if self._held_characters > self._capacity_characters:
-            for records in self.records.values():
-                records.clear()
-            self._held_characters = len(subtree)
-        self.records[record_type][subtree] = record
-
-
-_serialise = etree.tostring

@@ -13,10 +13,10 @@ from esicatalog.esi.containers import Container, Folder, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.documents import ParsedDocument, parse_as_it_is, parse_document
 from esicatalog.esi.lines import lines_of
-from esicatalog.esi.notes import Finding, Notes, SubtreeCache
+from esicatalog.esi.notes import Finding, Notes
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import Diagnostics
-from esicatalog.esi.records.dictionary import DataType, Dictionary, Flags, Object
+from esicatalog.esi.records.dictionary import DataType, Dictionary, Flags, InfoSubItem, Object, SubItem
 from esicatalog.esi.records.document import (
     DiagInfo,
     DictInfo,
@@ -27,7 +27,7 @@ from esicatalog.esi.records.document import (
     Reference,
 )
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.repeats import Repeats
 from esicatalog.esi.stages import Stages
@@ -36,10 +36,12 @@ from esicatalog.esi.tree import DocumentTree
 OWNERS: frozenset[type] = frozenset({Device, Module})
 """Records that keep the unmapped values found below them."""
 
-_CACHED: frozenset[type] = frozenset({DataType, Flags, Object, Pdo})
-"""Records that repeat from device to device and from revision to revision, or within one."""
+_REPEATED = (DataType, SubItem, Object, InfoSubItem, Flags, Pdo, Entry)
+"""Records of parts that repeat from device to device and from revision to revision."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
 _MAX_STANDALONE = 1_000
+_MAX_TREES_BYTES = 8_000_000
+"""Of the text of kept trees, which take five times as much; the dictionaries of the largest library seen have 12 MB."""
 
 
 class ReadDocument(msgspec.Struct, frozen=True):
@@ -55,6 +57,8 @@ class Pulled(NamedTuple):
     sha256: str
     byte_count: int
     document: ReadDocument
+    tree: Callable[[], DocumentTree]
+    """Gives its elements; whoever asks twice may make it read the document again."""
 
 
 class Reader:
@@ -65,9 +69,9 @@ class Reader:
 
     def __init__(self, stages: Stages | None = None) -> None:
         self._stages = stages or Stages()
-        self._cache = SubtreeCache(_CACHED)
-        self._repeats = Repeats(DataType, Object)
+        self._repeats = Repeats(_REPEATED)
         self._standalone: dict[str, ReadDocument] = {}
+        self._trees = _Trees()
         self._pulled: dict[tuple[int, str], tuple[Container, Pulled]] = {}
 
     def pulled(self, container: Container, member: str) -> Pulled | None:
@@ -91,13 +95,12 @@ class Reader:
             cut = self._repeats.cut(content)
             parsed = parse_as_it_is(cut.content) if cut is not None else None
         if cut is not None and parsed is not None:
-            notes = Notes(self._cache, OWNERS, len(content), cut)
-            read = self._read(parsed, cut.content, notes, member, container)
+            read = self._read(parsed, cut.content, Notes(OWNERS, cut), member, container)
             if cut.is_complete:
                 return read, DocumentTree(parsed.root, cut).itself
         with self._stages("parse"):
             parsed = parse_document(content)
-        read = self._read(parsed, content, Notes(self._cache, OWNERS, len(content)), member, container)
+        read = self._read(parsed, content, Notes(OWNERS), member, container)
         return read, DocumentTree(parsed.root).itself
 
     def _read(
@@ -137,7 +140,11 @@ class Reader:
     def external(self, kind: str, container: Container, member: str, content: bytes, sha256: str) -> Any:
         """Dictionary, diagnosis texts or modules of a referenced document; raises :class:`DocumentError`."""
         read = self._read_standalone(content, sha256)
-        self._pulled[id(container), member] = (container, Pulled(sha256, len(content), read))
+
+        def tree() -> DocumentTree:
+            return self._trees.take(sha256) or self.read_tree(container.read(member))[1]()
+
+        self._pulled[id(container), member] = (container, Pulled(sha256, len(content), read, tree))
         document = read.document
         held = {
             "DictionaryFile": document.dictionary,
@@ -155,8 +162,33 @@ class Reader:
             if len(self._standalone) >= _MAX_STANDALONE:
                 self._standalone.clear()
                 self._pulled.clear()
-            known = self._standalone[sha256] = self.read(content)
+            known, tree = self.read_tree(content)
+            self._standalone[sha256] = known
+            self._trees.keep(sha256, tree(), len(content))
         return known
+
+
+class _Trees:
+    """Trees of documents that were read for others, until these are handled as themselves; the oldest give way."""
+
+    def __init__(self) -> None:
+        self._kept: dict[str, tuple[DocumentTree, int]] = {}
+        self._held_bytes = 0
+
+    def keep(self, sha256: str, tree: DocumentTree, byte_count: int) -> None:
+        """Keep the tree of a document of so many bytes; what was cut out of it takes no room."""
+        self.take(sha256)
+        held = len(tree.cut.content) if tree.cut is not None else byte_count
+        self._kept[sha256] = tree, held
+        self._held_bytes += held
+        while self._held_bytes > _MAX_TREES_BYTES:
+            self.take(next(iter(self._kept)))
+
+    def take(self, sha256: str) -> DocumentTree | None:
+        """The tree of a document, which is then no longer kept."""
+        tree, held = self._kept.pop(sha256, (None, 0))
+        self._held_bytes -= held
+        return tree
 
 
 def _sections(root: etree._Element, notes: Notes) -> tuple[list[etree._Element], list[EsiInfo]]:

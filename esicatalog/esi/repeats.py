@@ -1,8 +1,9 @@
 """Parts of documents that repeat word for word: recognised before the document is parsed, and read once.
 
-Data types and objects are nine tenths of the bytes of ESI documents, and four fifths of those bytes stood in an
-earlier dictionary of the same vendor in the very same words. A run of such parts is cut out of the document and a
-single marked element left in its place; reading it gives the records that the same words gave before.
+Data types, objects and PDOs are most of the bytes of ESI documents, and four fifths of those bytes stood in an earlier
+device of the same vendor in the very same words. A run of such parts is cut out of the document and a single marked
+element left in its place; reading it gives the records that the same words gave before. A part that is new is looked
+through for parts of its own, the sub-items.
 
 Cutting is a guess about the layout of the text, made without parsing; three things keep it honest. Only words are
 recognised that were parsed before as a whole element of a well-formed document in the same encoding. The marks carry
@@ -14,203 +15,336 @@ import codecs
 import re
 import secrets
 from collections import defaultdict
-from collections.abc import Iterator
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 from lxml import etree
 
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
 from esicatalog.esi.documents import make_parser
+from esicatalog.esi.lines import LAST_COUNTED
 
-_MARK = f"repeated-{secrets.token_hex(8)}"
-_MARK_BYTES = _MARK.encode()
+MARK = f"repeated-{secrets.token_hex(8)}"
+"""Attribute that tells what an element stands for; of those that stand for themselves too."""
+_MARK_BYTES = MARK.encode()
 
 _ASCII = b"us-ascii"
 _ASCII_BASED = re.compile(rb"(us-ascii|utf-?8|iso-?8859-\d+|windows-125\d)?")
 _DECLARED_ENCODING = re.compile(rb"""\s*<\?xml[^>]*?encoding\s*=\s*["']([\w.-]+)["']""")
 _LONGEST_HEAD = 10_000
 _SECTIONS = ((b"<!--", b"-->"), (b"<![CDATA[", b"]]>"))
-_LEADING = re.compile(rb"(?:\s+|<!--.*?-->)*", re.DOTALL)
+_LEADING = re.compile(rb"(?:\s+|<!--.{0,1000}?-->)*", re.DOTALL)
+"""Comments have a bounded length: none is sought for to the end of the document again and again."""
+_BLANKS = re.compile(rb"\s*")
+_PREFIX = re.compile(rb"xmlns:([^\s=]+)")
 
 
-class _Kind(NamedTuple):
-    """A list of parts: the tags around it and around each part."""
+class _Kind:
+    """What may be cut out: elements of one tag that stand one behind the other.
 
-    opening: re.Pattern[bytes]
-    closing: bytes
-    part_opening: bytes
-    part_closing: bytes
+    ``inner`` are the parts that such an element may have, in the order of the schema.
+    """
 
-
-_TYPES = _Kind(re.compile(rb"<DataTypes>"), b"</DataTypes>", b"<DataType", b"</DataType>")
-_OBJECTS = _Kind(re.compile(rb"\s*<Objects>"), b"</Objects>", b"<Object", b"</Object>")
-
-
-LISTS = ("DataTypes", "Objects")
-"""Elements whose children may be cut out."""
+    def __init__(self, tag: str, *inner: "_Kind") -> None:
+        self.start = f"<{tag}".encode()
+        self.openings = (self.start + b">", self.start + b" ")
+        self.closing = f"</{tag}>".encode()
+        self.inner = inner
 
 
-class _Known(NamedTuple):
-    words: bytes
-    record: Any
-    line_count: int
+_FLAGS = _Kind("Flags")
+_MEMBERS, _VALUES, _ENTRIES = _Kind("SubItem", _FLAGS), _Kind("SubItem"), _Kind("Entry")
+_TYPES = _Kind("DataType", _MEMBERS)
+_OBJECTS = _Kind("Object", _VALUES, _FLAGS)
+_PDOS = {b"R": _Kind("RxPdo", _ENTRIES), b"T": _Kind("TxPdo", _ENTRIES)}
+
+_KINDS: dict[str, tuple[_Kind, ...]] = {
+    "DataType": (_TYPES,),
+    "SubItem": (_MEMBERS,),
+    "Object": (_OBJECTS,),
+    "InfoSubItem": (_VALUES,),
+    "Flags": (_FLAGS,),
+    "Pdo": tuple(_PDOS.values()),
+    "Entry": (_ENTRIES,),
+}
+"""What may be cut out, by the name of the type of record that it is read into."""
+
+_FIRST_LIST = b"<DataTypes>"
+_SECOND_LIST = re.compile(rb"</DataTypes>\s*<Objects>")
+_PDO = re.compile(rb"<([RT])xPdo[ >]")
 
 
-_Parts = dict[_Kind, dict[bytes, _Known]]
+class Part:
+    """Words that may stand in documents again and, once they have been read without a finding, their record."""
 
+    __slots__ = ("document", "encoding", "follower", "line_count", "record", "words")
 
-class _New:
-    """A part met for the first time: its record is there once it has been read without a finding."""
-
-    __slots__ = ("record", "words")
-
-    def __init__(self, words: bytes) -> None:
+    def __init__(self, words: bytes, encoding: bytes, document: int) -> None:
         self.words = words
+        """From the start tag to the blanks behind the end tag."""
+        self.encoding = encoding
+        self.line_count = words.count(b"\n")
+        self.document = document
+        """Number of the document in which it was met first: there it may be met again before it has been read."""
         self.record: Any = None
+        self.follower: Part | None = None
+        """What stood behind it last time: comparing words is faster than looking them up."""
 
 
 class Cut:
     """A document whose repeated parts are cut out, while it is being read."""
 
-    def __init__(self, ascii_parts: _Parts, parts: _Parts, record_types: dict[type, _Kind]) -> None:
-        self.content = b""
-        self.encoding: str | None = None
-        self.learned_bytes = 0
-        self._ascii = ascii_parts
-        self._known = parts
-        self._record_types = record_types
-        self._marks: list[tuple[_Kind, _New | list[_Known]]] = []
-        self._new: _Parts = {_TYPES: {}, _OBJECTS: {}}
+    def __init__(self, content: bytes, encoding: bytes, number: int, memory: "_Memory") -> None:
+        self.encoding = encoding.decode() or None
+        self._number = number
+        self._own_encodings = (_ASCII, encoding)
+        self._memory = memory
+        self._marks: list[tuple[_Kind, Part | list[Part]]] = []
         self._met = 0
+        self._alone: dict[tuple[bytes, int], etree._Element] = {}
+        self._unclosed: set[_Kind] = set()
+        """Kinds of which a start tag without an end tag was met: looking for more might take forever."""
+        pieces: list[bytes] = []
+        pieces.append(content[self._cut_document(content, pieces) :])
+        self.content = b"".join(pieces)
+        self._prefixes = {prefix + b":" for prefix in _PREFIX.findall(self.content)}
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing was cut out or marked."""
+        return not self._marks
 
     @property
     def is_complete(self) -> bool:
         """Whether every mark was met where such a part belongs, and what it stands for is known."""
         return self._met == len(self._marks)
 
-    def find(self, kind: _Kind, words: bytes) -> _Known | None:
-        """What the words of a part mean; its record may be a new part of this document, yet to be read."""
-        return self._ascii[kind].get(words) or self._known[kind].get(words) or self._new[kind].get(words)
+    @property
+    def record_types(self) -> frozenset[type]:
+        """What :meth:`taken` has to be asked for."""
+        return self._memory.record_types
 
-    def mark_new(self, kind: _Kind, words: bytes) -> bytes:
-        """The attribute that marks a new part."""
-        new = _New(words)
-        self._new[kind][words] = _Known(words, new, words.count(b"\n"))
-        return self._mark(kind, new)
+    def _cut_document(self, content: bytes, pieces: list[bytes]) -> int:
+        """Append the document up to the last part; returns where that ends."""
+        at = 0
+        while True:
+            opened = content.find(_FIRST_LIST, at)
+            at = self._cut_pdos(content, at, opened if opened >= 0 else len(content), pieces)
+            if opened < 0:
+                return at
+            at = self._cut_list(_TYPES, content, at, opened + len(_FIRST_LIST), pieces)
+            second = _SECOND_LIST.match(content, _LEADING.match(content, at).end())  # type: ignore[union-attr]
+            if second is not None:
+                at = self._cut_list(_OBJECTS, content, at, second.end(), pieces)
 
-    def placeholder(self, kind: _Kind, run: list[_Known]) -> bytes:
+    def _cut_list(self, kind: _Kind, content: bytes, at: int, begin: int, pieces: list[bytes]) -> int:
+        """Append the document up to the parts of a list that begins at ``begin``; returns where they end."""
+        pieces.append(content[at:begin])
+        return self._cut_parts(kind, content, begin, pieces)
+
+    def _cut_pdos(self, content: bytes, at: int, end: int, pieces: list[bytes]) -> int:
+        """Append the document up to the last PDO before ``end``; returns where that ends."""
+        searched = at
+        while found := _PDO.search(content, searched, end):
+            at = self._cut_list(_PDOS[found[1]], content, at, found.start(), pieces)
+            searched = max(at, found.end())
+        return at
+
+    def _cut_parts(self, kind: _Kind, text: bytes, at: int, pieces: list[bytes], is_plain: bool = False) -> int:
+        """Append the parts that stand one behind the other from ``at`` on; returns where they end.
+
+        ``is_plain`` tells that nothing but elements and text stands there.
+        """
+        previous: Part | None = None
+        run: list[Part] = []
+        while True:
+            part = previous.follower if previous is not None else None
+            if part is not None and text.startswith(part.words, at) and self._is_usable(part):
+                run.append(part)
+                previous = part
+                at += len(part.words)
+                continue
+            begin = _LEADING.match(text, at).end()  # type: ignore[union-attr]
+            if kind in self._unclosed or not text.startswith(kind.openings, begin):
+                break
+            end = text.find(kind.closing, begin)
+            if end < 0:
+                self._unclosed.add(kind)
+                break
+            end = _BLANKS.match(text, end + len(kind.closing)).end()  # type: ignore[union-attr]
+            words = text[begin:end]
+            part = self._memory.find(kind, words)
+            is_known = part is not None and self._is_usable(part)
+            if run and not (is_known and begin == at):
+                pieces.append(self._placeholder(kind, run))
+                run = []
+            pieces.append(text[at:begin])
+            at = end
+            if is_known and part is not None:
+                run.append(part)
+            elif words.find(kind.start, 1) < 0 and ((simple := is_plain or _is_plain(words)) or _is_whole(words)):
+                part = self._memory.add(kind, words, self._own_encodings[1], self._number)
+                self._mark_new(kind, part, simple, pieces)
+            else:
+                part = None
+                pieces.append(words)
+            if previous is not None:
+                previous.follower = part
+            previous = part
+        if run:
+            pieces.append(self._placeholder(kind, run))
+        return at
+
+    def _is_usable(self, part: Part) -> bool:
+        return (part.record is not None or part.document == self._number) and part.encoding in self._own_encodings
+
+    def _mark_new(self, kind: _Kind, part: Part, is_plain: bool, pieces: list[bytes]) -> None:
+        """Append a new part, marked, its inner parts cut out."""
+        words, at = part.words, len(kind.start)
+        pieces.append(kind.start + self._mark(kind, part))
+        for inner in kind.inner:
+            first = words.find(inner.start, at)
+            if first >= 0:
+                pieces.append(words[at:first])
+                at = self._cut_parts(inner, words, first, pieces, is_plain)
+        pieces.append(words[at:])
+
+    def _placeholder(self, kind: _Kind, run: list[Part]) -> bytes:
         """An element for a run of known parts, as many lines long as they are: lines of findings stay right.
 
         It holds a text, because that is where libxml2 keeps lines above 65535.
         """
-        blank_lines = b"\n" * sum(known.line_count for known in run)
-        return kind.part_opening + self._mark(kind, run) + b">." + kind.part_closing + blank_lines
+        blank_lines = b"\n" * sum([part.line_count for part in run])
+        return kind.start + self._mark(kind, run) + b">." + kind.closing + blank_lines
 
-    def _mark(self, kind: _Kind, part: _New | list[_Known]) -> bytes:
+    def _mark(self, kind: _Kind, part: Part | list[Part]) -> bytes:
         self._marks.append((kind, part))
         return b' %s="%d"' % (_MARK_BYTES, len(self._marks) - 1)
 
-    def taken(self, record_type: type, element: etree._Element) -> _New | tuple[Any, ...] | None:
+    def taken(self, record_type: type, element: etree._Element) -> Part | tuple[Any, ...] | None:
         """What a marked element stands for: records, or a new part that has to be read; else None."""
-        kind = self._record_types.get(record_type)
-        number = element.get(_MARK) if kind is not None else None
+        number = element.get(MARK)
         if number is None:
             return None
-        expected, part = self._marks[int(number)]
-        if isinstance(part, _New):
-            del element.attrib[_MARK]
-            self._met += expected is kind
+        kind, part = self._marks[int(number)]
+        is_expected = self._memory.record_type(kind) is record_type
+        if isinstance(part, Part):
+            self._met += is_expected
             return part
-        records = tuple(item.record.record if type(item.record) is _New else item.record for item in part)
-        self._met += expected is kind and None not in records
+        records = tuple([item.record for item in part])
+        self._met += is_expected and None not in records
         return records
+
+    def learn(self, part: Part, record: Any) -> None:
+        """Remember what a new part means, unless names in it depend on where it stands."""
+        for prefix in self._prefixes:
+            if prefix in part.words:
+                return
+        part.record = record
 
     def count(self, element: etree._Element) -> int:
         """How many elements of the document an element of the cut one stands for."""
         return len(self._run(element)) or 1
 
-    def unfold(self, around: etree._Element) -> None:
-        """Put the elements that were cut out back into a list of parts."""
-        for element in list(around):
-            at, run = around.index(element), self._run(element)
-            if run:
-                around[at : at + 1] = [self._parsed(element, number) for number in range(len(run))]
+    def unfold(self, root: etree._Element) -> None:
+        """Put all elements that were cut out back into the tree, and take the marks away."""
+        for element in list(root.iter()):
+            around = element.getparent()
+            if around is not None and self._run(element):
+                at = around.index(element)
+                around[at : at + 1] = [self.itself(element, number) for number in range(self.count(element))]
+            element.attrib.pop(MARK, None)
 
-    def part(self, around: etree._Element, number: int) -> etree._Element | None:
-        """Element ``number`` of a list of parts, with its lines; one that was cut out stands alone."""
-        for element in around:
-            run = self._run(element)
-            if number < self.count(element):
-                return self._parsed(element, number) if run else element
-            number -= self.count(element)
-        return None
-
-    def _run(self, element: etree._Element) -> list[_Known]:
-        """The parts that an element stands for; empty for an element that was not cut out."""
-        number = element.get(_MARK)
-        part = self._marks[int(number)][1] if number is not None else None
-        return part if isinstance(part, list) else []
-
-    def _parsed(self, element: etree._Element, number: int) -> etree._Element:
+    def itself(self, element: etree._Element, number: int) -> etree._Element:
+        """Element ``number`` of those that an element stands for, with its lines; one that was cut out stands alone."""
         run = self._run(element)
-        kind = self._marks[int(element.get(_MARK) or 0)][0]
-        lines_before = (element.sourceline or 1) - 1 + sum(known.line_count for known in run[:number])
-        text = run[number].words.lstrip()
-        blank_lines = run[number].words[: -len(text)].count(b"\n")
+        if not run:
+            return element
         # Lines are counted by the parser, which knows more of them than an element can be given.
-        return etree.fromstring(
-            b"\n" * (lines_before + blank_lines) + text + kind.part_closing, make_parser(encoding=self.encoding)
-        )
+        return self._parsed(b"\n" * self._lines_before(element, number) + run[number].words)
 
-    def learn(self, record_type: type, new: _New, record: Any, element: etree._Element) -> None:
-        """Remember what a new part means, unless names in it depend on where it stands."""
-        words = new.words
-        if any(prefix is not None and f"{prefix}:".encode() in words for prefix in element.nsmap):
-            return
-        new.record = record
-        parts = self._ascii if words.isascii() else self._known
-        kind = self._record_types[record_type]
-        parts[kind][words] = self._new[kind][words]._replace(record=record)
-        self.learned_bytes += len(words)
+    def standing_alone(self, element: etree._Element, number: int) -> tuple[etree._Element, int]:
+        """:meth:`itself` with lines of its own, and how many lines come before it; for many looks at many parts."""
+        run = self._run(element)
+        if not run:
+            return element, 0
+        part, lines_before = run[number], self._lines_before(element, number)
+        # The parser has lines beyond the last counted one from texts: it must meet the part on the same side of it.
+        crosses = lines_before < LAST_COUNTED <= lines_before + part.line_count
+        blank_lines = lines_before if crosses else LAST_COUNTED if lines_before >= LAST_COUNTED else 0
+        alone = self._alone.get((part.words, blank_lines))
+        if alone is None:
+            alone = self._alone[part.words, blank_lines] = self._parsed(b"\n" * blank_lines + part.words)
+        return alone, lines_before - blank_lines
+
+    def _parsed(self, words: bytes) -> etree._Element:
+        return etree.fromstring(words, make_parser(encoding=self.encoding))
+
+    def _lines_before(self, element: etree._Element, number: int) -> int:
+        return (element.sourceline or 1) - 1 + sum([part.line_count for part in self._run(element)[:number]])
+
+    def _run(self, element: etree._Element) -> Sequence[Part]:
+        """The parts that an element stands for; empty for an element that was not cut out."""
+        number = element.get(MARK)
+        part = self._marks[int(number)][1] if number is not None else None
+        return part if isinstance(part, list) else ()
+
+
+class _Memory:
+    """Parts by kind and words; words of ASCII alone mean the same in all encodings that :func:`_encoding` allows."""
+
+    def __init__(self, record_types: Iterable[type]) -> None:
+        self.record_types = frozenset(record_types)
+        self._record_types = {kind: held for held in self.record_types for kind in _KINDS[held.__name__]}
+        self._ascii: defaultdict[_Kind, dict[bytes, Part]] = defaultdict(dict)
+        self._others: defaultdict[_Kind, dict[bytes, Part]] = defaultdict(dict)
+        self.held_bytes = 0
+
+    def record_type(self, kind: _Kind) -> type:
+        """What parts of a kind are read into."""
+        return self._record_types[kind]
+
+    def find(self, kind: _Kind, words: bytes) -> Part | None:
+        """A part of these words, whatever is known of it."""
+        return (self._ascii if words.isascii() else self._others)[kind].get(words)
+
+    def add(self, kind: _Kind, words: bytes, encoding: bytes, document: int) -> Part:
+        """A part that is new, in place of one that is of no use."""
+        is_ascii = words.isascii()
+        parts = (self._ascii if is_ascii else self._others)[kind]
+        if words not in parts:
+            self.held_bytes += len(words)
+        part = parts[words] = Part(words, _ASCII if is_ascii else encoding, document)
+        return part
+
+    def forget(self) -> None:
+        """Start anew."""
+        for parts in (*self._ascii.values(), *self._others.values()):
+            for part in parts.values():
+                part.follower = None
+        self._ascii.clear()
+        self._others.clear()
+        self.held_bytes = 0
 
 
 class Repeats:
-    """Knows the parts of the documents that one process has read."""
+    """Knows the parts of the documents that one process has read; ``record_types`` are what parts are read into."""
 
-    def __init__(self, data_type: type, object_type: type, capacity_bytes: int = 48_000_000) -> None:
-        self._record_types = {data_type: _TYPES, object_type: _OBJECTS}
-        self._known: defaultdict[bytes, _Parts] = defaultdict(lambda: {_TYPES: {}, _OBJECTS: {}})
-        """Parts by encoding; those of ASCII alone are the same in all that :func:`_encoding` lets through."""
+    def __init__(self, record_types: Iterable[type], capacity_bytes: int = 64_000_000) -> None:
+        self._memory = _Memory(record_types)
         self._capacity_bytes = capacity_bytes
-        self._held_bytes = 0
-        self._last: Cut | None = None
+        self._document_count = 0
 
     def cut(self, content: bytes) -> Cut | None:
-        """``content`` with repeated parts cut out and new ones marked; None when it has no lists of parts."""
-        if len(content) > MAX_DOCUMENT_BYTES:
-            return None
-        if self._last is not None:
-            self._held_bytes += self._last.learned_bytes
-            self._last = None
-        if self._held_bytes > self._capacity_bytes:
-            self._known.clear()
-            self._held_bytes = 0
-        encoding = _encoding(content)
+        """``content`` with repeated parts cut out and new ones marked; None when it has none."""
+        encoding = _encoding(content) if len(content) <= MAX_DOCUMENT_BYTES else None
         if encoding is None:
             return None
-        self._last = cut = Cut(self._known[_ASCII], self._known[encoding], self._record_types)
-        cut.encoding = encoding.decode() or None
-        pieces: list[bytes] = []
-        copied = 0
-        for kind, start, end in _lists(content):
-            pieces.append(content[copied:start])
-            pieces.extend(_cut_list(kind, content[start:end], cut))
-            copied = end
-        if not copied:
-            return None
-        pieces.append(content[copied:])
-        cut.content = b"".join(pieces)
-        return cut
+        if self._memory.held_bytes > self._capacity_bytes:
+            self._memory.forget()
+        self._document_count += 1
+        cut = Cut(content, encoding, self._document_count, self._memory)
+        return None if cut.is_empty else cut
 
 
 def _encoding(content: bytes) -> bytes | None:
@@ -224,54 +358,14 @@ def _encoding(content: bytes) -> bytes | None:
     return encoding if b"<!DOCTYPE" not in head and _ASCII_BASED.fullmatch(encoding) else None
 
 
-def _lists(content: bytes) -> Iterator[tuple[_Kind, int, int]]:
-    """Where lists of parts lie. Objects are looked for right behind data types, as dictionaries have them."""
-    opened = _TYPES.opening.search(content)
-    while opened is not None:
-        end = opened.end()
-        for kind in (_TYPES, _OBJECTS):
-            opened = kind.opening.match(content, opened.start() if kind is _TYPES else end + len(_TYPES.closing))
-            if opened is None:
-                break
-            start, end = opened.end(), content.find(kind.closing, opened.end())
-            if end < 0:
-                return
-            yield kind, start, end
-        opened = _TYPES.opening.search(content, end)
+def _is_plain(words: bytes) -> bool:
+    """Whether words are nothing but elements and text."""
+    return b"<!" not in words and b"<?" not in words
 
 
-def _cut_list(kind: _Kind, text: bytes, cut: Cut) -> Iterator[bytes]:
-    *parts, rest = text.split(kind.part_closing)
-    run: list[_Known] = []
-    for words in parts:
-        found = cut.find(kind, words)
-        if found is not None:
-            run.append(found)
-            continue
-        if run:
-            yield cut.placeholder(kind, run)
-            run = []
-        if _is_whole(kind, words):
-            at = _LEADING.match(words).end() + len(kind.part_opening)  # type: ignore[union-attr]
-            yield words[:at] + cut.mark_new(kind, words) + words[at:]
-        else:
-            yield words
-        yield kind.part_closing
-    if run:
-        yield cut.placeholder(kind, run)
-    yield rest
-
-
-def _is_whole(kind: _Kind, words: bytes) -> bool:
-    """Whether a part is one element, but for its end tag, whose words mean the same wherever they stand."""
-    plain = _without_sections(words).lstrip()
-    opening = kind.part_opening
-    return (
-        plain.startswith((opening + b">", opening + b" "))
-        and plain.count(opening + b">") + plain.count(opening + b" ") == 1
-        and b"<!" not in plain
-        and b"<?" not in plain
-    )
+def _is_whole(words: bytes) -> bool:
+    """Whether words are plain but for comments and CDATA sections."""
+    return _is_plain(_without_sections(words))
 
 
 def _without_sections(words: bytes) -> bytes:

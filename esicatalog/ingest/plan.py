@@ -10,7 +10,7 @@ from esicatalog.esi.containers import NESTED, Folder, open_regular
 from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover, unreadable_archive
 from esicatalog.ingest.report import DocumentLine
 from esicatalog.ingest.tasks import Known, Outcome, Task
-from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
+from esicatalog.ingest.unchanged import Hashes, ReferenceHashes, is_unchanged
 
 
 class HeldDocument(NamedTuple):
@@ -64,8 +64,16 @@ class Plan(NamedTuple):
         return not (self.todo or self.gone or self.archives)
 
 
-def make_plan(paths: Iterable[str | os.PathLike[str]], held: Held = NOTHING_HELD, prune: bool = False) -> Plan:
-    """Compare what lies below the paths with what the catalog holds. Raises :class:`InputError`."""
+def make_plan(
+    paths: Iterable[str | os.PathLike[str]],
+    held: Held = NOTHING_HELD,
+    prune: bool = False,
+    hashed: Hashes | None = None,
+) -> Plan:
+    """Compare what lies below the paths with what the catalog holds, ``hashed`` being known already.
+
+    Raises :class:`InputError`.
+    """
     given = [os.path.realpath(path) for path in paths]
     unchanged: list[DocumentLine] = []
     pending: list[Found] = []
@@ -95,7 +103,7 @@ def make_plan(paths: Iterable[str | os.PathLike[str]], held: Held = NOTHING_HELD
             pending.extend(archive_members(item))
     seen.update(item.location for item in pending)
     todo: list[Found] = []
-    hashes = _PerFolder()
+    hashes = _PerFolder(hashed or {})
     for item in pending:
         known = held.documents.get(item.location)
         if known is not None and _file_unchanged(item, known, hashes[item.root]):
@@ -116,8 +124,11 @@ def make_plan(paths: Iterable[str | os.PathLike[str]], held: Held = NOTHING_HELD
 class _PerFolder(dict[str, ReferenceHashes]):
     """Each file is hashed once, whether it stands alone or others refer to it."""
 
+    def __init__(self, hashed: Hashes) -> None:
+        self._hashed = hashed
+
     def __missing__(self, root: str) -> ReferenceHashes:
-        return self.setdefault(root, ReferenceHashes(Folder(Path(root))))
+        return self.setdefault(root, ReferenceHashes(Folder(Path(root)), self._hashed.get(root)))
 
 
 def _reading_order(item: Found) -> tuple[int, int, str]:

@@ -1,8 +1,5 @@
-"""Worker processes of our own: one task at a time each, a deadline per document, a dead worker costs one document."""
+"""Worker processes of our own: a deadline per document, a dead worker costs one document."""
 
-import select
-import subprocess
-import sys
 import threading
 import time
 from collections import deque
@@ -10,13 +7,19 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
+from esicatalog.ingest.process import Helper, can_fork, forked, interpreter
 from esicatalog.ingest.tasks import Answer, Outcome, Task
-from esicatalog.ingest.worker import DocumentWorker, read_frame, write_frame
+from esicatalog.ingest.worker import DocumentWorker, serve
 
 DEADLINE_SECONDS = 120.0
 """Longest time a document may take; the largest real one takes a few seconds."""
 _MAX_WAITING_BYTES = 64 * 1024 * 1024
 """Outcomes wait as bytes, ten times smaller than as rows: workers go on while the writer writes."""
+_ASKED_AT_ONCE = 2
+_FITS_BYTES = 4096
+"""Of a request that waits in any pipe: nobody waits until it is read, who meanwhile may wait to be read."""
+_ENOUGH_TASKS = 2
+"""For each worker: with fewer left, none waits behind another while somebody has nothing to do."""
 
 
 def read_here(tasks: Sequence[Task]) -> Iterator[Outcome]:
@@ -36,13 +39,17 @@ class Pool:
         self._changed = threading.Condition()
         self._outcomes: deque[bytes | BaseException] = deque()
         self._waiting_bytes = 0
-        self._processes: set[subprocess.Popen[bytes]] = set()
+        self._processes: set[Helper] = set()
         self._stopped = False
-        count = min(jobs, len(tasks))
-        self._threads = [threading.Thread(target=self._serve, daemon=True) for _ in range(count)]
+        self._count = min(jobs, len(tasks))
+        self._threads: list[threading.Thread] = []
 
     def start(self) -> None:
         """Start reading."""
+        may_fork = can_fork()  # All copies are made before the first thread begins.
+        workers = [forked(serve) if may_fork else None for _ in range(self._count)]
+        self._processes.update(worker for worker in workers if worker is not None)
+        self._threads = [threading.Thread(target=self._serve, args=(worker,), daemon=True) for worker in workers]
         for thread in self._threads:
             thread.start()
 
@@ -86,10 +93,13 @@ class Pool:
             self._outcomes.append(error)
             self._changed.notify_all()
 
-    def _next(self, held: deque[Task]) -> Task | None:
+    def _next(self, held: deque[Task], ahead: bool) -> Task | None:
+        """A task for a worker; one ``ahead`` of its time only while there are enough for all."""
         with self._changed:
             if held:
                 return held.popleft()
+            if ahead and len(self._tasks) < _ENOUGH_TASKS * self._count:
+                return None
             place = next(iter(self._tasks), None)
             return self._tasks.pop(place) if place is not None else None
 
@@ -101,75 +111,62 @@ class Pool:
                 if place in self._tasks:
                     held.append(self._tasks.pop(place))
 
-    def _serve(self) -> None:
-        """One thread per worker process: hand out tasks, wait for answers, replace the process when it dies."""
-        process: subprocess.Popen[bytes] | None = None
+    def _serve(self, worker: Helper | None) -> None:
+        """One thread per worker process: hand out tasks, wait for answers, replace the process when it dies.
+
+        While a worker reads a document it has the next task already, else it would wait for this thread's turn.
+        """
         held: deque[Task] = deque()
+        asked: deque[Task] = deque()
         try:
             while not self._stopped:
-                task = self._next(held)
-                if task is None:
+                while len(asked) < _ASKED_AT_ONCE and (task := self._next(held, ahead=bool(asked))) is not None:
+                    request = msgspec.msgpack.encode(task)
+                    if asked and len(request) > _FITS_BYTES:
+                        held.appendleft(task)
+                        break
+                    if worker is None:
+                        worker = self._launch()
+                    worker.send(request)
+                    asked.append(task)
+                if worker is None or not asked:
                     break
-                if process is None:
-                    process = self._launch()
-                answer = self._ask(process, task)
+                task = asked.popleft()
+                answer = self._receive(worker, task)
                 self._hold(task, answer.references, held)
-                if process.poll() is not None:
-                    self._end(process)
-                    process = None
+                if not worker.is_alive:
+                    self._end(worker)
+                    worker = None
+                    held.extendleft(reversed(asked))
+                    asked.clear()
                 self._put(bytes(answer.outcome))
         except BaseException as error:
             self._fail(error)
         finally:
-            if process is not None:
-                self._end(process)
+            if worker is not None:
+                self._end(worker)
 
-    def _launch(self) -> subprocess.Popen[bytes]:
-        process = subprocess.Popen(
-            [sys.executable, "-m", "esicatalog.ingest.worker"],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            bufsize=0,
-        )
-        self._processes.add(process)
+    def _launch(self) -> Helper:
+        worker = interpreter("esicatalog.ingest.worker")
+        self._processes.add(worker)
         if self._stopped:
-            process.kill()
-        return process
+            worker.kill()
+        return worker
 
-    def _end(self, process: subprocess.Popen[bytes]) -> None:
-        self._processes.discard(process)
-        process.kill()
-        process.wait()
-        for stream in (process.stdin, process.stdout):
-            if stream is not None:
-                stream.close()
+    def _end(self, worker: Helper) -> None:
+        self._processes.discard(worker)
+        worker.end()
 
-    def _ask(self, process: subprocess.Popen[bytes], task: Task) -> Answer:
-        assert process.stdin is not None and process.stdout is not None
-        deadline = time.monotonic() + self._deadline_seconds
-        descriptor = process.stdout.fileno()
-
-        def read(size: int) -> bytes:
-            ready, _, _ = select.select([descriptor], [], [], max(0.0, deadline - time.monotonic()))
-            if not ready:
-                raise TimeoutError
-            assert process.stdout is not None
-            return process.stdout.read(size) or b""
-
+    def _receive(self, worker: Helper, task: Task) -> Answer:
         problem = "the reading process died (out of memory or a crash)"
         try:
-            write_frame(process.stdin, msgspec.msgpack.encode(task))
-            answer = read_frame(read)
+            answer = worker.receive(self._deadline_seconds)
         except TimeoutError:
             answer = None
             problem = f"gave up after {self._deadline_seconds:.0f} s"
-        except (BrokenPipeError, ConnectionError):
-            answer = None
         if answer is not None:
             return _decode_answer(answer)
-        process.kill()
-        process.wait()
+        worker.end()
         return Answer.to(Outcome(task.number, "failed", problem))
 
 

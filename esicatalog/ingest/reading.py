@@ -1,23 +1,30 @@
-"""Reading the documents of a plan. It needs no database: reading can begin while a new catalog is being made."""
+"""Reading the documents of a plan. It needs no database: reading can begin while a new catalog is being made, hashing
+what an existing one may hold while that is being opened.
+"""
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from itertools import chain
 from typing import Self
 
 from esicatalog.ingest.plan import Plan
 from esicatalog.ingest.tasks import Outcome
+from esicatalog.ingest.unchanged import Hashes
 
 _SMALL_BYTES = 1024 * 1024
 """A single document up to here is read without a worker process, its memory limit and its deadline."""
 
 
 class Reading:
-    """The documents of a plan being read, in worker processes or (``jobs`` 1) in this one."""
+    """The documents of a plan being read, in worker processes or (``jobs`` 1) in this one.
+
+    Both :meth:`hash_ahead` and :meth:`start` begin something that ends with this context.
+    """
 
     def __init__(self, jobs: int | None = None) -> None:
         self._jobs = jobs or os.cpu_count() or 1
         self._stop: Callable[[], None] = lambda: None
+        self._hashed: Callable[[], Hashes] = dict
         self.plan: Plan | None = None
         self.outcomes: Iterator[Outcome] = iter(())
 
@@ -26,6 +33,17 @@ class Reading:
 
     def __exit__(self, *error: object) -> None:
         self._stop()
+
+    def hash_ahead(self, paths: Sequence[str | os.PathLike[str]]) -> None:
+        """Begin to hash the files below the paths, where that can go on beside this process."""
+        from esicatalog.ingest.ahead import HashingAhead
+
+        hashing = HashingAhead(paths)
+        self._hashed, self._stop = hashing.take, hashing.end
+
+    def hashed(self) -> Hashes:
+        """What was hashed ahead."""
+        return self._hashed()
 
     def start(self, plan: Plan) -> Plan:
         """Let workers read the documents of a plan; returns the plan."""

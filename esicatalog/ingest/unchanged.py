@@ -5,13 +5,16 @@ from esicatalog.esi.containers import Container, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.ingest.tasks import Known
 
+Hashes = dict[str, dict[str, str | None]]
+"""SHA-256 by folder and member; None where it cannot be read."""
+
 
 class ReferenceHashes:
-    """SHA-256 of documents and of what they refer to, each computed once a container."""
+    """SHA-256 of documents and of what they refer to, each computed once a container; ``known`` are by member."""
 
-    def __init__(self, container: Container) -> None:
+    def __init__(self, container: Container, known: dict[str, str | None] | None = None) -> None:
         self._container = container
-        self._known: dict[str, str | None] = {}
+        self.known = known if known is not None else {}
 
     def sha256(self, document: str, reference: str) -> str | None:
         """SHA-256 of what ``reference`` in ``document`` leads to, None when nothing readable is there."""
@@ -20,12 +23,12 @@ class ReferenceHashes:
 
     def of_member(self, member: str) -> str | None:
         """SHA-256 of a document of the container, None when it cannot be read."""
-        if member not in self._known:
+        if member not in self.known:
             try:
-                self._known[member] = sha256_hex(self._container.read(member))
+                self.known[member] = sha256_hex(self._container.read(member))
             except DocumentError:
-                self._known[member] = None
-        return self._known[member]
+                self.known[member] = None
+        return self.known[member]
 
 
 def is_unchanged(known: Known, sha256: str, document: str, hashes: ReferenceHashes) -> bool:

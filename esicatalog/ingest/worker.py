@@ -1,16 +1,13 @@
 """The worker process: reads documents and answers with rows. It never imports SQLAlchemy.
 
-Run as ``python -m esicatalog.ingest.worker``; requests and answers are length-prefixed msgpack on stdin and stdout.
-A document can cost it its life (memory limit) but not its siblings theirs.
+Requests and answers are length-prefixed msgpack; run as ``python -m esicatalog.ingest.worker`` it takes them on stdin
+and stdout. A document can cost it its life (memory limit) but not its siblings theirs.
 """
 
 import contextlib
-import gc
 import os
 import signal
-import struct
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import IO
 
@@ -22,18 +19,18 @@ from esicatalog.esi.containers import Archive, Container, Folder, resolve_refere
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.stages import Stages
+from esicatalog.ingest.process import read_frame, settle_in, write_frame
 from esicatalog.ingest.tasks import Answer, Outcome, Task
 from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
 from esicatalog.lint.linter import Linter
+from esicatalog.model.derivation import Deriver
 
-MEMORY_LIMIT_BYTES = 3 * 1024**3
 _MAX_OPENED = 16
 """Containers kept open: neighbours in the order of reading lie in different archives."""
-_NICENESS = 10
+_NICENESS = 5
 """The writer runs first: whatever it leaves for after the last document is done by one core alone."""
 _LONGEST_SECONDS = 300
 """For when nobody is left to end a document that never ends: longer than the pool waits for one."""
-_LENGTH = struct.Struct("<Q")
 
 
 class DocumentWorker:
@@ -42,8 +39,9 @@ class DocumentWorker:
     def __init__(self) -> None:
         self.stages = Stages()
         self._reader = Reader(self.stages)
-        self._linter = Linter()
-        self._rows = RowMaker()
+        deriver = Deriver()
+        self._linter = Linter(deriver=deriver)
+        self._rows = RowMaker(deriver)
         self._opened: dict[tuple[str, tuple[str, ...]], tuple[Container, ReferenceHashes]] = {}
 
     def handle(self, task: Task) -> Outcome:
@@ -73,8 +71,7 @@ class DocumentWorker:
                 if pulled is None:
                     read, tree = self._reader.read_tree(content, task.member, container)
                 else:
-                    # Read again where lint has something to tell of it: its parts are known by now.
-                    read, tree = pulled.document, lambda: self._reader.read_tree(container.read(task.member))[1]()
+                    read, tree = pulled.document, pulled.tree
             with stages("lint"):
                 findings = self._linter.document(
                     read, tree, lambda name: resolve_reference(container, task.member, name) is not None
@@ -117,52 +114,14 @@ class DocumentWorker:
         return opened
 
 
-def read_frame(read: Callable[[int], bytes]) -> bytes | None:
-    """One length-prefixed message, or None at the end of the stream."""
-    head = _read_exactly(read, _LENGTH.size)
-    if head is None:
-        return None
-    return _read_exactly(read, _LENGTH.unpack(head)[0])
-
-
-def _read_exactly(read: Callable[[int], bytes], size: int) -> bytes | None:
-    parts = []
-    while size:
-        part = read(min(size, 1 << 20))
-        if not part:
-            return None
-        parts.append(part)
-        size -= len(part)
-    return b"".join(parts)
-
-
-def write_frame(stream: IO[bytes], message: bytes) -> None:
-    """Send one length-prefixed message."""
-    stream.write(_LENGTH.pack(len(message)))
-    stream.write(message)
-    stream.flush()
-
-
-def main() -> None:
-    """Answer tasks until stdin ends."""
+def serve(requests: IO[bytes], answers: IO[bytes]) -> None:
+    """Answer tasks until there are no more."""
     with contextlib.suppress(AttributeError, OSError):
         os.nice(_NICENESS)
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource
-
-        limits = [limit for limit in resource.getrlimit(resource.RLIMIT_AS) if limit != resource.RLIM_INFINITY]
-        limit = min([MEMORY_LIMIT_BYTES, *limits])
-        resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
-    # Ctrl-C goes to all processes of a terminal; the pool ends its workers itself.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    # Records and rows hold no cycles: looking for some again and again costs more than reading many a document.
-    gc.set_threshold(100_000, 20, 100)
-    answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)
     worker = DocumentWorker()
     decode = msgspec.msgpack.Decoder(Task).decode
     encode = msgspec.msgpack.Encoder().encode
-    while (request := read_frame(sys.stdin.buffer.read)) is not None:
+    while (request := read_frame(requests.read)) is not None:
         _end_after(_LONGEST_SECONDS)
         outcome = worker.handle(decode(request))
         with worker.stages("transfer"):  # told with the next document
@@ -175,6 +134,14 @@ def _end_after(seconds: int) -> None:
     """Let the system end this process after so many seconds, 0 = never."""
     with contextlib.suppress(AttributeError):  # Windows has no alarm.
         signal.alarm(seconds)
+
+
+def main() -> None:
+    """Answer on stdout what is asked on stdin; whatever else is printed goes to stderr."""
+    settle_in()
+    answers = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)
+    serve(sys.stdin.buffer, answers)
 
 
 if __name__ == "__main__":

@@ -12,14 +12,7 @@ from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.esi.records.document import Document, EsiInfo
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.lint.dictionaries import (
-    DictionaryView,
-    DictionaryViews,
-    IdentityMemo,
-    ObjectSubject,
-    TypeSet,
-    identities,
-)
+from esicatalog.lint.dictionaries import ObjectSubject
 from esicatalog.lint.locator import Locator, Tree
 from esicatalog.lint.registry import Check, Found, Place, Rule
 from esicatalog.lint.rules import ALL_RULES
@@ -31,12 +24,18 @@ from esicatalog.lint.subjects import (
     ModuleSubject,
     Owner,
     PdoMapping,
+    ProcessSubject,
     pdo_mapping,
 )
+from esicatalog.model.derivation import Deriver
+from esicatalog.model.dictionary_views import DictionaryView
+from esicatalog.model.memo import IdentityMemo, identities
+from esicatalog.model.resolver import TypeSet
 from esicatalog.model.slots import accepts
 
 _MAX_RECORDS = 20_000
-_MAX_DICTIONARIES = 128
+_MAX_OWNERS = 2_000
+_MAX_DICTIONARIES = 500
 
 
 class _Hit(NamedTuple):
@@ -46,16 +45,19 @@ class _Hit(NamedTuple):
 
     def below(self, place: Place) -> "_Hit":
         """The same with its place seen from further out."""
-        return self._replace(place=place + self.place)
+        return _Hit(self.rule, self.found, place + self.place)
 
 
 _Hits = Sequence[_Hit]
 
 
 class Linter:
-    """Lints documents one after the other; remembers what it found in records that many of them share."""
+    """Lints documents one after the other; remembers what it found in records that many of them share.
 
-    def __init__(self, rules: Iterable[Rule] = ALL_RULES) -> None:
+    ``deriver`` keeps what it derives for whoever asks for the same later.
+    """
+
+    def __init__(self, rules: Iterable[Rule] = ALL_RULES, deriver: Deriver | None = None) -> None:
         self._checks: dict[Any, list[tuple[Rule, Check]]] = defaultdict(list)
         self._ids = set()
         for rule in rules:
@@ -63,7 +65,10 @@ class Linter:
             if rule.check is not None:
                 for subject in rule.subjects:
                     self._checks[subject].append((rule, rule.check))
-        self._views = DictionaryViews()
+        self._deriver = deriver or Deriver()
+        self._views = self._deriver.views
+        self._of_process: IdentityMemo[_Hits] = IdentityMemo(_MAX_OWNERS)
+        self._of_pdos: IdentityMemo[_Hits] = IdentityMemo(_MAX_OWNERS)
         self._of_record: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._of_object: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._of_mapping: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
@@ -104,19 +109,7 @@ class Linter:
     ) -> list[_Hit]:
         modules = [ModuleSubject(module, info, self._owner_views(module)) for module in info.modules]
         of_others = [ModuleSubject(module, info, self._owner_views(module)) for module in referenced]
-        devices = [
-            DeviceSubject(
-                device,
-                info,
-                self._owner_views(device),
-                [
-                    subject
-                    for subject in (*modules, *of_others)
-                    if any(accepts(slot, subject.module) for slot in device.slots)
-                ],
-            )
-            for device in info.devices
-        ]
+        devices = [self._device(device, info, (*modules, *of_others)) for device in info.devices]
         for device in devices:
             for module in device.modules:
                 module.hosts.append(device)
@@ -133,21 +126,47 @@ class Linter:
             module.hosts.clear()  # no circles: they would stay in memory until the collector comes by
         return hits
 
+    def _device(self, device: Device, info: EsiInfo, modules: Iterable[ModuleSubject]) -> DeviceSubject:
+        slots = device.slots
+        reachable = [item for item in modules if any(accepts(slot, item.module) for slot in slots)] if slots else []
+        derivation = self._deriver.derive(device, [item.module for item in reachable])
+        return DeviceSubject(device, info, self._owner_views(device), reachable, derivation)
+
     def _owner_views(self, owner: Device | Module) -> list[DictionaryView]:
         return [self._views.view(profile.dictionary) for profile in owner.profiles if profile.dictionary is not None]
 
     def _owner(self, owner: Owner, kind: type[Owner], external: set[str]) -> list[_Hit]:
-        hits = [*self._check(owner, kind), *self._check(owner.record, Record)]
+        hits = self._check(owner, kind)
+        if isinstance(owner, DeviceSubject) and (of_process := self._process(owner)):
+            hits = sorted([*hits, *of_process], key=lambda hit: hit.rule.id)
+        hits += self._check(owner.record, Record)
         if isinstance(owner, DeviceSubject):
             for number, slot in enumerate(owner.device.slots):
                 hits += _below(("slots", number), self._check(slot, Record))
-        dictionaries = self._dictionaries_for(owner)
-        for placed in owner.pdos:
-            hits += _below(placed.place, self._pdo(placed.pdo, placed.direction, dictionaries))
+        hits += self._pdos(owner)
         for number, profile in enumerate(owner.record.profiles):
             if profile.dictionary is not None and profile.dictionary_file not in external:
                 hits += _below(("profiles", number, "dictionary"), self._dictionary(profile.dictionary))
         return hits
+
+    def _process(self, device: DeviceSubject) -> _Hits:
+        data = device.derivation.process_data
+        return self._of_process.get(id(data), data, self._check_process, device)
+
+    def _check_process(self, device: DeviceSubject) -> _Hits:
+        return self._check(ProcessSubject(device.derivation.process_data, device.modules), ProcessSubject)
+
+    def _pdos(self, owner: Owner) -> _Hits:
+        record, dictionaries = owner.record, self._dictionaries_for(owner)
+        key = (identities(record.rx_pdos), identities(record.tx_pdos), identities(dictionaries.views))
+        return self._of_pdos.get(key, (record, dictionaries.views), self._check_pdos, owner, dictionaries)
+
+    def _check_pdos(self, owner: Owner, dictionaries: Dictionaries) -> _Hits:
+        return [
+            hit.below(placed.place)
+            for placed in owner.pdos
+            for hit in self._pdo(placed.pdo, placed.direction, dictionaries)
+        ]
 
     def _dictionaries_for(self, owner: Owner) -> Dictionaries:
         """Where the objects of its PDOs are looked up: its own, then those of what it is plugged into or carries.
@@ -193,7 +212,7 @@ class Linter:
     def _check_object(self, declared: Object, types: TypeSet) -> _Hits:
         return [
             *self._check(declared, Record),
-            *self._check(ObjectSubject(declared, types, self._views.resolver), ObjectSubject),
+            *self._check(ObjectSubject(declared, types, self._deriver.resolver), ObjectSubject),
         ]
 
     def _check_types(self, types: TypeSet) -> _Hits:

@@ -12,7 +12,6 @@ from lxml import etree
 from esicatalog.esi.binding import Field, Record, fields_of
 from esicatalog.esi.lines import LAST_COUNTED
 from esicatalog.esi.records.document import DiagInfo, DictInfo, Document, EsiInfo, InfoList, ModuleInfo
-from esicatalog.esi.repeats import LISTS
 from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.registry import Place
 
@@ -39,12 +38,16 @@ class Position(NamedTuple):
 
 
 class _Known(NamedTuple):
-    """A place that was looked up; ``element`` is the nearest one that the tree has, ``exact`` whether it is the one."""
+    """A place that was looked up; ``element`` is the nearest one that the tree has, ``exact`` whether it is the one.
+
+    Its line is counted from where its tree starts, ``lines_before`` come before that.
+    """
 
     record: Any
     fields: dict[str, Field]
     path: str
     element: etree._Element
+    lines_before: int
     exact: bool
 
 
@@ -63,7 +66,8 @@ class Locator:
     def position(self, place: Place) -> Position:
         """Path and line of a place; of the nearest element around it where the document has none there."""
         found = self._look_up(place)
-        return Position(found.path, _line(found.element))
+        line = _line(found.element)
+        return Position(found.path, line and found.lines_before + line)
 
     def _look_up(self, place: Place) -> _Known:
         found = self._known.get(place)
@@ -73,7 +77,7 @@ class Locator:
 
     def _root(self) -> _Known:
         record_type = _ROOTS[self._document.root]
-        return _Known(self._document, _fields(record_type), self._document.root, self._tree.root, True)
+        return _Known(self._document, _fields(record_type), self._document.root, self._tree.root, 0, True)
 
     def _step(self, place: Place) -> _Known:
         if place == _SECTION and (record_type := _ROOTS[self._document.root]) in _SINGLE_SECTION:
@@ -92,17 +96,10 @@ class Locator:
             shown += f"[{position}]" if len(value) > 1 else ""
             value = value[position]
         fields = _fields(type(value)) if isinstance(value, Record) else {}
-        element = self._element(around.element, path, position or 0) if around.exact else None
-        if element is not None:
-            return _Known(value, fields, shown, element, True)
-        return _Known(value, fields, shown, around.element, False)
-
-    def _element(self, around: etree._Element, path: str, position: int) -> etree._Element | None:
-        holder = path.rpartition("/")[0]
-        if holder in LISTS:
-            found = around.find(holder)
-            return self._tree.part(found, position) if found is not None else None
-        return next(iter(_nth(path)(around, number=position + 1)), None)
+        found = self._tree.element(around.element, path, position or 0) if around.exact else None
+        if found is None:
+            return _Known(value, fields, shown, around.element, around.lines_before, False)
+        return _Known(value, fields, shown, found.element, around.lines_before + found.lines_before, True)
 
 
 def _line(element: etree._Element) -> int:
@@ -112,12 +109,6 @@ def _line(element: etree._Element) -> int:
     # libxml2 counts to 65535 where it cannot ask a text: the nearest element around it that knows more.
     around = (item.sourceline or 0 for item in element.iterancestors())
     return next((line for line in around if line > LAST_COUNTED), LAST_COUNTED)
-
-
-@cache
-def _nth(path: str) -> etree.XPath:
-    """Looks up one of the elements at a path; faster than listing all."""
-    return etree.XPath(f"({path})[$number]")
 
 
 @cache

@@ -8,19 +8,16 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from esicatalog.esi.binding import Record
-from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import EsiInfo
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
-from esicatalog.lint.dictionaries import DictionaryView, EntriesBySubindex
 from esicatalog.lint.registry import Place
+from esicatalog.model.derivation import Derivation
 from esicatalog.model.dictionary import ObjectEntry
-from esicatalog.model.drive_evidence import may_be_drive
-from esicatalog.model.drive_modes import DriveModes, drive_modes
-from esicatalog.model.process_image import SmImage, default_process_image
-from esicatalog.model.sync import default_op_mode
+from esicatalog.model.dictionary_views import DictionaryView, EntriesBySubindex
+from esicatalog.model.process_data import ProcessData
 
 FileFinder = Callable[[str], bool]
 """Whether a file that the document names lies beside it."""
@@ -78,6 +75,15 @@ class Dictionaries:
         return ()
 
 
+def placed_pdos(record: Device | Module | ProcessData) -> list[PlacedPdo]:
+    """PDOs in document order, outputs first."""
+    return [
+        PlacedPdo((field, position), direction, pdo)
+        for direction, field in DIRECTIONS.items()
+        for position, pdo in enumerate(getattr(record, field))
+    ]
+
+
 class Owner:
     """What devices and modules have in common."""
 
@@ -88,12 +94,8 @@ class Owner:
 
     @cached_property
     def pdos(self) -> list[PlacedPdo]:
-        """Its PDOs in document order, outputs first."""
-        return [
-            PlacedPdo((field, position), direction, pdo)
-            for direction, field in DIRECTIONS.items()
-            for position, pdo in enumerate(getattr(self.record, field))
-        ]
+        """Its PDOs."""
+        return placed_pdos(self.record)
 
     @property
     def coe_init_cmds(self) -> tuple[InitCmd, ...]:
@@ -111,40 +113,27 @@ class DeviceSubject(Owner):
     record: Device
 
     def __init__(
-        self, device: Device, info: EsiInfo, views: Sequence[DictionaryView], modules: Sequence["ModuleSubject"]
+        self,
+        device: Device,
+        info: EsiInfo,
+        views: Sequence[DictionaryView],
+        modules: Sequence["ModuleSubject"],
+        derivation: Derivation,
     ) -> None:
         super().__init__(device, info, views)
         self.device = device
         self.modules = modules
+        self.derivation = derivation
 
     @property
     def module_records(self) -> list[Module]:
         """The reachable modules."""
         return [subject.module for subject in self.modules]
 
-    @cached_property
-    def images(self) -> list[SmImage]:
-        """The default process image."""
-        return default_process_image(self.device, self.module_records)
-
-    @cached_property
-    def default_op_mode(self) -> OpMode | None:
-        """The OpMode that counts without a choice."""
-        position = default_op_mode(self.device.op_modes)
-        return self.device.op_modes[position] if position is not None else None
-
-    @cached_property
+    @property
     def is_modular(self) -> bool:
         """Whether objects and PDOs can come from modules."""
         return bool(self.device.slots)
-
-    @cached_property
-    def drive_modes(self) -> DriveModes:
-        """What the description says about drive modes; nothing where no part can be a drive."""
-        owners: list[Device | Module] = [self.device, *self.module_records]
-        if not any(may_be_drive(owner.profiles, owner.rx_pdos) for owner in owners):
-            return DriveModes()
-        return drive_modes(self.device, self.module_records)
 
 
 class ModuleSubject(Owner):
@@ -157,6 +146,18 @@ class ModuleSubject(Owner):
         self.module = module
         self.hosts: list[DeviceSubject] = []
         """The devices of the section whose slots accept it."""
+
+
+class ProcessSubject:
+    """What a device exchanges in cycles and the modules that it can reach.
+
+    A rule that looks at nothing else of a device is asked once for all devices that have equal ones.
+    """
+
+    def __init__(self, data: ProcessData, modules: Sequence[ModuleSubject]) -> None:
+        self.data = data
+        self.modules = modules
+        self.pdos = placed_pdos(data)
 
 
 class InfoSubject(NamedTuple):

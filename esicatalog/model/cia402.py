@@ -4,6 +4,7 @@ The table of ESI-FACTS section 16: bit b of 0x6502 is mode code b + 1.
 """
 
 import re
+from functools import lru_cache
 from typing import NamedTuple
 
 AXIS_STEP = 0x800
@@ -92,7 +93,8 @@ _WORD = re.compile(r"[A-Za-z0-9]+")
 _NOT_A_MODE = re.compile(r"\bcsv[\s-]*(?:file|export|import|format|table)s?\b", re.IGNORECASE)
 
 
-def named_modes(text: str) -> set[str]:
+@lru_cache(10_000)
+def named_modes(text: str) -> frozenset[str]:
     """Modes that a name spells out, on word boundaries: ``Axis (csv,csp,cst)``, ``Cyclic velocity mode``."""
     cleaned = _NOT_A_MODE.sub(" ", text)
     found = {mode for pattern, mode in _PHRASES if pattern.search(cleaned)}
@@ -100,4 +102,4 @@ def named_modes(text: str) -> set[str]:
     clear = tokens - _AMBIGUOUS
     if clear or found or len(tokens) > 1:
         found |= {_TOKENS[token] for token in tokens}
-    return found
+    return frozenset(found)

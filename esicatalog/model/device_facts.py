@@ -1,28 +1,19 @@
 """What engineers filter devices by and no single element says: sizes, SYNC support, cycle, layout, safety."""
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Annotated
 
-import msgspec
-
 from esicatalog.esi.binding import Doc, Record
-from esicatalog.esi.content import digest
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.dictionary import Dictionary
-from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Entry
-from esicatalog.model.dictionary import resolve_object, type_table
+from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.drive_modes import DriveModes
-from esicatalog.model.process_image import SmImage
-from esicatalog.model.safety import fsoe_evidence
-from esicatalog.model.sync import is_superseded, sync_signals
+from esicatalog.model.process_data import ProcessData
+from esicatalog.model.safety import FsoeEvidence
 
 SYNC_PARAMETERS = (0x1C32, 0x1C33)
 _SYNC_TYPES, _MINIMUM_CYCLE = 4, 5
 _MIN_CYCLE_ATTRIBUTE = re.compile(r'MinCycleTime="(\d+)"')
-
-_encode = msgspec.msgpack.Encoder().encode
 
 
 class DeviceFacts(Record):
@@ -56,18 +47,14 @@ class DeviceFacts(Record):
 
 
 def device_facts(
-    device: Device, modules: Sequence[Module], images: Sequence[SmImage], modes: DriveModes
+    device: Device, data: ProcessData, modes: DriveModes, fsoe: FsoeEvidence | None, views: DictionaryViews
 ) -> DeviceFacts:
-    """Facts of a device with the modules its slots can reach, its default process image and its drive modes."""
-    signals = [sync_signals(mode.assign_activate) for mode in device.op_modes]
-    valid = [
-        signal for mode, signal in zip(device.op_modes, signals, strict=True) if not is_superseded(mode)
-    ] or signals
-    level, words = fsoe_evidence(device, modules)
-    sync = {index: _sync_parameter(device, index) for index in SYNC_PARAMETERS}
+    """Facts of a device from what else follows from it and from its dictionaries."""
+    signals, valid = data.signals, data.valid_signals
+    sync = {index: _sync_parameter(device, index, views) for index in SYNC_PARAMETERS}
     return DeviceFacts(
-        output_bytes=_bytes(device, images, "Outputs"),
-        input_bytes=_bytes(device, images, "Inputs"),
+        output_bytes=data.byte_size("Outputs"),
+        input_bytes=data.byte_size("Inputs"),
         dc_supported=any(signal.dc_active for signal in signals) or bool(device.dc_time_loop_control_only),
         dc_needed=bool(valid) and all(signal.dc_active for signal in valid),
         runs_without_dc=not valid or any(not signal.dc_active for signal in valid),
@@ -79,26 +66,19 @@ def device_facts(
         min_cycle_ns=_min_cycle_ns(device, sync.values()),
         axis_count=len({item.axis for item in modes.evidence}),
         has_bootstrap=device.eeprom is not None and bool((device.eeprom.boot_strap or "").strip("0")),
-        image_signature=_image_signature(images),
-        pdo_signature=_pdo_signature(device),
-        fsoe=level,
-        fsoe_evidence=words,
+        image_signature=data.image_signature,
+        pdo_signature=data.pdo_signature,
+        fsoe=fsoe.level if fsoe is not None else None,
+        fsoe_evidence=fsoe.words if fsoe is not None else None,
     )
 
 
-def _bytes(device: Device, images: Sequence[SmImage], usage: str) -> int | None:
-    sizes = [image.byte_size for image in images if image.usage == usage]
-    return sum(sizes) if sizes else (0 if device.sync_managers else None)
-
-
-def _sync_parameter(device: Device, index: int) -> dict[int, int]:
+def _sync_parameter(device: Device, index: int, views: DictionaryViews) -> dict[int, int]:
     """Defaults of a SM synchronisation object by subindex."""
     for profile in device.profiles:
-        dictionary: Dictionary | None = profile.dictionary
-        for declared in dictionary.objects if dictionary is not None else ():
-            if declared.object_index == index and dictionary is not None:
-                entries = resolve_object(declared, type_table(dictionary.data_types)).entries
-                return {entry.subindex: entry.default_int for entry in entries if entry.default_int is not None}
+        entries = views.view(profile.dictionary).entries(index) if profile.dictionary is not None else None
+        if entries is not None:
+            return {entry.subindex: entry.default_int for entry in entries.values() if entry.default_int is not None}
     return {}
 
 
@@ -107,27 +87,3 @@ def _min_cycle_ns(device: Device, sync: Iterable[dict[int, int]]) -> int | None:
     texts = (device.info_vendor_specific, device.dc_vendor_specific, *(m.vendor_specific for m in device.op_modes))
     given += [int(found[1]) for text in texts if text for found in _MIN_CYCLE_ATTRIBUTE.finditer(text) if int(found[1])]
     return min(given, default=None)
-
-
-def _layout(entry: Entry) -> tuple[int | None, int, int | None]:
-    return (entry.entry_index, entry.subindex or 0 if entry.entry_index else 0, entry.bit_length)
-
-
-def _image_signature(images: Sequence[SmImage]) -> str | None:
-    layout = [
-        (
-            image.sm,
-            image.usage,
-            [(placed.bit_offset, *_layout(placed.entry)) for pdo in image.pdos for placed in pdo.entries],
-        )
-        for image in images
-    ]
-    return digest(_encode(layout)).hex() if any(image.bit_size for image in images) else None
-
-
-def _pdo_signature(device: Device) -> str | None:
-    layout = [
-        [(pdo.pdo_index, [_layout(entry) for entry in pdo.entries]) for pdo in pdos]
-        for pdos in (device.rx_pdos, device.tx_pdos)
-    ]
-    return digest(_encode(layout)).hex() if device.rx_pdos or device.tx_pdos else None

@@ -9,8 +9,10 @@ from typing import Annotated, NamedTuple
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import Profile
 from esicatalog.model.cia402 import (
@@ -28,8 +30,10 @@ from esicatalog.model.cia402 import (
     named_modes,
 )
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
+from esicatalog.model.dictionary_views import DictionaryViews
 
 MAX_AXES = 8
+_CONTROLWORDS = tuple(CONTROLWORD + axis * AXIS_STEP for axis in range(MAX_AXES))
 YES, NO = "yes", "no"
 
 RANKS: dict[str, tuple[str, float]] = {
@@ -123,17 +127,14 @@ def has_cia402(part: Part) -> bool:
     )
 
 
-def may_be_drive(profiles: Sequence[Profile], rx_pdos: Sequence[Pdo]) -> bool:
-    """Whether a module can be a CiA 402 axis in some slot: a cheap look before it is expanded for every slot."""
+def may_be_drive(owner: Device | Module, axis_count: int, views: DictionaryViews) -> bool:
+    """Whether a device or module can be a CiA 402 drive of up to so many axes: a cheap look before a close one."""
+    controlwords = _CONTROLWORDS[:axis_count]
+    dictionaries = [profile.dictionary for profile in owner.profiles if profile.dictionary is not None]
     return (
-        any(map(_is_cia402, profiles))
-        or any(
-            declared.object_index == CONTROLWORD
-            for profile in profiles
-            if profile.dictionary is not None
-            for declared in profile.dictionary.objects
-        )
-        or any(entry.entry_index == CONTROLWORD for pdo in rx_pdos for entry in pdo.entries)
+        any(map(_is_cia402, owner.profiles))
+        or any(index in views.view(dictionary).by_index for dictionary in dictionaries for index in controlwords)
+        or any(entry.entry_index in controlwords for pdo in owner.rx_pdos for entry in pdo.entries)
     )
 
 

@@ -13,11 +13,11 @@ import msgspec
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.dictionary import Dictionary
+from esicatalog.esi.records.dictionary import DataType, Dictionary
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.cia402 import AXIS_STEP, CIA402, DRIVE_MODES, MODES_OF_OPERATION, DriveMode, named_modes
-from esicatalog.model.dictionary import type_table
+from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.drive_evidence import (
     MAX_AXES,
     NO,
@@ -68,11 +68,18 @@ class DriveModes(Record):
     verdicts: tuple[DriveModeVerdict, ...] = ()
 
 
-def drive_modes(device: Device, modules: Sequence[Module] = ()) -> DriveModes:
-    """Findings and verdicts for a device with the modules its slots can reach."""
+def drive_modes(device: Device, modules: Sequence[Module] = (), views: DictionaryViews | None = None) -> DriveModes:
+    """Findings and verdicts for a device with the modules its slots can reach.
+
+    ``views`` knows dictionaries that were looked at before.
+    """
+    views = views or DictionaryViews()
+    drives = [module for module in modules if may_be_drive(module, 1, views)]
+    if not drives and not may_be_drive(device, MAX_AXES, views):
+        return DriveModes(verdicts=tuple(_other_systems(device, views)))
     own = _device_parts(device)
     is_own_drive = any(map(has_cia402, own))
-    plugged = _module_parts(device, [m for m in modules if is_own_drive or may_be_drive(m.profiles, m.rx_pdos)])
+    plugged = _module_parts(device, modules if is_own_drive else drives)
     default_idents = {item.module.module_ident for item in default_modules(device, modules)} if plugged else set()
     groups = _configurations(own, plugged)
     evidence: list[ModeEvidence] = []
@@ -89,7 +96,7 @@ def drive_modes(device: Device, modules: Sequence[Module] = ()) -> DriveModes:
             if verdict is not None:
                 verdicts.append(verdict)
     if not verdicts:
-        verdicts = _other_systems(device)
+        verdicts = _other_systems(device, views)
     if not verdicts and is_own_drive:
         wording, score = RANKS["F"]
         text = "profile number 402, but nothing says which modes"
@@ -293,19 +300,19 @@ def _mode_of_operation_step(mode: DriveMode, parts: list[Part], pdos: list[Pdo])
     return f"0x{index:04X} is not mapped there: write {mode.code} to it before operation"
 
 
-def _other_systems(device: Device) -> list[DriveModeVerdict]:
+def _other_systems(device: Device, views: DictionaryViews) -> list[DriveModeVerdict]:
     """Drives that do not speak CiA 402: SoE, and motion terminals of the modular device profile."""
     if device.mailbox is not None and device.mailbox.soe:
         text = "SoE drive: its operation modes are in IDN S-0-0032 and following, not in CiA 402 objects"
         return [DriveModeVerdict(mode="SoE", kind="SoE", verdict="unknown", evidence=text)]
     found = []
-    for index, name, text in _motion_terminal_modes(device):
+    for index, name, text in _motion_terminal_modes(device, views):
         words = f"values of 0x{index:04X} list {text!r}; no CiA 402 object"
         found.append(DriveModeVerdict(mode=name, kind="MDP 742", verdict="yes", score=RANKS["B2"][1], evidence=words))
     return found
 
 
-def _motion_terminal_modes(device: Device) -> list[tuple[int, str, str]]:
+def _motion_terminal_modes(device: Device, views: DictionaryViews) -> list[tuple[int, str, str]]:
     if not any(
         _is_motion_terminal(p.profile_no, p.add_info)
         or any(_is_motion_terminal(c.profile_no, c.add_info) for c in p.channel_infos)
@@ -314,16 +321,29 @@ def _motion_terminal_modes(device: Device) -> list[tuple[int, str, str]]:
         return []
     found: dict[str, tuple[int, str, str]] = {}
     for dictionary in _dictionaries(device):
-        types = type_table(dictionary.data_types)
-        for declared in dictionary.objects:
-            data_type = types.get(declared.type or "")
-            for sub_item in data_type.sub_items if data_type is not None else ():
-                enumeration = types.get(sub_item.type or "")
-                for item in enumeration.enum_infos if enumeration is not None else ():
-                    text = display_text(item.texts) or ""
-                    for mode in named_modes(text):
-                        found.setdefault(mode, (declared.object_index or 0, mode, text))
+        for mode, place in views.view(dictionary).once(_listed_modes).items():
+            found.setdefault(mode, place)
     return list(found.values())
+
+
+def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
+    """Modes that values of objects name: where each is named first."""
+    types = view.types.by_name
+    named = {
+        name: [(mode, text) for text in _enum_texts(data_type) for mode in sorted(named_modes(text))]
+        for name, data_type in types.items()
+    }
+    found: dict[str, tuple[int, str, str]] = {}
+    for declared in view.dictionary.objects:
+        data_type = types.get(declared.type or "")
+        for sub_item in data_type.sub_items if data_type is not None else ():
+            for mode, text in named.get(sub_item.type or "", ()):
+                found.setdefault(mode, (declared.object_index or 0, mode, text))
+    return found
+
+
+def _enum_texts(data_type: DataType) -> list[str]:
+    return [display_text(item.texts) or "" for item in data_type.enum_infos]
 
 
 def _is_motion_terminal(profile_no: int | None, add_info: int | None) -> bool:

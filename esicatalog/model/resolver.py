@@ -10,7 +10,7 @@ from esicatalog.model.dictionary import EntryMemo, ObjectType, ResolvedObject, t
 from esicatalog.model.memo import IdentityMemo, identities
 
 _MAX_TYPE_SETS = 2_000
-_MAX_RESOLVED = 2_000
+_MAX_RESOLVED = 10_000
 _MAX_OBJECT_TYPES = 5_000
 
 

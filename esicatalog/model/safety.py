@@ -4,15 +4,21 @@ High: the description uses the schema's safety elements. Medium: process data or
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from typing import NamedTuple
 
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.dictionary import Dictionary
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
+from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
+from esicatalog.model.memo import IdentityMemo
 
 HIGH, MEDIUM = "high", "medium"
 NOT_A_STATEMENT = "not a safety statement"
+
+_MAX_PDOS = 20_000
 
 _SAFETY_OBJECTS = (0xF980, 0xE901, 0xE600, 0xE700)
 _SAFETY_ADD_INFOS = (190, 290, 1904)
@@ -20,53 +26,100 @@ _FSOE = re.compile(r"\bFSoE\b|\bConn?ID\b", re.IGNORECASE)
 _CRC = re.compile(r"\bCRC[_ ]?0\b", re.IGNORECASE)
 
 
-def fsoe_evidence(device: Device, modules: Sequence[Module] = ()) -> tuple[str | None, str | None]:
-    """Level (high, medium or None) and words; the words end with what they are not."""
-    for level, find in ((HIGH, _high), (MEDIUM, _medium)):
+class FsoeEvidence(NamedTuple):
+    """Level (high or medium) and words, which end with what they are not."""
+
+    level: str
+    words: str
+
+
+class _Signs(NamedTuple):
+    """What a part of a description says of FSoE, in words, by level."""
+
+    high: str | None
+    medium: str | None
+
+
+class FsoeSigns:
+    """Looks for signs of FSoE; in PDOs and dictionaries that descriptions share only once."""
+
+    def __init__(self, views: DictionaryViews) -> None:
+        self._views = views
+        self._of_pdo: IdentityMemo[_Signs] = IdentityMemo(_MAX_PDOS)
+
+    def evidence(self, device: Device, modules: Sequence[Module] = ()) -> FsoeEvidence | None:
+        """The first sign of the highest level, of the device before its modules."""
         owners: tuple[Device | Module, ...] = (device, *modules)
-        for owner in owners:
-            words = next(find(owner), None)
-            if words is not None:
-                place = "" if owner is device else f" in module 0x{getattr(owner, 'module_ident', None) or 0:X}"
-                return level, f"{words}{place}; {NOT_A_STATEMENT}"
-    return None, None
+        for level, find in ((HIGH, self._high), (MEDIUM, self._medium)):
+            for owner in owners:
+                words = find(owner)
+                if words is not None:
+                    place = f" in module 0x{owner.module_ident or 0:X}" if isinstance(owner, Module) else ""
+                    return FsoeEvidence(level, f"{words}{place}; {NOT_A_STATEMENT}")
+        return None
+
+    def _high(self, owner: Device | Module) -> str | None:
+        if isinstance(owner, Module) and owner.safety_para_mappings:
+            return "SafetyParaMapping"
+        for pdo in (*owner.rx_pdos, *owner.tx_pdos):
+            if (words := self._pdo(pdo).high) is not None:
+                return words
+        found = (self._dictionary(p.dictionary).high for p in owner.profiles if p.dictionary is not None)
+        return next(filter(None, found), None)
+
+    def _medium(self, owner: Device | Module) -> str | None:
+        for pdo in (*owner.rx_pdos, *owner.tx_pdos):
+            if (words := self._pdo(pdo).medium) is not None:
+                return words
+        for profile in owner.profiles:
+            numbers = [(profile.profile_no, profile.add_info)]
+            numbers += [(channel.profile_no, channel.add_info) for channel in profile.channel_infos]
+            for profile_no, add_info in numbers:
+                if profile_no == 5001 and add_info in _SAFETY_ADD_INFOS:
+                    return f"module profile 5001/{add_info}"
+            if profile.dictionary is not None and (words := self._dictionary(profile.dictionary).medium) is not None:
+                return words
+        return None
+
+    def _pdo(self, pdo: Pdo) -> _Signs:
+        return self._of_pdo.of(pdo, _pdo_signs)
+
+    def _dictionary(self, dictionary: Dictionary) -> _Signs:
+        return self._views.view(dictionary).once(_dictionary_signs)
 
 
-def _pdos(owner: Device | Module) -> tuple[Pdo, ...]:
-    return (*owner.rx_pdos, *owner.tx_pdos)
+def _pdo_signs(pdo: Pdo) -> _Signs:
+    high = medium = None
+    name = f"PDO 0x{pdo.pdo_index or 0:04X}"
+    if pdo.safety_pdo_type:
+        high = f"{name} has SafetyPdoType {pdo.safety_pdo_type}"
+    elif any(entry.safety_conn_number is not None for entry in pdo.entries):
+        high = f"{name} has entries with SafetyConnNumber"
+    texts = [display_text(pdo.names) or "", *(display_text(entry.names) or "" for entry in pdo.entries)]
+    if any(map(_FSOE.search, texts)) and any(map(_CRC.search, texts)):
+        medium = f"{name} has the names of an FSoE frame"
+    return _Signs(high, medium)
 
 
-def _high(owner: Device | Module) -> Iterator[str]:
-    if isinstance(owner, Module) and owner.safety_para_mappings:
-        yield "SafetyParaMapping"
-    for pdo in _pdos(owner):
-        if pdo.safety_pdo_type:
-            yield f"PDO 0x{pdo.pdo_index or 0:04X} has SafetyPdoType {pdo.safety_pdo_type}"
-        if any(entry.safety_conn_number is not None for entry in pdo.entries):
-            yield f"PDO 0x{pdo.pdo_index or 0:04X} has entries with SafetyConnNumber"
-    for profile in owner.profiles:
-        if profile.dictionary is None:
-            continue
-        for data_type in profile.dictionary.data_types:
-            if any(item.flags is not None and item.flags.safety_mapping for item in data_type.sub_items):
-                yield f"data type {data_type.name} has SafetyMapping"
-        for declared in profile.dictionary.objects:
-            if declared.flags is not None and declared.flags.safety_mapping:
-                yield f"object 0x{declared.object_index or 0:04X} has SafetyMapping"
-
-
-def _medium(owner: Device | Module) -> Iterator[str]:
-    for pdo in _pdos(owner):
-        names = [display_text(pdo.names) or "", *(display_text(entry.names) or "" for entry in pdo.entries)]
-        if any(map(_FSOE.search, names)) and any(map(_CRC.search, names)):
-            yield f"PDO 0x{pdo.pdo_index or 0:04X} has the names of an FSoE frame"
-    for profile in owner.profiles:
-        numbers = [(profile.profile_no, profile.add_info)]
-        numbers += [(channel.profile_no, channel.add_info) for channel in profile.channel_infos]
-        for profile_no, add_info in numbers:
-            if profile_no == 5001 and add_info in _SAFETY_ADD_INFOS:
-                yield f"module profile 5001/{add_info}"
-        objects = profile.dictionary.objects if profile.dictionary is not None else ()
-        for declared in objects:
-            if declared.object_index in _SAFETY_OBJECTS:
-                yield f"object 0x{declared.object_index:04X}"
+def _dictionary_signs(view: DictionaryView) -> _Signs:
+    objects = view.dictionary.objects
+    high = next(
+        (
+            f"data type {data_type.name} has SafetyMapping"
+            for data_type in view.dictionary.data_types
+            if any(item.flags is not None and item.flags.safety_mapping for item in data_type.sub_items)
+        ),
+        None,
+    ) or next(
+        (
+            f"object 0x{declared.object_index or 0:04X} has SafetyMapping"
+            for declared in objects
+            if declared.flags is not None and declared.flags.safety_mapping
+        ),
+        None,
+    )
+    medium = next(
+        (f"object 0x{declared.object_index:04X}" for declared in objects if declared.object_index in _SAFETY_OBJECTS),
+        None,
+    )
+    return _Signs(high, medium)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
-from esicatalog.lint.subjects import DeviceSubject, ModuleSubject, is_absent
+from esicatalog.lint.subjects import ModuleSubject, ProcessSubject, is_absent
 from esicatalog.model.sync import SYNC0_PULSE, SYNC1_PULSE, is_superseded, sync_signals
 
 
@@ -13,9 +13,9 @@ def _words(number: int, mode: OpMode) -> str:
 
 
 @rule("L49", ERROR, "ETG.2000 OpMode/AssignActivate: registers 0x0980 and 0x0981; pulses need bit 0x0100")
-def assign_activate(subject: DeviceSubject) -> Iterator[Found]:
+def assign_activate(subject: ProcessSubject) -> Iterator[Found]:
     """An OpMode without AssignActivate (SYNC pulses without the sync unit: W)."""
-    for number, mode in enumerate(subject.device.op_modes):
+    for number, mode in enumerate(subject.data.op_modes):
         value = mode.assign_activate
         if value is None:
             if is_absent(mode, "assign_activate"):
@@ -30,9 +30,9 @@ def assign_activate(subject: DeviceSubject) -> Iterator[Found]:
 
 
 @rule("L50", INFORMATION, "ESC registers 0x0980, 0x0981: bit 0x0400 of AssignActivate makes SYNC1, not its times")
-def sync1_times(subject: DeviceSubject) -> Iterator[Found]:
+def sync1_times(subject: ProcessSubject) -> Iterator[Found]:
     """Times of SYNC1 without the SYNC1 bit (the bit without times: W)."""
-    for number, mode in enumerate(subject.device.op_modes):
+    for number, mode in enumerate(subject.data.op_modes):
         if mode.assign_activate is None:
             continue
         if sync_signals(mode.assign_activate).sync1:
@@ -52,9 +52,9 @@ def sync1_times(subject: DeviceSubject) -> Iterator[Found]:
 
 
 @rule("L51", WARNING, "ETG.2000 OpMode/CycleTimeSync0")
-def sync0_time_missing(subject: DeviceSubject) -> Iterator[Found]:
+def sync0_time_missing(subject: ProcessSubject) -> Iterator[Found]:
     """SYNC pulses without CycleTimeSync0."""
-    for number, mode in enumerate(subject.device.op_modes):
+    for number, mode in enumerate(subject.data.op_modes):
         signals = sync_signals(mode.assign_activate)
         if (signals.sync0 or signals.sync1) and mode.cycle_time_sync0_ns is None:
             yield Found(
@@ -65,16 +65,16 @@ def sync0_time_missing(subject: DeviceSubject) -> Iterator[Found]:
 
 
 @rule("L52", WARNING, "ETG.2000 OpMode: names select it, Sm/@No and Pdo refer to the device")
-def op_mode_references(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+def op_mode_references(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """An OpMode names an unknown SyncManager or PDO, two have one name, or a module asks for an unknown one."""
     if isinstance(subject, ModuleSubject):
         yield from _wanted_op_mode(subject)
         return
-    device = subject.device
-    owners = [subject, *subject.modules]
+    data = subject.data
+    owners: list[ProcessSubject | ModuleSubject] = [subject, *subject.modules]
     known = {placed.pdo.pdo_index for owner in owners for placed in owner.pdos}
     names: set[str] = set()
-    for number, mode in enumerate(device.op_modes):
+    for number, mode in enumerate(data.op_modes):
         if mode.name and not is_superseded(mode):
             if mode.name in names:
                 yield Found(
@@ -84,8 +84,8 @@ def op_mode_references(subject: DeviceSubject | ModuleSubject) -> Iterator[Found
             names.add(mode.name)
         for position, item in enumerate(mode.sm_assignments):
             place: Place = (*_at(number), "sm_assignments", position)
-            if item.no is not None and not 0 <= item.no < len(device.sync_managers):
-                yield Found(f"{_words(number, mode)} names SM {item.no}; there are {len(device.sync_managers)}", place)
+            if item.no is not None and not 0 <= item.no < len(data.sync_managers):
+                yield Found(f"{_words(number, mode)} names SM {item.no}; there are {len(data.sync_managers)}", place)
             for nth, pdo in enumerate(item.pdos):
                 if pdo.pdo_index is not None and pdo.pdo_index not in known:
                     yield Found(

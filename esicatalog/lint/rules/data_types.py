@@ -5,9 +5,11 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from esicatalog.esi.records.dictionary import DataType
-from esicatalog.lint.dictionaries import DictionaryView, ObjectSubject, TypeSet
+from esicatalog.lint.dictionaries import ObjectSubject
 from esicatalog.lint.registry import ERROR, WARNING, Found, rule
 from esicatalog.model.base_types import base_type
+from esicatalog.model.dictionary_views import DictionaryView
+from esicatalog.model.resolver import TypeSet
 
 _DYNAMIC = (range(0x1600, 0x1C00), range(0x1C10, 0x1C30))
 """PDO mapping and assignment: objects whose length follows what is mapped and assigned."""

@@ -21,7 +21,7 @@ def mode_against_name(subject: ModuleSubject) -> Iterator[Found]:
     against = {
         (item.mode, item.axis): item.evidence
         for host in subject.hosts
-        for item in reversed(host.drive_modes.evidence)
+        for item in reversed(host.derivation.modes.evidence)
         if item.rank == _AGAINST_NAME and item.module_ident == subject.module.module_ident
     }
     for _, words in sorted(against.items()):
@@ -31,7 +31,7 @@ def mode_against_name(subject: ModuleSubject) -> Iterator[Found]:
 @rule("L58", WARNING, "CiA 402: 0x6040, 0x6041, 0x6060 and 0x6502 are mandatory")
 def drive_objects(subject: DeviceSubject) -> Iterator[Found]:
     """A CiA 402 drive lacks a mandatory object, or the default of 0x6502 is 0 or looks wrong."""
-    evidence = subject.drive_modes.evidence
+    evidence = subject.derivation.modes.evidence
     if not evidence:
         return
     dictionaries = Dictionaries([view for owner in (subject, *subject.modules) for view in owner.own.views])
@@ -79,7 +79,7 @@ def device_type(subject: DeviceSubject) -> Iterator[Found]:
 def modes_of_no_drive(subject: DeviceSubject) -> Iterator[Found]:
     """0x6502 of a device that is no CiA 402 drive; it says nothing about drive modes."""
     default = subject.own.default(SUPPORTED_DRIVE_MODES)
-    if default and not subject.drive_modes.evidence:
+    if default and not subject.derivation.modes.evidence:
         yield Found(
             f"0x6502 has the default 0x{default:X}, but nothing else says CiA 402: "
             "do not read it as supported drive modes",

@@ -1,12 +1,13 @@
 """Rules that hold PDO entries against the dictionary they map from; one finding a PDO."""
 
 from collections.abc import Iterator
+from functools import lru_cache
 
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.lint.dictionaries import TypeSet
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import MappedEntry, PdoMapping
 from esicatalog.model.base_types import BASE_TYPES, BaseType, base_type
+from esicatalog.model.resolver import TypeSet
 
 _LETTERS = {"RxPdo": "R", "TxPdo": "T"}
 _KINDS_OF_BITS = frozenset({"bool", "uint", "bits"})
@@ -138,6 +139,7 @@ def type_name(record: Pdo | TypeSet) -> Iterator[Found]:
             )
 
 
+@lru_cache(10_000)
 def _standard_name(name: str | None) -> str | None:
     """The name that ESI has for a base type that other tools name otherwise; None for all other names."""
     text = (name or "").strip().upper()

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
-from esicatalog.lint.subjects import DeviceSubject, ModuleSubject, Owner, PlacedPdo, is_absent
+from esicatalog.lint.subjects import DeviceSubject, ModuleSubject, PlacedPdo, ProcessSubject, is_absent
 from esicatalog.model.pdo_facts import entry_facts, symmetric_exclusions
 
 _RANGES = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
@@ -18,17 +18,19 @@ def _words(direction: str, index: int | None) -> str:
 
 
 @rule("L27", ERROR, "ETG.2000 Pdo/@Sm: position of the Sm element; RxPdo go to Outputs, TxPdo to Inputs")
-def sync_manager_of_pdo(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+def sync_manager_of_pdo(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """A PDO is assigned to a SyncManager that does not exist or runs the other way."""
-    devices = [subject] if isinstance(subject, DeviceSubject) else subject.hosts
-    for device in devices:
-        usages = [sm.usage for sm in device.device.sync_managers]
+    if isinstance(subject, ProcessSubject):
+        targets = [("", subject.data.sync_managers)]
+    else:
+        targets = [(f" of {host.device.type!r}", host.device.sync_managers) for host in subject.hosts]
+    for of, sync_managers in targets:
+        usages = [sm.usage for sm in sync_managers]
         for placed in subject.pdos:
             number = placed.pdo.sm
             if number is None:
                 continue
             words = f"{_words(placed.direction, placed.pdo.pdo_index)} is assigned to SM {number}"
-            of = "" if device is subject else f" of {device.device.type!r}"
             if not 0 <= number < len(usages):
                 yield Found(f"{words}{of}, which has {len(usages)} SyncManagers: correct Sm", (*placed.place, "sm"))
             elif usages[number] == _OPPOSITE[placed.direction]:
@@ -36,7 +38,7 @@ def sync_manager_of_pdo(subject: DeviceSubject | ModuleSubject) -> Iterator[Foun
 
 
 @rule("L28", WARNING, "ETG.1000.6: a PDO mapping object exists once")
-def index_twice(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+def index_twice(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """Two PDOs have the same index."""
     seen: set[tuple[str, int]] = set()
     for placed in subject.pdos:
@@ -69,7 +71,7 @@ def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
 
 
 @rule("L30", WARNING, "ETG.2000 Exclude: meant for both sides; a tool that reads one side only offers the pair")
-def exclusion_one_sided(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+def exclusion_one_sided(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """A PDO excludes another one that does not exclude it."""
     excluded = {
         placed.pdo.pdo_index: {item.pdo_index for item in placed.pdo.excludes} for placed in reversed(subject.pdos)
@@ -87,7 +89,7 @@ def exclusion_one_sided(subject: DeviceSubject | ModuleSubject) -> Iterator[Foun
 
 
 @rule("L31", ERROR, "ETG.2000 Exclude: the PDOs may not be assigned at the same time")
-def exclusive_defaults(subject: DeviceSubject) -> Iterator[Found]:
+def exclusive_defaults(subject: ProcessSubject) -> Iterator[Found]:
     """Two PDOs that exclude each other are both assigned by default, or a PDO excludes itself."""
     for placed in subject.pdos:
         for number, item in enumerate(placed.pdo.excludes):
@@ -113,9 +115,9 @@ def exclusive_defaults(subject: DeviceSubject) -> Iterator[Found]:
             before.append(index)
 
 
-def _assigned_by_default(subject: DeviceSubject) -> list[PlacedPdo]:
+def _assigned_by_default(subject: ProcessSubject) -> list[PlacedPdo]:
     """PDOs with Sm, but not those whose SyncManager the default OpMode assigns itself."""
-    mode = subject.default_op_mode
+    mode = subject.data.default_op_mode
     listed = {item.no for item in mode.sm_assignments if item.pdos} if mode is not None else set()
     return [
         placed
@@ -125,11 +127,13 @@ def _assigned_by_default(subject: DeviceSubject) -> list[PlacedPdo]:
 
 
 @rule("L32", WARNING, "ETG.2000 Exclude: index of another PDO")
-def exclusion_of_unknown(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """Exclude names a PDO that is not described."""
-    devices = [subject] if isinstance(subject, DeviceSubject) else subject.hosts
-    owners: list[Owner] = [subject, *devices, *(module for device in devices for module in device.modules)]
-    known = {placed.pdo.pdo_index for owner in owners for placed in owner.pdos}
+    if not any(placed.pdo.excludes for placed in subject.pdos):
+        return
+    hosts = [] if isinstance(subject, ProcessSubject) else subject.hosts
+    modules = subject.modules if isinstance(subject, ProcessSubject) else [m for host in hosts for m in host.modules]
+    known = {placed.pdo.pdo_index for owner in (subject, *hosts, *modules) for placed in owner.pdos}
     for placed in subject.pdos:
         for number, item in enumerate(placed.pdo.excludes):
             if item.pdo_index is not None and item.pdo_index not in known:
@@ -167,9 +171,9 @@ def padding_with_type(pdo: Pdo) -> Iterator[Found]:
 
 
 @rule("L35", WARNING, "PDOs of a SyncManager follow each other bit by bit; only their sum is rounded up to bytes")
-def not_whole_bytes(subject: DeviceSubject) -> Iterator[Found]:
+def not_whole_bytes(subject: ProcessSubject) -> Iterator[Found]:
     """The only PDO of a SyncManager is no whole number of bytes (several PDOs together: I)."""
-    for image in subject.images:
+    for image in subject.data.images:
         if not image.bit_size % 8:
             continue
         alone = len(image.pdos) == 1
@@ -204,7 +208,7 @@ def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
     """The defaults of 0x1C12 or 0x1C13 name other PDOs than those assigned by Sm."""
     if subject.is_modular:
         return
-    for image in subject.images:
+    for image in subject.derivation.images:
         entries = subject.own.entries(_ASSIGNMENT_OBJECT + image.sm)
         if not entries:
             continue
@@ -228,9 +232,9 @@ def _indices(indices: Iterable[int | None]) -> str:
 
 
 @rule("L66", WARNING, "ETG.2000 Pdo/@Mandatory: it must stay assigned, so it must be assigned")
-def mandatory_without_sync_manager(subject: DeviceSubject) -> Iterator[Found]:
+def mandatory_without_sync_manager(subject: ProcessSubject) -> Iterator[Found]:
     """A mandatory PDO has no Sm."""
-    listed = {pdo.pdo_index for mode in subject.device.op_modes for item in mode.sm_assignments for pdo in item.pdos}
+    listed = {pdo.pdo_index for mode in subject.data.op_modes for item in mode.sm_assignments for pdo in item.pdos}
     for placed in subject.pdos:
         pdo = placed.pdo
         if pdo.mandatory and pdo.sm is None and not pdo.virtual and pdo.pdo_index not in listed:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
-from esicatalog.lint.subjects import DeviceSubject, is_absent
+from esicatalog.lint.subjects import DeviceSubject, ProcessSubject, is_absent
 from esicatalog.model.sm_facts import sm_facts
 
 
@@ -29,8 +29,8 @@ _PROCESS_DATA_RAM = 0x1000
 """Registers below are no memory that a SyncManager would buffer three times (0x0F00: digital outputs)."""
 
 
-def _with_roles(subject: DeviceSubject) -> Iterator[tuple[int, SyncManager, _Role]]:
-    for number, sm in enumerate(subject.device.sync_managers):
+def _with_roles(subject: ProcessSubject) -> Iterator[tuple[int, SyncManager, _Role]]:
+    for number, sm in enumerate(subject.data.sync_managers):
         role = ROLES.get(sm.usage or "")
         if role is not None:
             yield number, sm, role
@@ -55,7 +55,7 @@ def mailbox_without_sync_managers(subject: DeviceSubject) -> Iterator[Found]:
 
 
 @rule("L19", ERROR, "ESC register 0x0804 + 8n, bits 3:2: direction of the SyncManager")
-def direction_against_role(subject: DeviceSubject) -> Iterator[Found]:
+def direction_against_role(subject: ProcessSubject) -> Iterator[Found]:
     """The direction in the ControlByte contradicts the role of the SyncManager."""
     for number, sm, role in _with_roles(subject):
         if sm.control_byte is not None and sm_facts(sm).transfer_direction != role.transfer_direction:
@@ -67,7 +67,7 @@ def direction_against_role(subject: DeviceSubject) -> Iterator[Found]:
 
 
 @rule("L20", WARNING, "ESC register 0x0804 + 8n, bits 1:0: 10 mailbox (one buffer), 00 three buffers")
-def mode_against_role(subject: DeviceSubject) -> Iterator[Found]:
+def mode_against_role(subject: ProcessSubject) -> Iterator[Found]:
     """A mailbox SyncManager that is not in mailbox mode, or process data in one buffer."""
     for number, sm, role in _with_roles(subject):
         if sm.control_byte is None:
@@ -82,9 +82,9 @@ def mode_against_role(subject: DeviceSubject) -> Iterator[Found]:
 
 
 @rule("L21", INFORMATION, "ESC register 0x0804 + 8n, bit 6: watchdog trigger")
-def outputs_without_watchdog(subject: DeviceSubject) -> Iterator[Found]:
+def outputs_without_watchdog(subject: ProcessSubject) -> Iterator[Found]:
     """Outputs without watchdog trigger: they keep their values when the master stops."""
-    for number, sm in enumerate(subject.device.sync_managers):
+    for number, sm in enumerate(subject.data.sync_managers):
         if sm.usage == "Outputs" and sm_facts(sm).watchdog_trigger is False:
             yield Found(
                 f"SM {number} Outputs has the ControlByte 0x{sm.control_byte:02X} without watchdog (bit 6): "
@@ -94,7 +94,7 @@ def outputs_without_watchdog(subject: DeviceSubject) -> Iterator[Found]:
 
 
 @rule("L22", WARNING, "ESC: a SyncManager of three buffers takes three times its length, one behind the other")
-def memory_overlap(subject: DeviceSubject) -> Iterator[Found]:
+def memory_overlap(subject: ProcessSubject) -> Iterator[Found]:
     """SyncManagers overlap in memory, buffered ones counted three times."""
     areas = sorted(_areas(subject))
     for (start, end, number), (next_start, _, next_number) in pairwise(areas):
@@ -106,9 +106,9 @@ def memory_overlap(subject: DeviceSubject) -> Iterator[Found]:
             )
 
 
-def _areas(subject: DeviceSubject) -> Iterator[tuple[int, int, int]]:
+def _areas(subject: ProcessSubject) -> Iterator[tuple[int, int, int]]:
     """First address, address behind it and number of each SyncManager that occupies memory."""
-    for number, sm in enumerate(subject.device.sync_managers):
+    for number, sm in enumerate(subject.data.sync_managers):
         start = sm.start_address
         if start is None or start < _PROCESS_DATA_RAM or sm.virtual or sm.enable == 0:
             continue
@@ -118,23 +118,23 @@ def _areas(subject: DeviceSubject) -> Iterator[tuple[int, int, int]]:
             yield start, start + buffers * length, number
 
 
-def _image_bytes(subject: DeviceSubject, number: int) -> int:
-    return next((image.byte_size for image in subject.images if image.sm == number), 0)
+def _image_bytes(subject: ProcessSubject, number: int) -> int:
+    return next((image.byte_size for image in subject.data.images if image.sm == number), 0)
 
 
 @rule("L23", WARNING, "ETG.2000 Sm: MBoxOut, MBoxIn, Outputs, Inputs; the EEPROM knows no other type")
-def role_unknown(subject: DeviceSubject) -> Iterator[Found]:
+def role_unknown(subject: ProcessSubject) -> Iterator[Found]:
     """The role of a SyncManager is empty or unknown."""
-    for number, sm in enumerate(subject.device.sync_managers):
+    for number, sm in enumerate(subject.data.sync_managers):
         if sm.usage not in ROLES and sm.usage not in _DYNAMIC_ROLES:
             words = f"has the role {sm.usage!r}" if sm.usage else "has no role"
             yield Found(f"SM {number} {words}: a master expects {', '.join(ROLES)}", ("sync_managers", number))
 
 
 @rule("L24", WARNING, "A SyncManager is as long as all bits of its assigned PDOs, rounded up to bytes once")
-def default_size_against_pdos(subject: DeviceSubject) -> Iterator[Found]:
+def default_size_against_pdos(subject: ProcessSubject) -> Iterator[Found]:
     """DefaultSize differs from what the assigned PDOs take."""
-    if subject.is_modular:
+    if subject.data.is_modular:
         return
     for number, sm, role in _with_roles(subject):
         if role.is_mailbox or not sm.default_size:
@@ -148,9 +148,9 @@ def default_size_against_pdos(subject: DeviceSubject) -> Iterator[Found]:
 
 
 @rule("L25", ERROR, "ETG.2000 Sm/@MinSize, @MaxSize")
-def pdos_outside_sizes(subject: DeviceSubject) -> Iterator[Found]:
+def pdos_outside_sizes(subject: ProcessSubject) -> Iterator[Found]:
     """The assigned PDOs take more than MaxSize or less than MinSize."""
-    if subject.is_modular:
+    if subject.data.is_modular:
         return
     for number, sm, role in _with_roles(subject):
         if role.is_mailbox or (sm.max_size is None and sm.min_size is None):
@@ -169,7 +169,7 @@ def pdos_outside_sizes(subject: DeviceSubject) -> Iterator[Found]:
 
 
 @rule("L26", ERROR, "ETG.2000 Sm/@DefaultSize: required for the mailbox, within MinSize and MaxSize")
-def default_size(subject: DeviceSubject) -> Iterator[Found]:
+def default_size(subject: ProcessSubject) -> Iterator[Found]:
     """A mailbox SyncManager without DefaultSize, or a DefaultSize outside of MinSize and MaxSize."""
     for number, sm, role in _with_roles(subject):
         place: Place = ("sync_managers", number)

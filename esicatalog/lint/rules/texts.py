@@ -1,49 +1,58 @@
 """Rules about names and images."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
+from operator import attrgetter
 
 from esicatalog.esi.binding import Record, fields_of
 from esicatalog.esi.records.common import ENGLISH, Name
-from esicatalog.esi.records.dictionary import DataType
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.dictionary import DataType, EnumInfo, SubItem
+from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.lint.registry import INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import InfoSubject
 
-_NESTED: dict[type[Record], tuple[str, ...]] = {Pdo: ("entries",), DataType: ("enum_infos", "sub_items")}
+_NESTED: dict[type[Record], tuple[tuple[str, type[Record]], ...]] = {
+    Pdo: (("entries", Entry),),
+    DataType: (("enum_infos", EnumInfo), ("sub_items", SubItem)),
+}
 """Lists of records with names that are looked at with the record that holds them."""
 _IMAGE_SIZE = (16, 14)
 _HEADER_BYTES = 26
 
 
 @cache
-def _name_fields(record_type: type[Record]) -> tuple[tuple[str, str], ...]:
-    return tuple((f.name, f.xml.path) for f in fields_of(record_type) if f.many and f.item is Name)
+def _name_fields(record_type: type[Record]) -> tuple[tuple[str, str, Callable[[Record], Sequence[Name]]], ...]:
+    """Field, element and access to the value of each list of names."""
+    fields = [f for f in fields_of(record_type) if f.many and f.item is Name]
+    return tuple((f.name, f.xml.path, attrgetter(f.name)) for f in fields)
 
 
 @rule("L17", WARNING, "ETG.2000 NameType: one element a language, LcId 1033 when absent")
 def language_twice(record: Record) -> Iterator[Found]:
     """A name, comment or text is given twice in one language."""
-    yield from _languages_twice(record, ())
-    for nested in _NESTED.get(type(record), ()):
-        for number, item in enumerate(getattr(record, nested)):
-            yield from _languages_twice(item, (nested, number))
+    yield from _languages_twice((record,), type(record))
+    for nested, record_type in _NESTED.get(type(record), ()):
+        yield from _languages_twice(getattr(record, nested), record_type, nested)
 
 
-def _languages_twice(record: Record, place: Place) -> Iterator[Found]:
-    for field, element in _name_fields(type(record)):
-        names = getattr(record, field)
-        if len(names) < 2:
-            continue
-        seen: set[int] = set()
-        for number, name in enumerate(names):
-            lcid = ENGLISH if name.lcid is None else name.lcid
-            if lcid in seen:
-                yield Found(
-                    f"{element} {name.text!r} is a second one with LcId {lcid}: only one of them is shown",
-                    (*place, field, number),
-                )
-            seen.add(lcid)
+def _languages_twice(records: Sequence[Record], record_type: type[Record], nested: str = "") -> Iterator[Found]:
+    for field, element, get in _name_fields(record_type):
+        if max(map(len, map(get, records)), default=0) < 2:
+            continue  # nearly always
+        for position, record in enumerate(records):
+            place: Place = (nested, position) if nested else ()
+            yield from _second_ones(get(record), element, (*place, field))
+
+
+def _second_ones(names: Sequence[Name], element: str, place: Place) -> Iterator[Found]:
+    seen: set[int] = set()
+    for number, name in enumerate(names):
+        lcid = ENGLISH if name.lcid is None else name.lcid
+        if lcid in seen:
+            yield Found(
+                f"{element} {name.text!r} is a second one with LcId {lcid}: only one of them is shown", (*place, number)
+            )
+        seen.add(lcid)
 
 
 @rule("L64", INFORMATION, "ETG.2000 ImageData16x14: a Windows BMP file of 16 x 14 pixels")

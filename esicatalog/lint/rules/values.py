@@ -64,7 +64,7 @@ def _beyond(entry: ObjectEntry, value: float | None, lowest: float | None, highe
 def info_unpaired(subject: ObjectSubject) -> Iterator[Found]:
     """A SubItem of Info matches no SubItem of the type, or an array has another number of them than elements."""
     infos = subject.declared.info_sub_items
-    if not infos or subject.values_fit:
+    if not infos or subject.is_paired:
         return
     index = subject.declared.object_index or 0
     for rule_id, words in subject.resolved.remarks:

@@ -1,0 +1,62 @@
+"""Dictionaries looked at as a whole: objects by index, resolved when asked for; equal ones are looked at once."""
+
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
+
+from esicatalog.esi.records.dictionary import Dictionary, Object
+from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.memo import IdentityMemo, identities
+from esicatalog.model.resolver import Resolver, TypeSet
+
+EntriesBySubindex = Mapping[int, ObjectEntry]
+Result = TypeVar("Result")
+
+_MAX_VIEWS = 500
+
+
+class DictionaryView:
+    """A dictionary with its objects by index; of several with one index the first counts."""
+
+    def __init__(self, dictionary: Dictionary, types: TypeSet, resolver: Resolver) -> None:
+        self.dictionary = dictionary
+        self.types = types
+        self.by_index: dict[int, Object] = {}
+        for declared in dictionary.objects:
+            if declared.object_index is not None:
+                self.by_index.setdefault(declared.object_index, declared)
+        self._resolver = resolver
+        self._entries: dict[int, EntriesBySubindex] = {}
+        self._results: dict[Any, Any] = {}
+
+    def once(self, function: Callable[["DictionaryView"], Result]) -> Result:
+        """What a function gives for this view; it is called once."""
+        if function not in self._results:
+            self._results[function] = function(self)
+        result: Result = self._results[function]
+        return result
+
+    def entries(self, index: int) -> EntriesBySubindex | None:
+        """Entries of an object by subindex, None when the dictionary has no such object."""
+        found = self._entries.get(index)
+        if found is None and (declared := self.by_index.get(index)) is not None:
+            resolved = self._resolver.resolve(declared, self.types)
+            found = self._entries[index] = {entry.subindex: entry for entry in reversed(resolved.entries)}
+        return found
+
+
+class DictionaryViews:
+    """Makes views; dictionaries of the same data types and objects share one."""
+
+    def __init__(self, resolver: Resolver | None = None) -> None:
+        self.resolver = resolver or Resolver()
+        self._of_dictionary: IdentityMemo[DictionaryView] = IdentityMemo(_MAX_VIEWS)
+        self._views: IdentityMemo[DictionaryView] = IdentityMemo(_MAX_VIEWS)
+
+    def view(self, dictionary: Dictionary) -> DictionaryView:
+        """The view of a dictionary."""
+        return self._of_dictionary.of(dictionary, self._view)
+
+    def _view(self, dictionary: Dictionary) -> DictionaryView:
+        types = self.resolver.types(dictionary)
+        key = (id(types), identities(dictionary.objects))
+        return self._views.get(key, (types, dictionary), DictionaryView, dictionary, types, self.resolver)

@@ -1,0 +1,108 @@
+"""What a device exchanges in cycles, and what follows from it; most devices share all of it with others.
+
+Revisions and variants of a product seldom differ in their PDOs, SyncManagers and OpModes, so what follows from these is
+computed once and kept.
+"""
+
+from collections.abc import Hashable, Sequence
+from functools import cached_property
+
+import msgspec
+
+from esicatalog.esi.content import digest
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.model.memo import IdentityMemo, identities
+from esicatalog.model.process_image import SmImage, default_process_image
+from esicatalog.model.sync import SyncSignals, default_op_mode, is_superseded, sync_signals
+
+_MAX_KNOWN = 1_000
+
+_encode = msgspec.msgpack.Encoder().encode
+
+
+class ProcessData:
+    """SyncManagers, PDOs, OpModes and modules of one device or of several that have equal ones."""
+
+    def __init__(self, device: Device, modules: Sequence[Module] = ()) -> None:
+        self._device = device
+        self.modules = modules
+        """Those that its slots can reach."""
+        self.sync_managers: tuple[SyncManager, ...] = device.sync_managers
+        self.rx_pdos: tuple[Pdo, ...] = device.rx_pdos
+        self.tx_pdos: tuple[Pdo, ...] = device.tx_pdos
+        self.op_modes: tuple[OpMode, ...] = device.op_modes
+        self.is_modular = bool(device.slots)
+
+    @cached_property
+    def images(self) -> list[SmImage]:
+        """The default process image."""
+        return default_process_image(self._device, self.modules)
+
+    @cached_property
+    def default_op_mode(self) -> OpMode | None:
+        """The OpMode that counts without a choice."""
+        position = default_op_mode(self.op_modes)
+        return self.op_modes[position] if position is not None else None
+
+    @cached_property
+    def signals(self) -> list[SyncSignals]:
+        """What the OpModes make of the clocks."""
+        return [sync_signals(mode.assign_activate) for mode in self.op_modes]
+
+    @cached_property
+    def valid_signals(self) -> list[SyncSignals]:
+        """The same of those OpModes that newer tools do not ignore; of all when they would ignore all."""
+        modes = zip(self.op_modes, self.signals, strict=True)
+        return [signals for mode, signals in modes if not is_superseded(mode)] or self.signals
+
+    def byte_size(self, usage: str) -> int | None:
+        """Length of the default process image of all SyncManagers of one usage; None without any SyncManager."""
+        sizes = [image.byte_size for image in self.images if image.usage == usage]
+        return sum(sizes) if sizes else (0 if self.sync_managers else None)
+
+    @cached_property
+    def image_signature(self) -> str | None:
+        """Digest of the default process image, None where it is empty."""
+        layout = [
+            (
+                image.sm,
+                image.usage,
+                [(placed.bit_offset, *_layout(placed.entry)) for pdo in image.pdos for placed in pdo.entries],
+            )
+            for image in self.images
+        ]
+        return digest(_encode(layout)).hex() if any(image.bit_size for image in self.images) else None
+
+    @cached_property
+    def pdo_signature(self) -> str | None:
+        """Digest of all PDOs with their entries, None without PDOs."""
+        layout = [
+            [(pdo.pdo_index, [_layout(entry) for entry in pdo.entries]) for pdo in pdos]
+            for pdos in (self.rx_pdos, self.tx_pdos)
+        ]
+        return digest(_encode(layout)).hex() if self.rx_pdos or self.tx_pdos else None
+
+
+def _layout(entry: Entry) -> tuple[int | None, int, int | None]:
+    return (entry.entry_index, entry.subindex or 0 if entry.entry_index else 0, entry.bit_length)
+
+
+class SharedProcessData:
+    """Gives devices their process data, the same to those that have equal ones."""
+
+    def __init__(self) -> None:
+        self._known: IdentityMemo[ProcessData] = IdentityMemo(_MAX_KNOWN)
+
+    def of(self, device: Device, modules: Sequence[Module]) -> ProcessData:
+        """The process data of a device with the modules that its slots can reach."""
+        return self._known.get(_key(device, modules), (device, modules), ProcessData, device, modules)
+
+
+def _key(device: Device, modules: Sequence[Module]) -> Hashable:
+    if device.slots:  # seldom equal in all that slots and modules add
+        return id(device), identities(modules)
+    small = (device.sync_managers, device.op_modes, device.module_pdo_group, device.module_pdo_groups)
+    return identities(device.rx_pdos), identities(device.tx_pdos), _encode(small)
