@@ -26,6 +26,8 @@ NO_NUMBERS: Numbers = "[]"
 _MOST_HELD = 100_000
 """Rows and digests with a number: both sides remember them, so numbering starts anew some time."""
 
+_MOST_LISTS = 10_000
+
 Item = TypeVar("Item", bound=Hashable)
 
 
@@ -53,6 +55,7 @@ class Sharing:
         self._rows: dict[str, _Numbering[Row]] = {}
         self._digests: _Numbering[bytes] = _Numbering()
         self._of_records: IdentityMemo[int] = IdentityMemo(_MOST_HELD)
+        self._of_lists: IdentityMemo[Numbers] = IdentityMemo(_MOST_LISTS)
 
     @property
     def is_full(self) -> bool:
@@ -70,8 +73,11 @@ class Sharing:
         """Numbers of rows."""
         return to_json(list(map(self._table(table).number, rows)))
 
-    def records(self, table: str, records: Iterable[Record], record_type: type[Record]) -> Numbers:
-        """Numbers of the rows of records that often are the same as before."""
+    def records(self, table: str, records: tuple[Record, ...], record_type: type[Record]) -> Numbers:
+        """Numbers of the rows of records that often are the same as before, each or all together."""
+        return self._of_lists.get(id(records), records, self._record_numbers, table, records, record_type)
+
+    def _record_numbers(self, table: str, records: tuple[Record, ...], record_type: type[Record]) -> Numbers:
         encode, number = codec(record_type).encode, self._table(table).number
         find = self._of_records.of
         return to_json([find(record, lambda record: number(encode(record))) for record in records])

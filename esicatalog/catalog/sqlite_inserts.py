@@ -1,7 +1,7 @@
 """Bulk inserts into SQLite, arranged so that Python touches little.
 
-Python's driver spends most of its time on values: on None several times that of a number or a text. So a mark stands
-for NULL, shared rows are kept in temporary tables and put in place by SQLite itself, and lists travel as JSON.
+Python's driver spends most of its time on values: on None several times that of a number. So a number stands for
+NULL, shared rows are kept in temporary tables and put in place by SQLite itself, and lists travel as JSON.
 """
 
 from collections import defaultdict
@@ -13,10 +13,11 @@ import sqlalchemy as sa
 from esicatalog.catalog.inserts import SHARED_FROM, Links, Part
 from esicatalog.catalog.mapping import to_json
 from esicatalog.catalog.shared import Row
+from esicatalog.esi.numbers import MAX_STORED
 
 _CHUNK_ROWS = 10_000
-_NULL = "\0"
-"""Stands for NULL: no text of a document can hold it."""
+_NULL = -MAX_STORED - 1
+"""Stands for NULL: no whole number that is stored is so low."""
 _MAKER_BITS = 32
 """A shared row's key: the ordinal of its maker above these bits, its number below."""
 
@@ -77,7 +78,7 @@ class SqliteInserts:
         )
 
     def _insert(self, name: str, columns: Iterable[sa.Column[Any]], rows: Sequence[Row]) -> None:
-        marks = ", ".join("NULLIF(?, char(0))" if column.nullable else "?" for column in columns)
+        marks = ", ".join(_mark(column, number) for number, column in enumerate(columns, 1))
         names = ", ".join(column.name for column in columns)
         statement = f"INSERT INTO {name} ({names}) VALUES ({marks})"
         for start in range(0, len(rows), _CHUNK_ROWS):
@@ -87,6 +88,15 @@ class SqliteInserts:
     def _execute(self, statement: str, values: list[Any]) -> None:
         if values:
             self._connection.exec_driver_sql(statement, values)
+
+
+def _mark(column: sa.Column[Any], number: int) -> str:
+    """What takes the value of a column; a real number may equal the one that stands for NULL."""
+    if not column.nullable:
+        return f"?{number}"
+    if isinstance(column.type, sa.Double):
+        return f"CASE typeof(?{number}) WHEN 'integer' THEN NULLIF(?{number}, {_NULL}) ELSE ?{number} END"
+    return f"NULLIF(?{number}, {_NULL})"
 
 
 def _kept(table: sa.Table) -> str:

@@ -7,18 +7,17 @@ values are paired by position in arrays and by name in records; six flags are in
 from collections.abc import Iterable, Mapping
 from typing import Annotated, NamedTuple
 
-import msgspec
-
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import display_text
-from esicatalog.esi.records.dictionary import DataType, DeclaredValues, Flags, Object, SubItem
+from esicatalog.esi.records.dictionary import DataType, DeclaredValues, Flags, InfoSubItem, Object, SubItem
 from esicatalog.model.access import access_word, normalised_pdo_mapping
 from esicatalog.model.base_types import BaseType, base_type
 from esicatalog.model.members import Member, MemberMemo, Members
-from esicatalog.model.memo import IdentityMemo
+from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.values import Value, decode_data, decode_string, decode_value
 
 _MAX_MADE = 100_000
+_MAX_OBJECTS = 10_000
 
 OBJECT_CODES = {"VAR": 7, "ARRAY": 8, "RECORD": 9}
 
@@ -113,18 +112,16 @@ class EntryMemo:
 
     def __init__(self) -> None:
         self.members: MemberMemo = IdentityMemo(_MAX_MADE)
-        self._entries: IdentityMemo[ObjectEntry] = IdentityMemo(_MAX_MADE)
-        self._traits: IdentityMemo[_Traits] = IdentityMemo(_MAX_MADE)
+        self.entries: IdentityMemo[ObjectEntry] = IdentityMemo(_MAX_MADE)
+        self.objects: IdentityMemo[_Composite] = IdentityMemo(_MAX_OBJECTS)
+        self.traits: IdentityMemo[_Traits] = IdentityMemo(_MAX_OBJECTS)
 
-    def entry(self, member: Member, values: DeclaredValues | None, inherited: Flags | None) -> ObjectEntry:
-        """The entry of a member with its values; the object's flags count where the member has none."""
-        flags = member.flags or inherited
-        key = (id(member), id(values), id(flags))
-        return self._entries.get(key, (member, values, flags), self.new_entry, member, values, flags)
 
-    def new_entry(self, member: Member, values: DeclaredValues | None, flags: Flags | None) -> ObjectEntry:
-        """An entry that no other object has."""
-        return _entry(member, values, self._traits.of(flags, _traits))
+class _Composite(NamedTuple):
+    """What objects of the same type, values and flags share."""
+
+    entries: tuple[ObjectEntry, ...]
+    remarks: tuple[tuple[str, str], ...]
 
 
 class ObjectType:
@@ -149,24 +146,34 @@ class ObjectType:
 
     def resolve(self, declared: Object) -> ResolvedObject:
         """The object, which names this type, with its entries."""
+        members = self._members
+        if members is None:
+            return self._resolve_single(declared)
+        infos, flags = declared.info_sub_items, declared.flags
+        key = (id(self), identities(infos), id(flags))
+        made = self._memo.objects.get(key, (self, infos, flags), self._composite, members, infos, flags)
+        return ResolvedObject(declared, OBJECT_CODES["ARRAY" if members.is_array else "RECORD"], *made)
+
+    def _resolve_single(self, declared: Object) -> ResolvedObject:
         remarks: list[tuple[str, str]] = []
         if self._is_unknown:
             remarks.append(("L41", f"type {self._name!r} is not declared in the dictionary"))
-        members = self._members
-        entries: tuple[ObjectEntry, ...]
-        if members is None:
-            code = OBJECT_CODES["VAR"]
-            entries = (self._single_entry(declared, remarks),)
-        else:
-            code = OBJECT_CODES["ARRAY" if members.is_array else "RECORD"]
-            values, make = members.pair(declared.info_sub_items, remarks), self._memo.entry
-            entries = tuple(make(member, own, declared.flags) for member, own in zip(members, values, strict=True))
-        return ResolvedObject(declared, code, entries, tuple(remarks))
-
-    def _single_entry(self, declared: Object, remarks: list[tuple[str, str]]) -> ObjectEntry:
         size = declared.bit_size if declared.bit_size is not None else self._bit_size
         member = Member(0, display_text(declared.names), (), self._name, self._base, size, 0, None, None)
-        return self._memo.new_entry(member, _single_values(declared, remarks), declared.flags)
+        entry = self._entry(member, _single_values(declared, remarks), declared.flags)
+        return ResolvedObject(declared, OBJECT_CODES["VAR"], (entry,), tuple(remarks))
+
+    def _composite(self, members: Members, infos: tuple[InfoSubItem, ...], inherited: Flags | None) -> _Composite:
+        remarks: list[tuple[str, str]] = []
+        known, entries = self._memo.entries, []
+        for member, values in zip(members, members.pair(infos, remarks), strict=True):
+            flags = member.flags or inherited
+            key = (id(member), id(values), id(flags))
+            entries.append(known.get(key, (member, values, flags), self._entry, member, values, flags))
+        return _Composite(tuple(entries), tuple(remarks))
+
+    def _entry(self, member: Member, values: DeclaredValues | None, flags: Flags | None) -> ObjectEntry:
+        return _entry(member, values, self._memo.traits.of(flags, _traits))
 
 
 def _single_values(declared: Object, remarks: list[tuple[str, str]]) -> DeclaredValues:
@@ -210,9 +217,9 @@ def _traits(declared: Flags | None) -> _Traits:
 
 
 def _entry(member: Member, values: DeclaredValues | None, traits: _Traits) -> ObjectEntry:
-    default, minimum, maximum = _values(values, member.sub_item, member.base)
+    default, minimum, maximum = _values(values, member.fallback, member.base)
     display = (values.display_names if values is not None else ()) or member.display_names
-    entry = ObjectEntry(
+    return ObjectEntry(
         subindex=member.subindex,
         name=member.name,
         data_type=member.type,
@@ -224,13 +231,6 @@ def _entry(member: Member, values: DeclaredValues | None, traits: _Traits) -> Ob
         category=traits.category,
         pdo_mapping=traits.pdo_mapping,
         safety_mapping=traits.safety_mapping,
-        unit=values.unit if values is not None else None,
-        display_name=display_text(display),
-    )
-    if default is minimum is maximum:
-        return entry
-    return msgspec.structs.replace(
-        entry,
         default_raw=default.raw,
         default_kind=default.kind,
         default_int=default.number,
@@ -240,6 +240,8 @@ def _entry(member: Member, values: DeclaredValues | None, traits: _Traits) -> Ob
         min_real=minimum.real,
         max_int=maximum.number,
         max_real=maximum.real,
+        unit=values.unit if values is not None else None,
+        display_name=display_text(display) if display else None,
     )
 
 

@@ -26,11 +26,12 @@ class Member(NamedTuple):
     bit_size: int | None
     bit_offset: int | None
     flags: Flags | None
-    sub_item: SubItem | None
+    fallback: SubItem | None
+    """The SubItem where it declares values itself (obsolete place)."""
 
 
 MemberMemo = IdentityMemo[tuple[Member, ...]]
-"""Members by the SubItem that declares them: many data types have the same SubItems."""
+"""Members by what declares them: many data types have the same SubItems, many arrays the same elements."""
 
 
 class Members:
@@ -51,9 +52,7 @@ class Members:
             array = types.get(sub_item.type) if sub_item.type and members else None
             places = _element_places(sub_item, array, following) if array is not None else None
             if array is not None and places is not None:
-                of_element = base(array.base_type)
-                key = (id(sub_item), id(array), places.start, is_pair, of_element)
-                members += memo.get(key, (sub_item, array), _elements, sub_item, array, places, is_pair, of_element)
+                members += _elements(sub_item, array, places, is_pair, base(array.base_type), memo)
                 expanded += 1
             else:
                 subindex = sub_item.subindex if sub_item.subindex is not None else following
@@ -121,9 +120,15 @@ def _single(sub_item: SubItem, subindex: int, base: BaseType | None) -> tuple[Me
             sub_item.bit_size,
             sub_item.bit_offset,
             sub_item.flags,
-            sub_item,
+            _fallback(sub_item),
         ),
     )
+
+
+def _fallback(sub_item: SubItem) -> SubItem | None:
+    values = (sub_item.default_data, sub_item.default_string, sub_item.default_value)
+    bounds = (sub_item.min_value, sub_item.max_value)
+    return sub_item if sub_item.spelling or any(value is not None for value in values + bounds) else None
 
 
 def _lower_bound(array: DataType) -> int:
@@ -151,22 +156,48 @@ def _element_places(sub_item: SubItem, array: DataType, following: int) -> range
 
 
 def _elements(
-    sub_item: SubItem, array: DataType, places: range, whole_object: bool, base: BaseType | None
+    sub_item: SubItem, array: DataType, places: range, whole_object: bool, base: BaseType | None, memo: MemberMemo
 ) -> tuple[Member, ...]:
-    lbound = _lower_bound(array)
     size = array.bit_size // len(places) if array.bit_size and places else None
-    offset = sub_item.bit_offset
+    plan = _Elements(
+        places,
+        None if whole_object else str(sub_item.name),
+        _lower_bound(array),
+        array.base_type,
+        base,
+        size,
+        sub_item.bit_offset if size is not None else None,
+    )
+    flags, fallback = sub_item.flags, _fallback(sub_item)
+    return memo.get((plan, id(flags), id(fallback)), (flags, fallback), _element_members, plan, flags, fallback)
+
+
+class _Elements(NamedTuple):
+    """What the elements of arrays have in common."""
+
+    places: range
+    name: str | None
+    """None where the elements are the whole object."""
+    lower_bound: int
+    type: str | None
+    base: BaseType | None
+    bit_size: int | None
+    bit_offset: int | None
+
+
+def _element_members(plan: _Elements, flags: Flags | None, fallback: SubItem | None) -> tuple[Member, ...]:
+    size, offset = plan.bit_size, plan.bit_offset
     return tuple(
         Member(
             subindex,
-            f"SubIndex {subindex:03d}" if whole_object else f"{sub_item.name}[{lbound + k}]",
+            f"SubIndex {subindex:03d}" if plan.name is None else f"{plan.name}[{plan.lower_bound + k}]",
             (),
-            array.base_type,
-            base,
+            plan.type,
+            plan.base,
             size,
             offset + k * size if offset is not None and size is not None else None,
-            sub_item.flags,
-            sub_item,
+            flags,
+            fallback,
         )
-        for k, subindex in enumerate(places)
+        for k, subindex in enumerate(plan.places)
     )

@@ -1,5 +1,6 @@
 """Decoding of declared values: bytes, numbers and texts of object entries (ESI-FACTS section 7.1)."""
 
+import functools
 import struct
 from typing import NamedTuple
 
@@ -21,6 +22,10 @@ class Value(NamedTuple):
 
 def decode_data(raw: str, base: BaseType | None) -> Value:
     """A value given as bytes: little-endian, two's complement, IEEE 754; texts without trailing NUL."""
+    return _decode_short(raw, base) if len(raw) <= _SHORT else _decode_data(raw, base)
+
+
+def _decode_data(raw: str, base: BaseType | None) -> Value:
     data = decode_hex_binary(raw)
     if data is None or base is None:
         return Value(raw, "data")
@@ -35,6 +40,11 @@ def decode_data(raw: str, base: BaseType | None) -> Value:
     if base.kind == "unicode":
         return Value(raw, "data", text=_readable(data.decode("utf-16-le", "replace").rstrip("\0")))
     return Value(raw, "data")
+
+
+_SHORT = 16
+"""Digits of the widest number: few such texts, written in many places."""
+_decode_short = functools.lru_cache(16_384)(_decode_data)
 
 
 def decode_value(number: int | None, raw: str, base: BaseType | None) -> Value:
