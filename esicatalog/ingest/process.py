@@ -156,10 +156,11 @@ def forked(serve: Serve) -> Helper:
     number = os.fork()
     if number == 0:
         _help(serve, for_requests, for_answers, blocked)
-    signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
     os.close(for_requests)
     os.close(for_answers)
-    return Helper(_Forked(number), os.fdopen(requests, "wb", 0), os.fdopen(answers, "rb", 0))
+    helper = Helper(_Forked(number), os.fdopen(requests, "wb", 0), os.fdopen(answers, "rb", 0))
+    signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
+    return helper
 
 
 def interpreter(module: str) -> Helper:
