@@ -16,7 +16,7 @@ import time
 from pathlib import Path
 
 from corpus import default_corpus
-from processes import run_ingest
+from processes import compile_package, run_ingest
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 
@@ -57,6 +57,7 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=2, help="worker processes")
     parser.add_argument("--processes", type=int, default=4, help="ingests at once")
     given = parser.parse_args()
+    compile_package()
     try:
         with running_cluster(durable=True) as cluster:
             runs = []

@@ -14,6 +14,7 @@ from corpus import default_corpus
 from ingest import ingest_rows
 from lookups import lookup_rows
 from pages import page_rows
+from processes import compile_package
 from questions import question_rows
 from report import machine, publish, table
 
@@ -26,6 +27,7 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--write", type=Path, metavar="DOCUMENT", help="put the table between its marks in a document")
     given = parser.parse_args()
+    compile_package()
     with tempfile.TemporaryDirectory() as folder:
         rows, database = ingest_rows(given.corpus, Path(folder), given.runs, given.jobs)
         rows += [*lookup_rows(database), *question_rows(database), *page_rows(database)]

@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 from ingest import memory_rows
 from library import FIRST_VENDOR_ID, Shape, write_library
 from lookups import PYTHON_LIMIT, SQL_LIMIT_US, identities, python_microseconds, sql_microseconds
-from processes import Ran, run_ingest
+from processes import Ran, compile_package, run_ingest
 from questions import LIMIT_MS
 from report import Row, machine, publish, table
 
@@ -167,6 +167,7 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--write", type=Path, metavar="DOCUMENT", help="put the tables between their marks")
     given = parser.parse_args()
+    compile_package()
     with tempfile.TemporaryDirectory() as name:
         shapes = [Shape(count, given.objects, revisions=5, vendors=100, seed=1) for count in (given.small, given.large)]
         small, large = (build(Path(name), shape, given.jobs, runs) for shape, runs in zip(shapes, (3, 1), strict=True))
