@@ -14,7 +14,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.model.memo import IdentityMemo
 
-_MAX_PDOS = 20_000
+_MAX_PDOS = 10_000
 
 Image = tuple[str, bytes | None, str | None]
 """Key, bytes, and the text of one that is not hexBinary."""

@@ -23,10 +23,11 @@ Numbers = str
 
 NO_NUMBERS: Numbers = "[]"
 
-_MOST_HELD = 100_000
+_MOST_HELD = 60_000
 """Rows and digests with a number: both sides remember them, so numbering starts anew some time."""
 
-_MOST_LISTS = 10_000
+_MOST_RECORDS = 40_000
+_MOST_LISTS = 5_000
 
 Item = TypeVar("Item", bound=Hashable)
 
@@ -54,7 +55,7 @@ class Sharing:
         self._starts_anew = True
         self._rows: dict[str, _Numbering[Row]] = {}
         self._digests: _Numbering[bytes] = _Numbering()
-        self._of_records: IdentityMemo[int] = IdentityMemo(_MOST_HELD)
+        self._of_records: IdentityMemo[int] = IdentityMemo(_MOST_RECORDS)
         self._of_lists: IdentityMemo[Numbers] = IdentityMemo(_MOST_LISTS)
 
     @property

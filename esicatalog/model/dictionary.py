@@ -16,7 +16,7 @@ from esicatalog.model.members import Member, MemberMemo, Members
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.values import Value, decode_data, decode_string, decode_value
 
-_MAX_MADE = 100_000
+_MAX_MADE = 50_000
 _MAX_OBJECTS = 10_000
 
 OBJECT_CODES = {"VAR": 7, "ARRAY": 8, "RECORD": 9}
