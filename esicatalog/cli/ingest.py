@@ -36,14 +36,13 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, prof
     """
     from esicatalog.api import Catalog
 
-    # The process ends with the ingest: searching what it holds for cycles, then or on the way, would be in vain.
-    gc.disable()
     with _terminable(), Catalog(db, create=True, at_once=False) as catalog:
         try:
             report = catalog.ingest(paths, jobs, prune, _Progress())
         finally:
             if sys.stderr.isatty():
                 click.echo("\r\033[K", nl=False, err=True)
+    # The process is about to end: searching all that it holds for cycles would be in vain.
     gc.freeze()
     if output_format == "json":
         print_json(report.as_json() | ({"profile": _profile(report)} if profile else {}))

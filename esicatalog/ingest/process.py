@@ -67,7 +67,6 @@ def settle_in() -> None:
         resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # Records and rows hold no cycles: looking for some again and again costs more than reading many a document.
-    gc.enable()
     gc.set_threshold(100_000, 20, 100)
 
 
