@@ -3,7 +3,7 @@
 Data types, objects and PDOs are most of the bytes of ESI documents, and four fifths of those bytes stood in an earlier
 device of the same vendor in the very same words. A run of such parts is cut out of the document and a single marked
 element left in its place; reading it gives the records that the same words gave before. A part that is new is looked
-through for parts of its own, the sub-items.
+through for parts of its own: sub-items, flags, entries.
 
 Cutting is a guess about the layout of the text, made without parsing; three things keep it honest. Only words are
 recognised that were parsed before as a whole element of a well-formed document in the same encoding. The marks carry
@@ -97,9 +97,8 @@ class Cut:
     """A document whose repeated parts are cut out, while it is being read."""
 
     def __init__(self, content: bytes, encoding: bytes, number: int, memory: "_Memory") -> None:
-        self.encoding = encoding.decode() or None
+        self._encoding = encoding
         self._number = number
-        self._own_encodings = (_ASCII, encoding)
         self._memory = memory
         self._marks: list[tuple[_Kind, Part | list[Part]]] = []
         self._met = 0
@@ -176,19 +175,19 @@ class Cut:
             end = _BLANKS.match(text, end + len(kind.closing)).end()  # type: ignore[union-attr]
             words = text[begin:end]
             part = self._memory.find(kind, words)
-            is_known = part is not None and self._is_usable(part)
-            if run and not (is_known and begin == at):
+            if part is not None and not self._is_usable(part):
+                part = None
+            if run and (part is None or begin > at):
                 pieces.append(self._placeholder(kind, run))
                 run = []
             pieces.append(text[at:begin])
             at = end
-            if is_known and part is not None:
+            if part is not None:
                 run.append(part)
             elif words.find(kind.start, 1) < 0 and ((simple := is_plain or _is_plain(words)) or _is_whole(words)):
-                part = self._memory.add(kind, words, self._own_encodings[1], self._number)
+                part = self._memory.add(kind, words, self._encoding, self._number)
                 self._mark_new(kind, part, simple, pieces)
             else:
-                part = None
                 pieces.append(words)
             if previous is not None:
                 previous.follower = part
@@ -198,7 +197,7 @@ class Cut:
         return at
 
     def _is_usable(self, part: Part) -> bool:
-        return (part.record is not None or part.document == self._number) and part.encoding in self._own_encodings
+        return (part.record is not None or part.document == self._number) and part.encoding in (_ASCII, self._encoding)
 
     def _mark_new(self, kind: _Kind, part: Part, is_plain: bool, pieces: list[bytes]) -> None:
         """Append a new part, marked, its inner parts cut out."""
@@ -280,7 +279,7 @@ class Cut:
         return alone, lines_before - blank_lines
 
     def _parsed(self, words: bytes) -> etree._Element:
-        return etree.fromstring(words, make_parser(encoding=self.encoding))
+        return etree.fromstring(words, make_parser(encoding=self._encoding.decode() or None))
 
     def _lines_before(self, element: etree._Element, number: int) -> int:
         return (element.sourceline or 1) - 1 + sum([part.line_count for part in self._run(element)[:number]])
