@@ -165,15 +165,19 @@ def _number_variants(connection: sa.Connection, identities: Iterable[tuple[Any, 
                 group = variant_group(row.vendor_id, row.product_code, row.revision_no, row.type)
                 if group in wanted:
                     groups[group].append(row)
-    changes: list[tuple[int, int]] = []
+    moved: list[dict[str, int]] = []
+    numbered: list[dict[str, int]] = []
     for rows in groups.values():
         rows.sort(key=lambda r: (bool(r.recovered), -r.element_count, -(r.file_version or 0), r.content_hash))
-        changes.extend((row.id, number) for number, row in enumerate(rows, 1) if row.variant != number)
-    if not changes:
-        return
+        for variant, row in enumerate(rows, 1):
+            if row.variant != variant:
+                numbered.append({"number": row.id, "to": variant})
+                if row.variant > 0:  # It may stand in the way of another one; those that are new do not.
+                    moved.append({"number": row.id, "to": -row.id})
     update = sa.update(devices).where(devices.c.id == sa.bindparam("number")).values(variant=sa.bindparam("to"))
-    connection.execute(update, [{"number": number, "to": -number} for number, _ in changes])
-    connection.execute(update, [{"number": number, "to": variant} for number, variant in changes])
+    for changes in (moved, numbered):
+        if changes:
+            connection.execute(update, changes)
 
 
 _HIDING = devices.alias("hiding")

@@ -67,7 +67,7 @@ def settle_in() -> None:
         resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # Records and rows hold no cycles: looking for some again and again costs more than reading many a document.
-    gc.set_threshold(100_000, 20, 100)
+    gc.set_threshold(1_000_000, 20, 100)
 
 
 class _Process(Protocol):
