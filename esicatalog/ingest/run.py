@@ -5,6 +5,7 @@ import os
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from itertools import chain, islice
 
 import sqlalchemy as sa
 
@@ -27,6 +28,8 @@ _COMMIT_SECONDS = 1.0
 """Between commits: what a killed ingest has to read again."""
 _COMMIT_SHARE = 10
 """A commit puts all vendors and devices that were met in order: the larger the catalog, the rarer it is worth that."""
+_LAST_OUTCOMES = 24
+"""What came before these is committed while workers are still busy with them: afterwards one core does it alone."""
 _MOST_GATHERED_BYTES = 16_000_000
 """Documents that wait to be written together: they wait as rows, which take a multiple of their size."""
 
@@ -109,7 +112,8 @@ def _write(
     incomplete: set[str] = set()
     pace = _Pace()
     batches = _file_batches if connection.dialect.name == "sqlite" else _server_batches
-    for batch in batches(outcomes, pace):
+    first_outcomes = islice(outcomes, max(0, len(plan.todo) - _LAST_OUTCOMES))
+    for batch in chain(batches(first_outcomes, pace), batches(outcomes, pace)):
         for outcome in batch:
             stages.add(outcome.seconds)
             item = plan.todo[outcome.number]
