@@ -19,6 +19,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
+import msgspec
 from lxml import etree
 
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
@@ -36,7 +37,6 @@ _LONGEST_HEAD = 10_000
 _SECTIONS = ((b"<!--", b"-->"), (b"<![CDATA[", b"]]>"))
 _LEADING = re.compile(rb"(?:\s+|<!--.{0,1000}?-->)*", re.DOTALL)
 """Comments have a bounded length: none is sought for to the end of the document again and again."""
-_BLANKS = re.compile(rb"\s*")
 _PREFIX = re.compile(rb"xmlns:([^\s=]+)")
 
 
@@ -49,6 +49,7 @@ class _Kind:
         self.start = f"<{tag}".encode()
         self.openings = (self.start + b">", self.start + b" ")
         self.closing = f"</{tag}>".encode()
+        self.end = re.compile(self.closing + rb"\s*")
         self.expected = (*self.openings, b"</")
         """What comes behind such an element, unless that is a comment."""
         self.inner = inner
@@ -60,6 +61,7 @@ _MEMBERS, _VALUES, _ENTRIES = _Kind("SubItem", "SubItem"), _Kind("SubItem", "Inf
 _TYPES = _Kind("DataType", "DataType", _MEMBERS)
 _OBJECTS = _Kind("Object", "Object", _VALUES)
 _PDOS = {b"R": _Kind("RxPdo", "Pdo", _ENTRIES), b"T": _Kind("TxPdo", "Pdo", _ENTRIES)}
+_KINDS = (_MEMBERS, _VALUES, _ENTRIES, _TYPES, _OBJECTS, *_PDOS.values())
 
 _FIRST_LIST = b"<DataTypes>"
 _SECOND_LIST = re.compile(rb"</DataTypes>\s*<Objects>")
@@ -68,21 +70,18 @@ _PDO = re.compile(rb"<([RT])xPdo[ >]")
 _Read = Callable[[type, bytes, Sequence[tuple[Any, ...]]], Any]
 
 
-class Part:
+class Part(msgspec.Struct, gc=False, eq=False):
     """Words that may stand in documents again and, once they have been read without a finding, their record."""
 
-    __slots__ = ("document", "encoding", "follower", "line_count", "record", "words")
-
-    def __init__(self, words: bytes, encoding: bytes, document: int) -> None:
-        self.words = words
-        """From the start tag to the blanks behind the end tag."""
-        self.encoding = encoding
-        self.line_count = words.count(b"\n")
-        self.document = document
-        """Number of the document in which it was met first: there it may be met again before it has been read."""
-        self.record: Any = None
-        self.follower: Part | None = None
-        """What stood behind it last time: comparing words is faster than looking them up."""
+    words: bytes
+    """From the start tag to the blanks behind the end tag."""
+    encoding: bytes
+    line_count: int
+    document: int
+    """Number of the document in which it was met first: there it may be met again before it has been read."""
+    record: Any = None
+    follower: "Part | None" = None
+    """What stood behind it last time: comparing words is faster than looking them up."""
 
 
 _Marked = tuple[_Kind, Part | list[Part]]
@@ -150,82 +149,86 @@ class Cut:
 
     def _cut_parts(self, kind: _Kind, text: bytes, at: int, pieces: list[_Piece]) -> int:
         """Append the parts that stand one behind the other from ``at`` on; returns where they end."""
-        parts = self._memory.parts[kind]
+        parts, number, encodings = self._memory.parts[kind], self._number, (_ASCII, self._encoding)
         previous: Part | None = None
         run: list[Part] = []
         while True:
             part = previous.follower if previous is not None else None
-            if part is not None and text.startswith(part.words, at) and self._is_usable(part):
-                run.append(part)
-                previous = part
-                at += len(part.words)
-                continue
-            begin = at if text.startswith(kind.expected, at) else _LEADING.match(text, at).end()  # type: ignore[union-attr]
-            if not text.startswith(kind.openings, begin) or kind in self._unclosed:
-                break
-            end = text.find(kind.closing, begin)
-            if end < 0:
-                self._unclosed.add(kind)
-                break
-            end = _BLANKS.match(text, end + len(kind.closing)).end()  # type: ignore[union-attr]
-            words = text[begin:end]
-            part = parts.get(words)
-            left: list[_Piece] = []
-            if part is None or not self._is_usable(part):
+            if part is not None and text.startswith(part.words, at):
+                begin, words = at, part.words
+                end = at + len(words)
+            else:
+                begin = at if text.startswith(kind.expected, at) else _LEADING.match(text, at).end()  # type: ignore[union-attr]
+                if not text.startswith(kind.openings, begin) or kind in self._unclosed:
+                    break
+                closed = kind.end.search(text, begin)
+                if closed is None:
+                    self._unclosed.add(kind)
+                    break
+                end = closed.end()
+                words = text[begin:end]
+                part = parts.get(words)
+            left: list[_Piece] | None = None
+            if part is None or part.encoding not in encodings or (part.record is None and part.document != number):
                 part, left = self._look_at(kind, words)
             if run and (left or begin > at):
                 pieces.append((kind, run))
                 run = []
             if begin > at:
                 pieces.append(text[at:begin])
-            at = end
             if part is not None and not left:
                 run.append(part)
-            else:
+            elif left:
                 pieces += left
             if previous is not None:
                 previous.follower = part
             previous = part
+            at = end
         if run:
             pieces.append((kind, run))
         return at
 
-    def _is_usable(self, part: Part) -> bool:
-        return (part.record is not None or part.document == self._number) and part.encoding in (_ASCII, self._encoding)
-
     def _look_at(self, kind: _Kind, words: bytes) -> tuple[Part | None, list[_Piece]]:
         """The part that new words are, and what of it is left to the parser: nothing if they could be read."""
-        inner: list[_Piece] = []
-        at = len(kind.start)
-        first = words.find(kind.inner.start, at) if kind.inner is not None else -1
-        if kind.inner is not None and first >= 0:
-            inner.append(words[at:first])
-            at = self._cut_parts(kind.inner, words, first, inner)
-        inner.append(words[at:])
-        record = self._read(kind, words, inner)
+        left = self._cut_inner(kind, words)
+        record = self._read(kind, words, left)
         if record is None and (words.find(kind.start, 1) >= 0 or not _is_whole(words)):
             return None, [words]
         part = self._memory.add(kind, words, self._encoding, self._number)
-        part.record = record
-        return part, [(kind, part), *inner] if record is None else []
+        if record is not None:
+            part.record = record
+            return part, []
+        return part, [(kind, part), *(left or [words[len(kind.start) :]])]
 
-    def _read(self, kind: _Kind, words: bytes, inner: list[_Piece]) -> Any:
-        """The record of a new part, given its words and those with the inner parts cut out."""
-        if len(inner) == 1:
-            return self._memory.read(kind, words, ())
+    def _cut_inner(self, kind: _Kind, words: bytes) -> list[_Piece]:
+        """A part behind the start of its tag, its inner parts cut out; nothing if it has none."""
+        start = len(kind.start)
+        first = words.find(kind.inner.start, start) if kind.inner is not None else -1
+        if kind.inner is None or first < 0:
+            return []
+        pieces: list[_Piece] = [words[start:first]]
+        at = self._cut_parts(kind.inner, words, first, pieces)
+        pieces.append(words[at:])
+        return pieces
+
+    def _read(self, kind: _Kind, words: bytes, left: list[_Piece]) -> Any:
+        """The record of a new part, given its words and what they are without inner parts."""
+        memory = self._memory
+        if not left:
+            return memory.read(memory.record_types_by_kind[kind], words, ())
         pieces: list[bytes] = [kind.start]
         runs: list[tuple[Any, ...]] = []
-        for piece in inner:
+        for piece in left:
             if isinstance(piece, bytes):
                 pieces.append(piece)
                 continue
-            inner_kind, parts = piece
+            inner, parts = piece
             records = tuple([part.record for part in parts]) if isinstance(parts, list) else (None,)
             if None in records:
                 return None
-            pieces.append(inner_kind.run)
+            pieces.append(inner.run)
             runs.append(records)
-        return self._memory.read(kind, b"".join(pieces), runs)
+        return memory.read(memory.record_types_by_kind[kind], b"".join(pieces), runs)
 
     def _mark(self, marked: _Marked) -> bytes:
         """An element for a run of known parts, or the start of the tag of a new part.
@@ -246,7 +249,7 @@ class Cut:
         if number is None:
             return None
         kind, part = self._marks[int(number)]
-        is_expected = self._memory.record_type(kind) is record_type
+        is_expected = self._memory.record_types_by_kind[kind] is record_type
         if isinstance(part, Part):
             self._met += is_expected
             return part
@@ -314,18 +317,12 @@ class _Memory:
 
     def __init__(self, record_types: Iterable[type], read: _Read) -> None:
         self.record_types = frozenset(record_types)
-        self._by_name = {held.__name__: held for held in self.record_types}
-        self._read = read
+        by_name = {held.__name__: held for held in self.record_types}
+        self.record_types_by_kind = {kind: by_name[kind.record_name] for kind in _KINDS}
+        self.read = read
+        """Gives the record of an element that needs no parsing."""
         self.parts: defaultdict[_Kind, dict[bytes, Part]] = defaultdict(dict)
         self.held_bytes = 0
-
-    def record_type(self, kind: _Kind) -> type:
-        """What parts of a kind are read into."""
-        return self._by_name[kind.record_name]
-
-    def read(self, kind: _Kind, words: bytes, runs: Sequence[tuple[Any, ...]]) -> Any:
-        """The record of a part that needs no parsing; else None."""
-        return self._read(self.record_type(kind), words, runs)
 
     def add(self, kind: _Kind, words: bytes, encoding: bytes, document: int) -> Part:
         """A part that is new, in place of one that is of no use."""
@@ -333,7 +330,8 @@ class _Memory:
         if words not in parts:
             self.held_bytes += len(words)
         # Words of ASCII alone mean the same in all encodings that are recognised.
-        part = parts[words] = Part(words, _ASCII if words.isascii() else encoding, document)
+        encoding = _ASCII if words.isascii() else encoding
+        part = parts[words] = Part(words, encoding, words.count(b"\n"), document)
         return part
 
     def forget(self) -> None:
