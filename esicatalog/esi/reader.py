@@ -15,8 +15,9 @@ from esicatalog.esi.documents import ParsedDocument, parse_as_it_is, parse_docum
 from esicatalog.esi.layouts import Layouts
 from esicatalog.esi.lines import lines_of
 from esicatalog.esi.notes import Finding, Notes
+from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.diagnostics import Diagnostics
+from esicatalog.esi.records.diagnostics import DiagMessage, Diagnostics
 from esicatalog.esi.records.dictionary import DataType, Dictionary, InfoSubItem, Object, SubItem
 from esicatalog.esi.records.document import (
     DiagInfo,
@@ -37,7 +38,7 @@ from esicatalog.esi.tree import DocumentTree
 OWNERS: frozenset[type] = frozenset({Device, Module})
 """Records that keep the unmapped values found below them."""
 
-_REPEATED = (DataType, SubItem, Object, InfoSubItem, Pdo, Entry)
+_REPEATED = (DataType, SubItem, Object, InfoSubItem, Pdo, Entry, OpMode, DiagMessage)
 """Records of parts that repeat from device to device and from revision to revision."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
 _MAX_STANDALONE = 1_000

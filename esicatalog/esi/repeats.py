@@ -57,15 +57,21 @@ class _Kind:
         """Stands for a run where numbers do not matter."""
 
 
-_MEMBERS, _VALUES, _ENTRIES = _Kind("SubItem", "SubItem"), _Kind("SubItem", "InfoSubItem"), _Kind("Entry", "Entry")
-_TYPES = _Kind("DataType", "DataType", _MEMBERS)
-_OBJECTS = _Kind("Object", "Object", _VALUES)
-_PDOS = {b"R": _Kind("RxPdo", "Pdo", _ENTRIES), b"T": _Kind("TxPdo", "Pdo", _ENTRIES)}
-_KINDS = (_MEMBERS, _VALUES, _ENTRIES, _TYPES, _OBJECTS, *_PDOS.values())
-
-_FIRST_LIST = b"<DataTypes>"
-_SECOND_LIST = re.compile(rb"</DataTypes>\s*<Objects>")
-_PDO = re.compile(rb"<([RT])xPdo[ >]")
+_ENTRIES = _Kind("Entry", "Entry")
+_LISTS = {
+    b"DataTypes": _Kind("DataType", "DataType", _Kind("SubItem", "SubItem")),
+    b"Objects": _Kind("Object", "Object", _Kind("SubItem", "InfoSubItem")),
+    b"Dc": _Kind("OpMode", "OpMode"),
+}
+"""What may be cut out at the beginning of an element, by its tag."""
+_OTHERS = {
+    b"RxPdo": _Kind("RxPdo", "Pdo", _ENTRIES),
+    b"TxPdo": _Kind("TxPdo", "Pdo", _ENTRIES),
+    b"SafetyParaMapping": _Kind("SafetyParaMapping", "Pdo", _ENTRIES),
+    b"DiagMessage": _Kind("DiagMessage", "DiagMessage"),
+}
+"""What may be cut out anywhere, by its own tag."""
+_STARTS = re.compile(rb"<(?:(%b)>|(%b)[ >])" % (b"|".join(_LISTS), b"|".join(_OTHERS)))
 
 _Read = Callable[[type, bytes, Sequence[tuple[Any, ...]]], Any]
 
@@ -123,27 +129,11 @@ class Cut:
 
     def _cut_document(self, content: bytes, pieces: list[_Piece]) -> int:
         """Append the document up to the last part; returns where that ends."""
-        at = 0
-        while True:
-            opened = content.find(_FIRST_LIST, at)
-            at = self._cut_pdos(content, at, opened if opened >= 0 else len(content), pieces)
-            if opened < 0:
-                return at
-            at = self._cut_list(_TYPES, content, at, opened + len(_FIRST_LIST), pieces)
-            second = _SECOND_LIST.match(content, _LEADING.match(content, at).end())  # type: ignore[union-attr]
-            if second is not None:
-                at = self._cut_list(_OBJECTS, content, at, second.end(), pieces)
-
-    def _cut_list(self, kind: _Kind, content: bytes, at: int, begin: int, pieces: list[_Piece]) -> int:
-        """Append the document up to the parts of a list that begins at ``begin``; returns where they end."""
-        pieces.append(content[at:begin])
-        return self._cut_parts(kind, content, begin, pieces)
-
-    def _cut_pdos(self, content: bytes, at: int, end: int, pieces: list[_Piece]) -> int:
-        """Append the document up to the last PDO before ``end``; returns where that ends."""
-        searched = at
-        while found := _PDO.search(content, searched, end):
-            at = self._cut_list(_PDOS[found[1]], content, at, found.start(), pieces)
+        at = searched = 0
+        while found := _STARTS.search(content, searched):
+            kind, begin = (_LISTS[found[1]], found.end()) if found[1] else (_OTHERS[found[2]], found.start())
+            pieces.append(content[at:begin])
+            at = self._cut_parts(kind, content, begin, pieces)
             searched = max(at, found.end())
         return at
 
@@ -318,7 +308,9 @@ class _Memory:
     def __init__(self, record_types: Iterable[type], read: _Read) -> None:
         self.record_types = frozenset(record_types)
         by_name = {held.__name__: held for held in self.record_types}
-        self.record_types_by_kind = {kind: by_name[kind.record_name] for kind in _KINDS}
+        outer = [*_LISTS.values(), *_OTHERS.values()]
+        kinds = outer + [kind.inner for kind in outer if kind.inner is not None]
+        self.record_types_by_kind = {kind: by_name[kind.record_name] for kind in kinds}
         self.read = read
         """Gives the record of an element that needs no parsing."""
         self.parts: defaultdict[_Kind, dict[bytes, Part]] = defaultdict(dict)
