@@ -19,7 +19,7 @@ import msgspec
 from lxml import etree
 
 from esicatalog.esi.notes import Notes
-from esicatalog.esi.numbers import TEXT, Scalar
+from esicatalog.esi.numbers import TEXT, Remark, Scalar
 from esicatalog.esi.repeats import MARK
 
 
@@ -111,7 +111,7 @@ def fields_in_order(record_type: type[Record]) -> list[Field]:
     return sorted(fields_of(record_type), key=rank)
 
 
-class _Slot(msgspec.Struct, frozen=True):
+class Slot(msgspec.Struct, frozen=True):
     """Where a value goes: field name, its scalar, and whether it repeats."""
 
     name: str
@@ -127,15 +127,15 @@ class _Node:
     def __init__(self) -> None:
         self.rank = 0
         """Place among its siblings in the schema."""
-        self.attributes: dict[str, _Slot] = {}
+        self.attributes: dict[str, Slot] = {}
         self.children: dict[str, _Node] = {}
-        self.text: _Slot | None = None
+        self.text: Slot | None = None
         self.record: type[Record] | None = None
         self.whole: str | None = None
         """Field that takes the element as a whole (record, raw XML or presence)."""
         self.many = False
         self.raw = False
-        self.plain: _Slot | None = None
+        self.plain: Slot | None = None
         """The text slot of an element that has nothing but text: the common case, read without descending."""
         self.lists: tuple[str, ...] = ()
         """Fields of a record that collect repeated children."""
@@ -146,7 +146,8 @@ class _Node:
 _compiled: dict[type[Record], _Node] = {}
 
 
-def _is_record(item: Any) -> bool:
+def is_record(item: Any) -> bool:
+    """Whether the items of a field are records."""
     return isinstance(item, type) and issubclass(item, Record)
 
 
@@ -157,14 +158,14 @@ def _compile(record_type: type[Record]) -> _Node:
         node = root
         for tag in path.split("/") if path not in ("", ".") else []:
             node = node.children.setdefault(tag, _Node())
-        if _is_record(field.item) or isinstance(field.xml.kind, Marker):
+        if is_record(field.item) or isinstance(field.xml.kind, Marker):
             node.whole, node.many = field.name, field.many
-            node.record = field.item if _is_record(field.item) else None
+            node.record = field.item if is_record(field.item) else None
             node.raw = field.xml.kind is RAW
         elif attribute:
-            node.attributes[attribute] = _Slot(field.name, field.xml.kind, False)
+            node.attributes[attribute] = Slot(field.name, field.xml.kind, False)
         else:
-            node.text = _Slot(field.name, field.xml.kind, field.many)
+            node.text = Slot(field.name, field.xml.kind, field.many)
     _finish(root)
     root.lists = tuple(field.name for field in fields_of(record_type) if field.many)
     _compiled[record_type] = root
@@ -286,21 +287,26 @@ def _read_leaf(node: _Node, record_type: type[Record], element: etree._Element, 
     return record
 
 
-def _store(slot: _Slot, text: str, values: dict[str, Any], element: etree._Element, notes: Notes) -> None:
+def store(slot: Slot, text: str, values: dict[str, Any]) -> Remark | None:
+    """Put what a text means among the values of a record; returns what is wrong with it."""
     scalar: Scalar = slot.scalar
-    if scalar is TEXT:
-        value: Any = text.strip()
-        raw = None
-    else:
-        value, raw, remark = scalar.read(text)
-        if remark is not None:
-            notes.remark(element, remark)
+    if scalar is TEXT and not slot.many:
+        values[slot.name] = text.strip()
+        return None
+    value, raw, remark = scalar.read(text)
+    name = slot.name
     if slot.many:
-        held = values.setdefault(slot.name, [])
-        if raw is not None:
-            values.setdefault("spelling", {})[f"{slot.name}.{len(held)}"] = raw
+        held = values.setdefault(name, [])
+        name = f"{name}.{len(held)}"
         held.append(value)
-        return
-    values[slot.name] = value
+    else:
+        values[name] = value
     if raw is not None:
-        values.setdefault("spelling", {})[slot.name] = raw
+        values.setdefault("spelling", {})[name] = raw
+    return remark
+
+
+def _store(slot: Slot, text: str, values: dict[str, Any], element: etree._Element, notes: Notes) -> None:
+    remark = store(slot, text, values)
+    if remark is not None:
+        notes.remark(element, remark)

@@ -2,14 +2,13 @@
 
 from collections import Counter
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Protocol
 
 import msgspec
 from lxml import etree
 
 from esicatalog.errors import BrokenDocument
 from esicatalog.esi.numbers import Remark
-from esicatalog.esi.repeats import Cut
 
 MAX_FINDINGS = 100_000
 """That reading one document may bring, and values outside the schema that it may hold; real ones bring hundreds."""
@@ -32,6 +31,23 @@ class Unmapped(msgspec.Struct, frozen=True, gc=False):
 
     path: str
     value: str
+
+
+class Recognised(Protocol):
+    """Knows elements of a document that need no reading."""
+
+    @property
+    def record_types(self) -> frozenset[type]:
+        """What :meth:`taken` has to be asked for."""
+
+    def taken(self, record_type: type, element: etree._Element) -> Any:
+        """Records that an element stands for, as a tuple; else what :meth:`learn` wants, or None."""
+
+    def learn(self, part: Any, record: Any) -> None:
+        """What was read."""
+
+    def count(self, element: etree._Element) -> int:
+        """How many elements of the document an element stands for."""
 
 
 def _one(element: etree._Element) -> int:
@@ -68,7 +84,7 @@ class _Positions:
 class Notes:
     """Collects findings and unmapped values of one document; ``cut`` knows what parts of it mean without reading."""
 
-    def __init__(self, owners: frozenset[type] = frozenset(), cut: Cut | None = None) -> None:
+    def __init__(self, owners: frozenset[type] = frozenset(), cut: Recognised | None = None) -> None:
         self.findings: list[Finding] = []
         self.unmapped: list[Unmapped] = []
         self._kept_count = 0

@@ -36,9 +36,12 @@ class Parsed(NamedTuple):
 
 
 class Scalar:
-    """One kind of scalar: ``read(text)`` gives a :class:`Parsed`, ``spell(value)`` the canonical text."""
+    """One kind of scalar: ``read(text)`` gives a :class:`Parsed`, ``spell(value)`` the canonical text.
 
-    __slots__ = ("_cache", "_keep_raw", "_parse", "_strip", "name", "spell")
+    Texts are read as they stand in the document (surrounding blanks allowed).
+    """
+
+    __slots__ = ("_keep_raw", "_parse", "_strip", "name", "read", "spell")
 
     def __init__(
         self,
@@ -53,18 +56,26 @@ class Scalar:
         self._keep_raw = keep_raw
         self.spell = spell
         self._parse = parse
-        self._cache: dict[str, Parsed] = {}
+        self.read: Callable[[str], Parsed] = _ReadTexts(self.read_anew).__getitem__
 
-    def read(self, text: str) -> Parsed:
-        """Parse ``text`` as it stands in the document (surrounding blanks allowed)."""
-        parsed = self._cache.get(text)
-        if parsed is None:
-            stripped = self._strip(text)
-            value, remark = self._parse(stripped)
-            differs = value is None or self.spell(value) != stripped
-            parsed = Parsed(value, stripped if differs and self._keep_raw else None, remark)
-            if len(text) < 64 and len(self._cache) < 100_000:
-                self._cache[text] = parsed
+    def read_anew(self, text: str) -> Parsed:
+        """What ``read`` gives, without looking whether the text was read before."""
+        stripped = self._strip(text)
+        value, remark = self._parse(stripped)
+        differs = value is None or self.spell(value) != stripped
+        return Parsed(value, stripped if differs and self._keep_raw else None, remark)
+
+
+class _ReadTexts(dict[str, Parsed]):
+    """The texts that were read before: the same few come thousands of times."""
+
+    def __init__(self, read: Callable[[str], Parsed]) -> None:
+        self._read = read
+
+    def __missing__(self, text: str) -> Parsed:
+        parsed = self._read(text)
+        if len(text) < 64 and len(self) < 100_000:
+            self[text] = parsed
         return parsed
 
 

@@ -12,11 +12,13 @@ from esicatalog.esi.binding import Record, read_record
 from esicatalog.esi.containers import Container, Folder, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.documents import ParsedDocument, parse_as_it_is, parse_document
+from esicatalog.esi.layouts import Layouts
 from esicatalog.esi.lines import lines_of
 from esicatalog.esi.notes import Finding, Notes
+from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.diagnostics import Diagnostics
-from esicatalog.esi.records.dictionary import DataType, Dictionary, Flags, InfoSubItem, Object, SubItem
+from esicatalog.esi.records.diagnostics import DiagMessage, Diagnostics
+from esicatalog.esi.records.dictionary import DataType, Dictionary, InfoSubItem, Object, SubItem
 from esicatalog.esi.records.document import (
     DiagInfo,
     DictInfo,
@@ -36,7 +38,7 @@ from esicatalog.esi.tree import DocumentTree
 OWNERS: frozenset[type] = frozenset({Device, Module})
 """Records that keep the unmapped values found below them."""
 
-_REPEATED = (DataType, SubItem, Object, InfoSubItem, Flags, Pdo, Entry)
+_REPEATED = (DataType, SubItem, Object, InfoSubItem, Pdo, Entry, OpMode, DiagMessage)
 """Records of parts that repeat from device to device and from revision to revision."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
 _MAX_STANDALONE = 1_000
@@ -69,7 +71,7 @@ class Reader:
 
     def __init__(self, stages: Stages | None = None) -> None:
         self._stages = stages or Stages()
-        self._repeats = Repeats(_REPEATED)
+        self._repeats = Repeats(_REPEATED, Layouts(_REPEATED).read)
         self._standalone: dict[str, ReadDocument] = {}
         self._trees = _Trees()
         self._pulled: dict[tuple[int, str], tuple[Container, Pulled]] = {}

@@ -3,21 +3,23 @@
 Data types, objects and PDOs are most of the bytes of ESI documents, and four fifths of those bytes stood in an earlier
 device of the same vendor in the very same words. A run of such parts is cut out of the document and a single marked
 element left in its place; reading it gives the records that the same words gave before. A part that is new is looked
-through for parts of its own: sub-items, flags, entries.
+through for parts of its own, sub-items and entries, and read at once if it is laid out like others.
 
 Cutting is a guess about the layout of the text, made without parsing; three things keep it honest. Only words are
-recognised that were parsed before as a whole element of a well-formed document in the same encoding. The marks carry
-a number drawn when the process started, so no document can hold one. And every mark must be met once where such a
-part belongs: a document in which one is not (it lay in a CDATA section, say) is read again as it stands.
+recognised that were parsed before as a whole element of a well-formed document in the same encoding, or that
+:mod:`esicatalog.esi.layouts` can read. The marks carry a number drawn when the process started, so no document can hold
+one. And every mark must be met once where such a part belongs: a document in which one is not (it lay in a CDATA
+section, say) is read again as it stands.
 """
 
 import codecs
 import re
 import secrets
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
+import msgspec
 from lxml import etree
 
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
@@ -35,62 +37,62 @@ _LONGEST_HEAD = 10_000
 _SECTIONS = ((b"<!--", b"-->"), (b"<![CDATA[", b"]]>"))
 _LEADING = re.compile(rb"(?:\s+|<!--.{0,1000}?-->)*", re.DOTALL)
 """Comments have a bounded length: none is sought for to the end of the document again and again."""
-_BLANKS = re.compile(rb"\s*")
 _PREFIX = re.compile(rb"xmlns:([^\s=]+)")
 
 
 class _Kind:
-    """What may be cut out: elements of one tag that stand one behind the other.
+    """What may be cut out: elements of one tag that stand one behind the other, and the parts that they may have."""
 
-    ``inner`` are the parts that such an element may have, in the order of the schema.
-    """
-
-    def __init__(self, tag: str, *inner: "_Kind") -> None:
+    def __init__(self, tag: str, record_name: str, inner: "_Kind | None" = None) -> None:
+        self.record_name = record_name
+        """Name of the type of record that it is read into."""
         self.start = f"<{tag}".encode()
         self.openings = (self.start + b">", self.start + b" ")
         self.closing = f"</{tag}>".encode()
+        self.end = re.compile(self.closing + rb"\s*")
         self.expected = (*self.openings, b"</")
         """What comes behind such an element, unless that is a comment."""
         self.inner = inner
+        self.run = f'<{tag} {MARK}="{record_name}">.</{tag}>'.encode()
+        """Stands for a run where numbers do not matter."""
 
 
-_FLAGS = _Kind("Flags")
-_MEMBERS, _VALUES, _ENTRIES = _Kind("SubItem", _FLAGS), _Kind("SubItem"), _Kind("Entry")
-_TYPES = _Kind("DataType", _MEMBERS)
-_OBJECTS = _Kind("Object", _VALUES, _FLAGS)
-_PDOS = {b"R": _Kind("RxPdo", _ENTRIES), b"T": _Kind("TxPdo", _ENTRIES)}
-
-_KINDS: dict[str, tuple[_Kind, ...]] = {
-    "DataType": (_TYPES,),
-    "SubItem": (_MEMBERS,),
-    "Object": (_OBJECTS,),
-    "InfoSubItem": (_VALUES,),
-    "Flags": (_FLAGS,),
-    "Pdo": tuple(_PDOS.values()),
-    "Entry": (_ENTRIES,),
+_ENTRIES = _Kind("Entry", "Entry")
+_LISTS = {
+    b"DataTypes": _Kind("DataType", "DataType", _Kind("SubItem", "SubItem")),
+    b"Objects": _Kind("Object", "Object", _Kind("SubItem", "InfoSubItem")),
+    b"Dc": _Kind("OpMode", "OpMode"),
 }
-"""What may be cut out, by the name of the type of record that it is read into."""
+"""What may be cut out at the beginning of an element, by its tag."""
+_OTHERS = {
+    b"RxPdo": _Kind("RxPdo", "Pdo", _ENTRIES),
+    b"TxPdo": _Kind("TxPdo", "Pdo", _ENTRIES),
+    b"SafetyParaMapping": _Kind("SafetyParaMapping", "Pdo", _ENTRIES),
+    b"DiagMessage": _Kind("DiagMessage", "DiagMessage"),
+}
+"""What may be cut out anywhere, by its own tag."""
+_STARTS = re.compile(rb"<(?:(%b)>|(%b)[ >])" % (b"|".join(_LISTS), b"|".join(_OTHERS)))
 
-_FIRST_LIST = b"<DataTypes>"
-_SECOND_LIST = re.compile(rb"</DataTypes>\s*<Objects>")
-_PDO = re.compile(rb"<([RT])xPdo[ >]")
+_Read = Callable[[type, bytes, Sequence[tuple[Any, ...]]], Any]
 
 
-class Part:
+class Part(msgspec.Struct, gc=False, eq=False):
     """Words that may stand in documents again and, once they have been read without a finding, their record."""
 
-    __slots__ = ("document", "encoding", "follower", "line_count", "record", "words")
+    words: bytes
+    """From the start tag to the blanks behind the end tag."""
+    encoding: bytes
+    line_count: int
+    document: int
+    """Number of the document in which it was met first: there it may be met again before it has been read."""
+    record: Any = None
+    follower: "Part | None" = None
+    """What stood behind it last time: comparing words is faster than looking them up."""
 
-    def __init__(self, words: bytes, encoding: bytes, document: int) -> None:
-        self.words = words
-        """From the start tag to the blanks behind the end tag."""
-        self.encoding = encoding
-        self.line_count = words.count(b"\n")
-        self.document = document
-        """Number of the document in which it was met first: there it may be met again before it has been read."""
-        self.record: Any = None
-        self.follower: Part | None = None
-        """What stood behind it last time: comparing words is faster than looking them up."""
+
+_Marked = tuple[_Kind, Part | list[Part]]
+"""A run of known parts, or a new part at its start."""
+_Piece = bytes | _Marked
 
 
 class Cut:
@@ -100,14 +102,14 @@ class Cut:
         self._encoding = encoding
         self._number = number
         self._memory = memory
-        self._marks: list[tuple[_Kind, Part | list[Part]]] = []
+        self._marks: list[_Marked] = []
         self._met = 0
         self._alone: dict[tuple[bytes, int], etree._Element] = {}
         self._unclosed: set[_Kind] = set()
         """Kinds of which a start tag without an end tag was met: looking for more might take forever."""
-        pieces: list[bytes] = []
+        pieces: list[_Piece] = []
         pieces.append(content[self._cut_document(content, pieces) :])
-        self.content = b"".join(pieces)
+        self.content = b"".join([piece if isinstance(piece, bytes) else self._mark(piece) for piece in pieces])
         self._prefixes = {prefix + b":" for prefix in _PREFIX.findall(self.content)}
 
     @property
@@ -125,102 +127,111 @@ class Cut:
         """What :meth:`taken` has to be asked for."""
         return self._memory.record_types
 
-    def _cut_document(self, content: bytes, pieces: list[bytes]) -> int:
+    def _cut_document(self, content: bytes, pieces: list[_Piece]) -> int:
         """Append the document up to the last part; returns where that ends."""
-        at = 0
-        while True:
-            opened = content.find(_FIRST_LIST, at)
-            at = self._cut_pdos(content, at, opened if opened >= 0 else len(content), pieces)
-            if opened < 0:
-                return at
-            at = self._cut_list(_TYPES, content, at, opened + len(_FIRST_LIST), pieces)
-            second = _SECOND_LIST.match(content, _LEADING.match(content, at).end())  # type: ignore[union-attr]
-            if second is not None:
-                at = self._cut_list(_OBJECTS, content, at, second.end(), pieces)
-
-    def _cut_list(self, kind: _Kind, content: bytes, at: int, begin: int, pieces: list[bytes]) -> int:
-        """Append the document up to the parts of a list that begins at ``begin``; returns where they end."""
-        pieces.append(content[at:begin])
-        return self._cut_parts(kind, content, begin, pieces)
-
-    def _cut_pdos(self, content: bytes, at: int, end: int, pieces: list[bytes]) -> int:
-        """Append the document up to the last PDO before ``end``; returns where that ends."""
-        searched = at
-        while found := _PDO.search(content, searched, end):
-            at = self._cut_list(_PDOS[found[1]], content, at, found.start(), pieces)
+        at = searched = 0
+        while found := _STARTS.search(content, searched):
+            kind, begin = (_LISTS[found[1]], found.end()) if found[1] else (_OTHERS[found[2]], found.start())
+            pieces.append(content[at:begin])
+            at = self._cut_parts(kind, content, begin, pieces)
             searched = max(at, found.end())
         return at
 
-    def _cut_parts(self, kind: _Kind, text: bytes, at: int, pieces: list[bytes], is_plain: bool = False) -> int:
-        """Append the parts that stand one behind the other from ``at`` on; returns where they end.
-
-        ``is_plain`` tells that nothing but elements and text stands there.
-        """
+    def _cut_parts(self, kind: _Kind, text: bytes, at: int, pieces: list[_Piece]) -> int:
+        """Append the parts that stand one behind the other from ``at`` on; returns where they end."""
+        parts, number, encodings = self._memory.parts[kind], self._number, (_ASCII, self._encoding)
         previous: Part | None = None
         run: list[Part] = []
         while True:
             part = previous.follower if previous is not None else None
-            if part is not None and text.startswith(part.words, at) and self._is_usable(part):
-                run.append(part)
-                previous = part
-                at += len(part.words)
-                continue
-            begin = at if text.startswith(kind.expected, at) else _LEADING.match(text, at).end()  # type: ignore[union-attr]
-            if not text.startswith(kind.openings, begin) or kind in self._unclosed:
-                break
-            end = text.find(kind.closing, begin)
-            if end < 0:
-                self._unclosed.add(kind)
-                break
-            end = _BLANKS.match(text, end + len(kind.closing)).end()  # type: ignore[union-attr]
-            words = text[begin:end]
-            part = self._memory.find(kind, words)
-            if part is not None and not self._is_usable(part):
-                part = None
-            if run and (part is None or begin > at):
-                pieces.append(self._placeholder(kind, run))
-                run = []
-            pieces.append(text[at:begin])
-            at = end
-            if part is not None:
-                run.append(part)
-            elif words.find(kind.start, 1) < 0 and ((simple := is_plain or _is_plain(words)) or _is_whole(words)):
-                part = self._memory.add(kind, words, self._encoding, self._number)
-                self._mark_new(kind, part, simple, pieces)
+            if part is not None and text.startswith(part.words, at):
+                begin, words = at, part.words
+                end = at + len(words)
             else:
-                pieces.append(words)
+                begin = at if text.startswith(kind.expected, at) else _LEADING.match(text, at).end()  # type: ignore[union-attr]
+                if not text.startswith(kind.openings, begin) or kind in self._unclosed:
+                    break
+                closed = kind.end.search(text, begin)
+                if closed is None:
+                    self._unclosed.add(kind)
+                    break
+                end = closed.end()
+                words = text[begin:end]
+                part = parts.get(words)
+            left: list[_Piece] | None = None
+            if part is None or part.encoding not in encodings or (part.record is None and part.document != number):
+                part, left = self._look_at(kind, words)
+            if run and (left or begin > at):
+                pieces.append((kind, run))
+                run = []
+            if begin > at:
+                pieces.append(text[at:begin])
+            if part is not None and not left:
+                run.append(part)
+            elif left:
+                pieces += left
             if previous is not None:
                 previous.follower = part
             previous = part
+            at = end
         if run:
-            pieces.append(self._placeholder(kind, run))
+            pieces.append((kind, run))
         return at
 
-    def _is_usable(self, part: Part) -> bool:
-        return (part.record is not None or part.document == self._number) and part.encoding in (_ASCII, self._encoding)
+    def _look_at(self, kind: _Kind, words: bytes) -> tuple[Part | None, list[_Piece]]:
+        """The part that new words are, and what of it is left to the parser: nothing if they could be read."""
+        left = self._cut_inner(kind, words)
+        record = self._read(kind, words, left)
+        if record is None and (words.find(kind.start, 1) >= 0 or not _is_whole(words)):
+            return None, [words]
+        part = self._memory.add(kind, words, self._encoding, self._number)
+        if record is not None:
+            part.record = record
+            return part, []
+        return part, [(kind, part), *(left or [words[len(kind.start) :]])]
 
-    def _mark_new(self, kind: _Kind, part: Part, is_plain: bool, pieces: list[bytes]) -> None:
-        """Append a new part, marked, its inner parts cut out."""
-        words, at = part.words, len(kind.start)
-        pieces.append(kind.start + self._mark(kind, part))
-        for inner in kind.inner:
-            first = words.find(inner.start, at)
-            if first >= 0:
-                pieces.append(words[at:first])
-                at = self._cut_parts(inner, words, first, pieces, is_plain)
+    def _cut_inner(self, kind: _Kind, words: bytes) -> list[_Piece]:
+        """A part behind the start of its tag, its inner parts cut out; nothing if it has none."""
+        start = len(kind.start)
+        first = words.find(kind.inner.start, start) if kind.inner is not None else -1
+        if kind.inner is None or first < 0:
+            return []
+        pieces: list[_Piece] = [words[start:first]]
+        at = self._cut_parts(kind.inner, words, first, pieces)
         pieces.append(words[at:])
+        return pieces
 
-    def _placeholder(self, kind: _Kind, run: list[Part]) -> bytes:
-        """An element for a run of known parts, as many lines long as they are: lines of findings stay right.
+    def _read(self, kind: _Kind, words: bytes, left: list[_Piece]) -> Any:
+        """The record of a new part, given its words and what they are without inner parts."""
+        memory = self._memory
+        if not left:
+            return memory.read(memory.record_types_by_kind[kind], words, ())
+        pieces: list[bytes] = [kind.start]
+        runs: list[tuple[Any, ...]] = []
+        for piece in left:
+            if isinstance(piece, bytes):
+                pieces.append(piece)
+                continue
+            inner, parts = piece
+            records = tuple([part.record for part in parts]) if isinstance(parts, list) else (None,)
+            if None in records:
+                return None
+            pieces.append(inner.run)
+            runs.append(records)
+        return memory.read(memory.record_types_by_kind[kind], b"".join(pieces), runs)
 
-        It holds a text, because that is where libxml2 keeps lines above 65535.
+    def _mark(self, marked: _Marked) -> bytes:
+        """An element for a run of known parts, or the start of the tag of a new part.
+
+        The element is as many lines long as the parts are: lines of findings stay right. It holds a text, because that
+        is where libxml2 keeps lines above 65535.
         """
-        blank_lines = b"\n" * sum([part.line_count for part in run])
-        return kind.start + self._mark(kind, run) + b">." + kind.closing + blank_lines
-
-    def _mark(self, kind: _Kind, part: Part | list[Part]) -> bytes:
-        self._marks.append((kind, part))
-        return b' %s="%d"' % (_MARK_BYTES, len(self._marks) - 1)
+        kind, part = marked
+        start = b'%b %b="%d"' % (kind.start, _MARK_BYTES, len(self._marks))
+        self._marks.append(marked)
+        if isinstance(part, Part):
+            return start
+        return start + b">." + kind.closing + b"\n" * sum([part.line_count for part in part])
 
     def taken(self, record_type: type, element: etree._Element) -> Part | tuple[Any, ...] | None:
         """What a marked element stands for: records, or a new part that has to be read; else None."""
@@ -228,7 +239,7 @@ class Cut:
         if number is None:
             return None
         kind, part = self._marks[int(number)]
-        is_expected = self._memory.record_type(kind) is record_type
+        is_expected = self._memory.record_types_by_kind[kind] is record_type
         if isinstance(part, Part):
             self._met += is_expected
             return part
@@ -292,47 +303,46 @@ class Cut:
 
 
 class _Memory:
-    """Parts by kind and words; words of ASCII alone mean the same in all encodings that :func:`_encoding` allows."""
+    """Parts by kind and words."""
 
-    def __init__(self, record_types: Iterable[type]) -> None:
+    def __init__(self, record_types: Iterable[type], read: _Read) -> None:
         self.record_types = frozenset(record_types)
-        self._record_types = {kind: held for held in self.record_types for kind in _KINDS[held.__name__]}
-        self._ascii: defaultdict[_Kind, dict[bytes, Part]] = defaultdict(dict)
-        self._others: defaultdict[_Kind, dict[bytes, Part]] = defaultdict(dict)
+        by_name = {held.__name__: held for held in self.record_types}
+        outer = [*_LISTS.values(), *_OTHERS.values()]
+        kinds = outer + [kind.inner for kind in outer if kind.inner is not None]
+        self.record_types_by_kind = {kind: by_name[kind.record_name] for kind in kinds}
+        self.read = read
+        """Gives the record of an element that needs no parsing."""
+        self.parts: defaultdict[_Kind, dict[bytes, Part]] = defaultdict(dict)
         self.held_bytes = 0
-
-    def record_type(self, kind: _Kind) -> type:
-        """What parts of a kind are read into."""
-        return self._record_types[kind]
-
-    def find(self, kind: _Kind, words: bytes) -> Part | None:
-        """A part of these words, whatever is known of it."""
-        return (self._ascii if words.isascii() else self._others)[kind].get(words)
 
     def add(self, kind: _Kind, words: bytes, encoding: bytes, document: int) -> Part:
         """A part that is new, in place of one that is of no use."""
-        is_ascii = words.isascii()
-        parts = (self._ascii if is_ascii else self._others)[kind]
+        parts = self.parts[kind]
         if words not in parts:
             self.held_bytes += len(words)
-        part = parts[words] = Part(words, _ASCII if is_ascii else encoding, document)
+        # Words of ASCII alone mean the same in all encodings that are recognised.
+        encoding = _ASCII if words.isascii() else encoding
+        part = parts[words] = Part(words, encoding, words.count(b"\n"), document)
         return part
 
     def forget(self) -> None:
         """Start anew."""
-        for parts in (*self._ascii.values(), *self._others.values()):
+        for parts in self.parts.values():
             for part in parts.values():
                 part.follower = None
-        self._ascii.clear()
-        self._others.clear()
+        self.parts.clear()
         self.held_bytes = 0
 
 
 class Repeats:
-    """Knows the parts of the documents that one process has read; ``record_types`` are what parts are read into."""
+    """Knows the parts of the documents that one process has read; ``record_types`` are what parts are read into.
 
-    def __init__(self, record_types: Iterable[type], capacity_bytes: int = 64_000_000) -> None:
-        self._memory = _Memory(record_types)
+    ``read`` gives the record of an element that needs no parsing.
+    """
+
+    def __init__(self, record_types: Iterable[type], read: _Read, capacity_bytes: int = 64_000_000) -> None:
+        self._memory = _Memory(record_types, read)
         self._capacity_bytes = capacity_bytes
         self._document_count = 0
 
@@ -359,14 +369,12 @@ def _encoding(content: bytes) -> bytes | None:
     return encoding if b"<!DOCTYPE" not in head and _ASCII_BASED.fullmatch(encoding) else None
 
 
-def _is_plain(words: bytes) -> bool:
-    """Whether words are nothing but elements and text."""
-    return b"<!" not in words and b"<?" not in words
-
-
 def _is_whole(words: bytes) -> bool:
-    """Whether words are plain but for comments and CDATA sections."""
-    return _is_plain(_without_sections(words))
+    """Whether words are nothing but elements and text, comments and CDATA sections."""
+    if b"!" not in words and b"?" not in words:
+        return True
+    plain = _without_sections(words)
+    return b"<!" not in plain and b"<?" not in plain
 
 
 def _without_sections(words: bytes) -> bytes:
