@@ -47,12 +47,11 @@ class Digests:
         return self._object_lists.get(key, (types, dictionary), self._object_list, dictionary, types)
 
     def _object_list(self, dictionary: Dictionary, types: "TypeSetDigests") -> list[bytes]:
-        closures = {name: types.closure(name) for name in {declared.type for declared in dictionary.objects}}
-        found = []
-        for declared in dictionary.objects:
-            closure = closures[declared.type]
-            found.append(self._objects.get((id(declared), closure), declared, _digest_object, declared, closure))
-        return found
+        closures, digest_of = types.closures, self._objects.get
+        return [
+            digest_of((id(declared), closure := closures[declared.type]), declared, _digest_object, declared, closure)
+            for declared in dictionary.objects
+        ]
 
     def types(self, dictionary: Dictionary) -> "TypeSetDigests":
         """Digests of the data types of a dictionary."""
@@ -101,15 +100,19 @@ class TypeSetDigests:
         self.types = types
         self.digests = [digests.data_type(data_type) for data_type in types.data_types]
         self.digest = digest(b"".join(self.digests))
-        self._digest_of = digests.data_type
-        self._closures: dict[str | None, bytes] = {}
+        self.closures = _Closures(digests, types)
+        """By the name of a type: digest of the type and everything it leads to; empty when it is not declared."""
 
-    def closure(self, name: str | None) -> bytes:
-        """Digest of the type ``name`` and everything it leads to; empty for a name that is not declared."""
-        known = self._closures.get(name)
-        if known is None:
-            used = b"".join(map(self._digest_of, self.types.used(name)))
-            known = self._closures[name] = digest(used) if used else b""
+
+class _Closures(dict[str | None, bytes]):
+    def __init__(self, digests: Digests, types: TypeSet) -> None:
+        super().__init__()
+        self._digest_of = digests.data_type
+        self._used = types.used
+
+    def __missing__(self, name: str | None) -> bytes:
+        used = b"".join(map(self._digest_of, self._used(name)))
+        known = self[name] = digest(used) if used else b""
         return known
 
 

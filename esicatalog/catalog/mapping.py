@@ -195,6 +195,8 @@ class Codec:
             self._spelling = len(columns)
             columns.append(Column("spelling", "json", "Vendor's text of values that are not spelled canonically, JSON"))
             self._expressions.append(_JSON.format("record.spelling"))
+        self.is_leaf = not (CHILDREN.get(record_type) or self.extensions or self.image_column is not None)
+        """Whether nothing but the row itself comes of a record."""
         self.stored_columns = tuple(columns)
         self._derive = _DERIVED.get(record_type)
         self._derived = codec(type(self._derive(record_type()))) if self._derive is not None else None

@@ -8,13 +8,15 @@ import msgspec
 from esicatalog.catalog.derived import PdoPlace, PdoPlaces
 from esicatalog.catalog.mapping import CHILDREN, Child, codec, extension_rows, image_key
 from esicatalog.catalog.shared import NO_NUMBERS, Numbers, Row, Sharing
+from esicatalog.esi.binding import Record
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
+from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.memo import IdentityMemo
 
 _MAX_PDOS = 10_000
+_MAX_ROWS = 20_000
 
 Image = tuple[str, bytes | None, str | None]
 """Key, bytes, and the text of one that is not hexBinary."""
@@ -39,10 +41,11 @@ class _PdoRows(msgspec.Struct):
 
 
 class OwnedRowMaker:
-    """Makes rows of devices and modules; of a PDO that many have, once."""
+    """Makes rows of devices and modules; of a PDO or another record that many have, once."""
 
     def __init__(self, sharing: Sharing) -> None:
         self._sharing = sharing
+        self._rows: IdentityMemo[Row] = IdentityMemo(_MAX_ROWS)
         self._pdos: IdentityMemo[_PdoRows] = IdentityMemo(_MAX_PDOS)
         self._entries: IdentityMemo[Numbers] = IdentityMemo(_MAX_PDOS)
 
@@ -63,17 +66,19 @@ class OwnedRowMaker:
             if not held:
                 continue
             if child.under_parent:
-                numbers = self._sharing.rows(child.table, map(codec(type(held[0])).encode, held))
+                numbers = self._sharing.rows(child.table, self._rows_of(held))
                 found.images.extend(_images(held))
                 found.parts.setdefault(child.table, []).append((number, numbers))
             elif child.table == "pdos":
                 self._add_pdos(found, child, held, places)
             else:
+                items = (held,) if child.single else held
                 rows = found.tables.setdefault(child.table, [])
-                for position, item in enumerate((held,) if child.single else held):
-                    item_number = len(rows)
-                    rows.append((position, *child.constant, *codec(type(item)).encode(item)))
-                    self._add(found, item, child.table, item_number, places)
+                first = len(rows)
+                rows += [(position, *child.constant, *row) for position, row in enumerate(self._rows_of(items))]
+                if not codec(type(items[0])).is_leaf:
+                    for item_number, item in enumerate(items, first):
+                        self._add(found, item, child.table, item_number, places)
 
     def _add_pdos(self, found: OwnedRows, child: Child, pdos: Sequence[Pdo], places: PdoPlaces) -> None:
         rows = found.tables.setdefault(child.table, [])
@@ -91,8 +96,7 @@ class OwnedRowMaker:
                 exclusions.append((number, made.exclusions))
 
     def _pdo_rows(self, pdo: Pdo) -> _PdoRows:
-        exclusions = self._sharing.rows("pdo_exclusions", map(codec(Exclude).encode, pdo.excludes))
-        return _PdoRows(codec(Pdo).encode(pdo), exclusions)
+        return _PdoRows(codec(Pdo).encode(pdo), self._sharing.rows("pdo_exclusions", self._rows_of(pdo.excludes)))
 
     def _entries_of(self, pdo: Pdo, place: PdoPlace | None) -> Numbers:
         """Entries with the offset of each in the process image; the first tells those of the others."""
@@ -100,9 +104,12 @@ class OwnedRowMaker:
         return self._entries.get((id(pdo), offsets[0]), pdo, self._entry_numbers, pdo, offsets)
 
     def _entry_numbers(self, pdo: Pdo, offsets: Sequence[int | None]) -> Numbers:
-        encode = codec(Entry).encode
-        rows = [(*encode(entry), offset) for entry, offset in zip(pdo.entries, offsets, strict=True)]
+        rows = [(*row, offset) for row, offset in zip(self._rows_of(pdo.entries), offsets, strict=True)]
         return self._sharing.rows("pdo_entries", rows)
+
+    def _rows_of(self, records: Sequence[Record]) -> list[Row]:
+        """Rows of records of one type; the reader gives the same record for the same words."""
+        return self._rows.of_all(records, codec(type(records[0])).encode) if records else []
 
 
 def _images(records: Sequence[Any]) -> list[Image]:

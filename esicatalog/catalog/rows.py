@@ -276,8 +276,10 @@ class RowMaker:
         if self._new(key):
             types = self._digests.types(dictionary).types
             object_keys = self._digests.objects(dictionary)
+            sent = self._sent
             for declared, object_key in zip(dictionary.objects, object_keys, strict=True):
-                if self._new(object_key):
+                if object_key not in sent:
+                    sent.add(object_key)
                     self._out.new_objects.append(self._object(declared, types, object_key))
             type_set = self._type_set(dictionary)
             row = codec(Dictionary).encode(dictionary)
