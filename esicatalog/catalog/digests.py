@@ -4,7 +4,8 @@ The content of a device description is the Device, its dictionaries and the modu
 vendor name, group, file version and line.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from functools import cache
 from typing import Any
 
 import msgspec
@@ -47,11 +48,9 @@ class Digests:
         return self._object_lists.get(key, (types, dictionary), self._object_list, dictionary, types)
 
     def _object_list(self, dictionary: Dictionary, types: "TypeSetDigests") -> list[bytes]:
-        closures, digest_of = types.closures, self._objects.get
-        return [
-            digest_of((id(declared), closure := closures[declared.type]), declared, _digest_object, declared, closure)
-            for declared in dictionary.objects
-        ]
+        objects = dictionary.objects
+        closures = [types.closure(declared.type) for declared in objects]
+        return self._objects.get_all(zip(map(id, objects), closures, strict=True), objects, _digest_object)
 
     def types(self, dictionary: Dictionary) -> "TypeSetDigests":
         """Digests of the data types of a dictionary."""
@@ -100,23 +99,15 @@ class TypeSetDigests:
         self.types = types
         self.digests = [digests.data_type(data_type) for data_type in types.data_types]
         self.digest = digest(b"".join(self.digests))
-        self.closures = _Closures(digests, types)
-        """By the name of a type: digest of the type and everything it leads to; empty when it is not declared."""
+        digest_of, used = digests.data_type, types.used
+        self.closure: Callable[[str | None], bytes] = cache(
+            lambda name: digest(b"".join(map(digest_of, declared))) if (declared := used(name)) else b""
+        )
+        """Digest of a type, by name, and everything it leads to; empty for a name that is not declared."""
 
 
-class _Closures(dict[str | None, bytes]):
-    def __init__(self, digests: Digests, types: TypeSet) -> None:
-        super().__init__()
-        self._digest_of = digests.data_type
-        self._used = types.used
-
-    def __missing__(self, name: str | None) -> bytes:
-        used = b"".join(map(self._digest_of, self._used(name)))
-        known = self[name] = digest(used) if used else b""
-        return known
-
-
-def _digest_object(declared: Object, closure: bytes) -> bytes:
+def _digest_object(declared: Object, key: tuple[int, bytes]) -> bytes:
+    _, closure = key
     return digest(_digest_record(declared) + closure)
 
 

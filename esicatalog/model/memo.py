@@ -4,6 +4,7 @@ from collections.abc import Callable, Hashable, Iterable
 from typing import Any, Generic, TypeVar
 
 Result = TypeVar("Result")
+Key = TypeVar("Key", bound=Hashable)
 
 
 class IdentityMemo(Generic[Result]):
@@ -40,6 +41,16 @@ class IdentityMemo(Generic[Result]):
         return [
             found if (found := known(id(record))) is not None else self.get(id(record), record, compute, record)
             for record in records
+        ]
+
+    def get_all(
+        self, keys: Iterable[Key], records: Iterable[Any], compute: Callable[[Any, Key], Result]
+    ) -> list[Result]:
+        """:meth:`get` of many; what is computed depends on the record and its key alone."""
+        known = self._known.get
+        return [
+            found if (found := known(key)) is not None else self.get(key, record, compute, record, key)
+            for key, record in zip(keys, records, strict=True)
         ]
 
 
