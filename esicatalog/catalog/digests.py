@@ -34,9 +34,9 @@ class Digests:
         self._object_lists: IdentityMemo[list[bytes]] = IdentityMemo(_MAX_DICTIONARIES)
         self._dictionaries: IdentityMemo[bytes] = IdentityMemo(_MAX_DICTIONARIES)
 
-    def data_type(self, data_type: DataType) -> bytes:
-        """Digest of a data type as declared."""
-        return self._plain.of(data_type, _digest_record)
+    def data_types(self, data_types: Iterable[DataType]) -> list[bytes]:
+        """Digests of data types as declared."""
+        return self._plain.of_all(data_types, _digest_record)
 
     def objects(self, dictionary: Dictionary) -> list[bytes]:
         """Digests of the objects of a dictionary, with the data types they use, in document order.
@@ -97,11 +97,11 @@ class TypeSetDigests:
 
     def __init__(self, digests: Digests, types: TypeSet) -> None:
         self.types = types
-        self.digests = [digests.data_type(data_type) for data_type in types.data_types]
+        self.digests = digests.data_types(types.data_types)
         self.digest = digest(b"".join(self.digests))
-        digest_of, used = digests.data_type, types.used
+        known, used = dict(zip(map(id, types.data_types), self.digests, strict=True)), types.closure
         self.closure: Callable[[str | None], bytes] = cache(
-            lambda name: digest(b"".join(map(digest_of, declared))) if (declared := used(name)) else b""
+            lambda name: digest(b"".join([known[place] for place in places])) if (places := used(name)) else b""
         )
         """Digest of a type, by name, and everything it leads to; empty for a name that is not declared."""
 

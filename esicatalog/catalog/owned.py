@@ -1,6 +1,6 @@
 """Rows of everything that hangs on a device or module. Nothing in here knows a database."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import msgspec
@@ -16,7 +16,6 @@ from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.memo import IdentityMemo
 
 _MAX_PDOS = 10_000
-_MAX_ROWS = 20_000
 
 Image = tuple[str, bytes | None, str | None]
 """Key, bytes, and the text of one that is not hexBinary."""
@@ -41,11 +40,10 @@ class _PdoRows(msgspec.Struct):
 
 
 class OwnedRowMaker:
-    """Makes rows of devices and modules; of a PDO or another record that many have, once."""
+    """Makes rows of devices and modules; of a PDO that many have, once."""
 
     def __init__(self, sharing: Sharing) -> None:
         self._sharing = sharing
-        self._rows: IdentityMemo[Row] = IdentityMemo(_MAX_ROWS)
         self._pdos: IdentityMemo[_PdoRows] = IdentityMemo(_MAX_PDOS)
         self._entries: IdentityMemo[Numbers] = IdentityMemo(_MAX_PDOS)
 
@@ -66,7 +64,7 @@ class OwnedRowMaker:
             if not held:
                 continue
             if child.under_parent:
-                numbers = self._sharing.rows(child.table, self._rows_of(held))
+                numbers = self._sharing.rows(child.table, _rows(held))
                 found.images.extend(_images(held))
                 found.parts.setdefault(child.table, []).append((number, numbers))
             elif child.table == "pdos":
@@ -75,7 +73,7 @@ class OwnedRowMaker:
                 items = (held,) if child.single else held
                 rows = found.tables.setdefault(child.table, [])
                 first = len(rows)
-                rows += [(position, *child.constant, *row) for position, row in enumerate(self._rows_of(items))]
+                rows += [(position, *child.constant, *row) for position, row in enumerate(_rows(items))]
                 if not codec(type(items[0])).is_leaf:
                     for item_number, item in enumerate(items, first):
                         self._add(found, item, child.table, item_number, places)
@@ -96,7 +94,7 @@ class OwnedRowMaker:
                 exclusions.append((number, made.exclusions))
 
     def _pdo_rows(self, pdo: Pdo) -> _PdoRows:
-        return _PdoRows(codec(Pdo).encode(pdo), self._sharing.rows("pdo_exclusions", self._rows_of(pdo.excludes)))
+        return _PdoRows(codec(Pdo).encode(pdo), self._sharing.rows("pdo_exclusions", _rows(pdo.excludes)))
 
     def _entries_of(self, pdo: Pdo, place: PdoPlace | None) -> Numbers:
         """Entries with the offset of each in the process image; the first tells those of the others."""
@@ -104,12 +102,13 @@ class OwnedRowMaker:
         return self._entries.get((id(pdo), offsets[0]), pdo, self._entry_numbers, pdo, offsets)
 
     def _entry_numbers(self, pdo: Pdo, offsets: Sequence[int | None]) -> Numbers:
-        rows = [(*row, offset) for row, offset in zip(self._rows_of(pdo.entries), offsets, strict=True)]
+        rows = [(*row, offset) for row, offset in zip(_rows(pdo.entries), offsets, strict=True)]
         return self._sharing.rows("pdo_entries", rows)
 
-    def _rows_of(self, records: Sequence[Record]) -> list[Row]:
-        """Rows of records of one type; the reader gives the same record for the same words."""
-        return self._rows.of_all(records, codec(type(records[0])).encode) if records else []
+
+def _rows(records: Sequence[Record]) -> Iterable[Row]:
+    """Rows of records of one type."""
+    return map(codec(type(records[0])).encode, records) if records else ()
 
 
 def _images(records: Sequence[Any]) -> list[Image]:

@@ -294,18 +294,16 @@ class RowMaker:
     def _type_set(self, dictionary: Dictionary) -> bytes:
         types = self._digests.types(dictionary)
         if self._new(types.digest):
-            for data_type in dictionary.data_types:
-                self._data_type(data_type)
+            for data_type, key in zip(dictionary.data_types, types.digests, strict=True):
+                if self._new(key):
+                    self._out.new_types.append(self._data_type(data_type, key))
             self._out.new_type_sets.append(TypeSetRows(types.digest, self._sharing.digests(types.digests)))
         return types.digest
 
-    def _data_type(self, data_type: DataType) -> bytes:
-        key = self._digests.data_type(data_type)
-        if self._new(key):
-            sub_items = self._sharing.records("sub_items", data_type.sub_items, SubItem)
-            enum_values = self._sharing.rows("enum_values", map(codec(EnumInfo).encode, data_type.enum_infos))
-            self._out.new_types.append(TypeRows(key, codec(DataType).encode(data_type), sub_items, enum_values))
-        return key
+    def _data_type(self, data_type: DataType, key: bytes) -> TypeRows:
+        sub_items = self._sharing.records("sub_items", data_type.sub_items, SubItem)
+        enum_values = self._sharing.records("enum_values", data_type.enum_infos, EnumInfo)
+        return TypeRows(key, codec(DataType).encode(data_type), sub_items, enum_values)
 
 
 def _texts(owner: Device | Module) -> list[tuple[str, int, int | None, str]]:

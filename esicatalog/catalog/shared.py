@@ -26,7 +26,6 @@ NO_NUMBERS: Numbers = "[]"
 _MOST_HELD = 60_000
 """Rows and digests with a number: both sides remember them, so numbering starts anew some time."""
 
-_MOST_RECORDS = 40_000
 _MOST_LISTS = 5_000
 
 Item = TypeVar("Item", bound=Hashable)
@@ -55,7 +54,6 @@ class Sharing:
         self._starts_anew = True
         self._rows: dict[str, _Numbering[Row]] = {}
         self._digests: _Numbering[bytes] = _Numbering()
-        self._of_records: IdentityMemo[int] = IdentityMemo(_MOST_RECORDS)
         self._of_lists: IdentityMemo[Numbers] = IdentityMemo(_MOST_LISTS)
 
     @property
@@ -75,12 +73,11 @@ class Sharing:
         return to_json(self._table(table).numbers(rows))
 
     def records(self, table: str, records: tuple[Record, ...], record_type: type[Record]) -> Numbers:
-        """Numbers of the rows of records that often are the same as before, each or all together."""
+        """Numbers of the rows of records that often are all together the same as before."""
         return self._of_lists.get(id(records), records, self._record_numbers, table, records, record_type)
 
     def _record_numbers(self, table: str, records: tuple[Record, ...], record_type: type[Record]) -> Numbers:
-        encode, numbers = codec(record_type).encode, self._table(table)
-        return to_json(self._of_records.of_all(records, lambda record: numbers[encode(record)]))
+        return self.rows(table, map(codec(record_type).encode, records))
 
     def digests(self, digests: Iterable[bytes]) -> list[int]:
         """Numbers of digests."""

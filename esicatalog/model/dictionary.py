@@ -171,8 +171,9 @@ class ObjectType:
         known, make = self._memo.entries.get, self._entry
         entries = []
         for member, values in zip(members, paired, strict=True):
-            given = member, values, member.flags or inherited
-            entries.append(known(tuple(map(id, given)), given, make, *given))
+            flags = member.flags or inherited
+            key = (id(member), id(values), id(flags))
+            entries.append(known(key, (member, values, flags), make, member, values, flags))
         return _Composite(tuple(entries), tuple(remarks))
 
     def _entry(self, member: Member, values: DeclaredValues | None, flags: Flags | None) -> ObjectEntry:
