@@ -25,9 +25,15 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
 from esicatalog.model.derivation import Deriver
 from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.memo import IdentityMemo
 from esicatalog.model.resolver import TypeSet
 from esicatalog.model.slots import reachable_modules
 from esicatalog.model.sync import default_op_mode
+
+_MAX_PLACES = 1_000
+
+_NOWHERE: PdoPlaces = {}
+"""PDOs of a module have places in a device only."""
 
 
 class TypeRows(msgspec.Struct):
@@ -156,6 +162,7 @@ class RowMaker:
         self._deriver = deriver or Deriver()
         self._resolver = self._deriver.resolver
         self._digests = Digests(self._resolver)
+        self._places: IdentityMemo[PdoPlaces] = IdentityMemo(_MAX_PLACES)
         self._sharing = Sharing()
         self._owned = OwnedRowMaker(self._sharing)
         self._sent: set[bytes] = set()
@@ -224,8 +231,9 @@ class RowMaker:
         key = self._digests.device(device, vendor_id, module_keys)
         if self._new(key):
             derived = self._deriver.derive(device, modules)
+            places = self._places.of(derived.process_data, lambda data: pdo_places(data.images))
             rows = DeviceRows(
-                **self._owner(device, key, vendor_id, pdo_places(derived.images)),
+                **self._owner(device, key, vendor_id, places),
                 modules=module_keys,
                 default_op_mode=default_op_mode(device.op_modes),
                 derived=derived_rows(derived),
@@ -237,7 +245,7 @@ class RowMaker:
     def _module(self, module: Module, vendor_id: int | None) -> bytes:
         key = self._digests.module(module, vendor_id)
         if self._new(key):
-            rows = ModuleRows(**self._owner(module, key, vendor_id, {}))
+            rows = ModuleRows(**self._owner(module, key, vendor_id, _NOWHERE))
             self._module_counts[key] = rows.element_count
             self._out.new_modules.append(rows)
         return key

@@ -5,6 +5,7 @@ values are paired by position in arrays and by name in records; six flags are in
 """
 
 from collections.abc import Iterable, Mapping
+from operator import attrgetter
 from typing import Annotated, NamedTuple
 
 from esicatalog.esi.binding import Doc, Record
@@ -180,13 +181,13 @@ class ObjectType:
         return _entry(member, values, self._memo.traits.of(flags, _traits))
 
 
+_own_values = attrgetter("default_data", "default_value", "default_string", "min_value")
+_NO_OWN_VALUES = _own_values(DeclaredValues())
+
+
 def _single_values(declared: Object, remarks: list[tuple[str, str]]) -> DeclaredValues:
     """Values of an object without sub-items: those of Info itself, else of the one sub-item that some files give."""
-    has_own = any(
-        value is not None
-        for value in (declared.default_data, declared.default_value, declared.default_string, declared.min_value)
-    )
-    if has_own or not declared.info_sub_items:
+    if not declared.info_sub_items or _own_values(declared) != _NO_OWN_VALUES:
         return declared
     if len(declared.info_sub_items) > 1:
         remarks.append(("L46", "Info has sub-items, but the data type has none; left unpaired"))
