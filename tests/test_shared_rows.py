@@ -8,7 +8,9 @@ from snippets import device, dictionary, esi, one, pdo, read, rows, write
 from esicatalog import Catalog
 from esicatalog.catalog import database, schema, shared
 from esicatalog.catalog.bulk import RowBuffer
+from esicatalog.catalog.derived import PdoPlaces
 from esicatalog.catalog.load import finish_load
+from esicatalog.catalog.owned import OwnedRowMaker
 from esicatalog.catalog.rows import DocumentRows, RowMaker
 from esicatalog.catalog.shared import NewlyShared, Sharing
 from esicatalog.catalog.writer import SourceRow, Writer
@@ -201,3 +203,20 @@ def test_a_pdo_lies_where_its_device_puts_it(tmp_path):
         (2, 0x1600, 0, 16, 32),
         (2, 0x1600, 1, 8, 48),
     ]
+
+
+def test_lists_of_pdos_become_rows_once_for_each_of_their_places():
+    owner = read(esi(drive())).document.infos[0].devices[0]
+    sharing = Sharing()
+    new = sharing.begin()
+    maker = OwnedRowMaker(sharing)
+    nowhere: PdoPlaces = {}
+    places: PdoPlaces = {("RxPdo", 0): (2, [0, 16]), ("RxPdo", 1): (2, [24])}
+    apart, placed, again = (maker.rows(owner, found) for found in (nowhere, places, places))
+    assert [row[-1] for row in apart.tables["pdos"]] == [None, None]
+    assert [row[-1] for row in placed.tables["pdos"]] == [2, 2]
+    assert apart.parts["pdo_entries"] == [(0, "[0,1]"), (1, "[0]")]
+    assert placed.parts["pdo_entries"] == [(0, "[2,3]"), (1, "[4]")]
+    assert [row[-1] for row in new.rows["pdo_entries"]] == [None, None, 0, 16, 24]
+    assert again.tables["pdos"] is placed.tables["pdos"]
+    assert again.tables["sync_managers"] == placed.tables["sync_managers"]

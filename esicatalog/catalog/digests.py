@@ -4,7 +4,8 @@ The content of a device description is the Device, its dictionaries and the modu
 vendor name, group, file version and line.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from functools import cache
 from typing import Any
 
 import msgspec
@@ -33,9 +34,9 @@ class Digests:
         self._object_lists: IdentityMemo[list[bytes]] = IdentityMemo(_MAX_DICTIONARIES)
         self._dictionaries: IdentityMemo[bytes] = IdentityMemo(_MAX_DICTIONARIES)
 
-    def data_type(self, data_type: DataType) -> bytes:
-        """Digest of a data type as declared."""
-        return self._plain.of(data_type, _digest_record)
+    def data_types(self, data_types: Iterable[DataType]) -> list[bytes]:
+        """Digests of data types as declared."""
+        return self._plain.of_all(data_types, _digest_record)
 
     def objects(self, dictionary: Dictionary) -> list[bytes]:
         """Digests of the objects of a dictionary, with the data types they use, in document order.
@@ -47,12 +48,9 @@ class Digests:
         return self._object_lists.get(key, (types, dictionary), self._object_list, dictionary, types)
 
     def _object_list(self, dictionary: Dictionary, types: "TypeSetDigests") -> list[bytes]:
-        closures = {name: types.closure(name) for name in {declared.type for declared in dictionary.objects}}
-        found = []
-        for declared in dictionary.objects:
-            closure = closures[declared.type]
-            found.append(self._objects.get((id(declared), closure), declared, _digest_object, declared, closure))
-        return found
+        objects = dictionary.objects
+        closures = [types.closure(declared.type) for declared in objects]
+        return self._objects.get_all(zip(map(id, objects), closures, strict=True), objects, _digest_object)
 
     def types(self, dictionary: Dictionary) -> "TypeSetDigests":
         """Digests of the data types of a dictionary."""
@@ -99,21 +97,17 @@ class TypeSetDigests:
 
     def __init__(self, digests: Digests, types: TypeSet) -> None:
         self.types = types
-        self.digests = [digests.data_type(data_type) for data_type in types.data_types]
+        self.digests = digests.data_types(types.data_types)
         self.digest = digest(b"".join(self.digests))
-        self._digest_of = digests.data_type
-        self._closures: dict[str | None, bytes] = {}
-
-    def closure(self, name: str | None) -> bytes:
-        """Digest of the type ``name`` and everything it leads to; empty for a name that is not declared."""
-        known = self._closures.get(name)
-        if known is None:
-            used = b"".join(map(self._digest_of, self.types.used(name)))
-            known = self._closures[name] = digest(used) if used else b""
-        return known
+        known, used = dict(zip(map(id, types.data_types), self.digests, strict=True)), types.closure
+        self.closure: Callable[[str | None], bytes] = cache(
+            lambda name: digest(b"".join([known[place] for place in places])) if (places := used(name)) else b""
+        )
+        """Digest of a type, by name, and everything it leads to; empty for a name that is not declared."""
 
 
-def _digest_object(declared: Object, closure: bytes) -> bytes:
+def _digest_object(declared: Object, key: tuple[int, bytes]) -> bytes:
+    _, closure = key
     return digest(_digest_record(declared) + closure)
 
 

@@ -6,7 +6,7 @@ and lists that have a table of their own are listed in :data:`CHILDREN`. No SQLA
 """
 
 from collections.abc import Callable
-from operator import attrgetter
+from functools import cached_property
 from typing import Annotated, Any, NamedTuple, get_args, get_origin, get_type_hints
 
 import msgspec
@@ -111,11 +111,11 @@ _ELSEWHERE: dict[type[Record], frozenset[str]] = {
 }
 """Fields that are kept by reference or with the source."""
 
-_DERIVED: dict[type[Record], tuple[Derive, ...]] = {
-    OpMode: (lambda op_mode: sync_signals(op_mode.assign_activate),),
-    SyncManager: (sm_facts,),
-    Pdo: (pdo_facts,),
-    Entry: (entry_facts,),
+_DERIVED: dict[type[Record], Derive] = {
+    OpMode: lambda op_mode: sync_signals(op_mode.assign_activate),
+    SyncManager: sm_facts,
+    Pdo: pdo_facts,
+    Entry: entry_facts,
 }
 """Columns that follow from the record; they are written, never read back."""
 
@@ -156,9 +156,6 @@ TABLE_RECORDS: dict[str, type[Record]] = {
 _KINDS = {int: "int", bool: "bool", float: "float", str: "text"}
 _EXTENSION_OWNERS = (Device, Module, Profile, Mailbox, OpMode, Eeprom)
 
-_NOTHING: tuple[Any, ...] = ()
-"""Default of every field that collects repeated elements; there is one empty tuple only."""
-
 _encode_json = msgspec.json.Encoder().encode
 
 
@@ -175,8 +172,7 @@ class Codec:
         child_fields = {child.field for child in CHILDREN.get(record_type, ())}
         left_out = child_fields | _ELSEWHERE.get(record_type, frozenset())
         columns: list[Column] = []
-        sources: list[str] = []
-        self._converters: list[tuple[int, Callable[[Any], Any]]] = []
+        self._expressions: list[str] = []
         self._decoders: list[tuple[str, int, Callable[[Any, int], Any]]] = []
         self.extensions: list[Field] = []
         """Vendor-specific XML fields, kept in the table vendor_extensions."""
@@ -188,48 +184,39 @@ class Codec:
                 self.extensions.append(field)
                 continue
             start = len(columns)
-            for column, convert in _encoders(field):
-                if convert is not None:
-                    self._converters.append((len(columns), convert))
-                columns.append(column)
-                sources.append(field.name)
+            own, expression = _columns(field)
+            columns += own
+            self._expressions.append(expression.format(f"record.{field.name}"))
             if field.xml.kind is IMAGE:
                 self.image_column = start
             self._decoders.append((field.name, start, _decoder(field)))
         self._spelling: int | None = None
         if fields_of(record_type):
-            self._spelling = len(sources)
+            self._spelling = len(columns)
             columns.append(Column("spelling", "json", "Vendor's text of values that are not spelled canonically, JSON"))
-            self._converters.append((len(sources), _json))
-            sources.append("spelling")
-        self._get = attrgetter(*sources)
+            self._expressions.append(_JSON.format("record.spelling"))
+        self.is_leaf = not (CHILDREN.get(record_type) or self.extensions or self.image_column is not None)
+        """Whether nothing but the row itself comes of a record."""
         self.stored_columns = tuple(columns)
-        self.derived_columns = _derived_columns(record_type)
-        self._derive = _DERIVED.get(record_type, ())
-        self._derived_getter = _tuple_getter([column.name for column in self.derived_columns])
-        self._is_plain = not self._converters and not self._derive
-        """Nothing needs converting: true of object entries, the largest table by far."""
+        self._derive = _DERIVED.get(record_type)
+        self._derived = codec(type(self._derive(record_type()))) if self._derive is not None else None
 
     @property
     def columns(self) -> tuple[Column, ...]:
-        """All columns in the order in which :meth:`encode` gives their values."""
-        return self.stored_columns + self.derived_columns
+        """All columns in the order in which :attr:`encode` gives their values."""
+        return self.stored_columns + (self._derived.columns if self._derived is not None else ())
 
-    def encode(self, record: Any) -> tuple[Any, ...]:
-        """Column values of a record."""
-        taken: tuple[Any, ...] = self._get(record)
-        if self._is_plain:
-            return taken
-        values = list(taken)
-        for at, convert in self._converters:
-            value = values[at]
-            if value is None or value is _NOTHING:
-                values[at] = None
-            else:
-                values[at] = convert(value)
-        for derive in self._derive:
-            values.extend(self._derived_getter(derive(record)))
-        return tuple(values)
+    @cached_property
+    def encode(self) -> Callable[[Any], tuple[Any, ...]]:
+        """What gives the column values of a record: one expression of all, which costs a third of a loop over them."""
+        expressions, functions = self._expressions, _FUNCTIONS
+        if self._derived is not None:
+            expressions = [*expressions, "*derived(derive(record))"]
+            functions = functions | {"derived": self._derived.encode, "derive": self._derive}
+        function: Callable[[Any], tuple[Any, ...]] = eval(  # noqa: S307
+            f"lambda record: ({', '.join(expressions)},)", functions
+        )
+        return function
 
     def decode(self, values: tuple[Any, ...] | Any, **elsewhere: Any) -> Any:
         """The record of a row: ``values`` start with the stored columns; other fields come by keyword."""
@@ -268,50 +255,42 @@ def _documented(record_type: type[Record]) -> list[Field]:
     return found
 
 
-def _derived_columns(record_type: type[Record]) -> tuple[Column, ...]:
-    columns: list[Column] = []
-    for derive in _DERIVED.get(record_type, ()):
-        sample = derive(record_type())
-        columns.extend(Column(f.name, _KINDS[f.item], f.xml.doc) for f in _documented(type(sample)))
-    return tuple(columns)
+_TAKEN = "{0}"
+_JSON = "json({0}) if {0} else None"
+_IMAGE = "image({0})"
+_NAMES = "*names({0})"
+_FLAGS = "*flags({0})"
+"""How the values of a field's columns come from the field: expressions that call :data:`_FUNCTIONS`."""
 
 
-def _tuple_getter(names: list[str]) -> Callable[[Any], tuple[Any, ...]]:
-    if not names:
-        return lambda record: ()
-    if len(names) == 1:
-        get_one = attrgetter(names[0])
-        return lambda record: (get_one(record),)
-    return attrgetter(*names)
-
-
-def _json(value: Any) -> str | None:
-    return to_json(value) if value else None
-
-
-def _encoders(field: Field) -> list[tuple[Column, Callable[[Any], Any] | None]]:
-    """Columns of a field, each with what makes its value from the field's; None: taken as it is."""
+def _columns(field: Field) -> tuple[tuple[Column, ...], str]:
+    """Columns of a field, and the expression of their values."""
     doc = field.xml.doc
     if field.item is Flags:
-        flags = codec(Flags)
-        return [
-            (Column("has_flags", "bool", "1 when the element Flags is present"), lambda value: True),
-            *((column, attrgetter(column.name)) for column in flags.stored_columns[:-1]),
-            (
-                Column("flags_spelling", "json", "Vendor's text of flags that are not spelled canonically, JSON"),
-                lambda value: _json(value.spelling),
-            ),
-        ]
+        return (
+            Column("has_flags", "bool", "1 when the element Flags is present"),
+            *codec(Flags).stored_columns[:-1],
+            Column("flags_spelling", "json", "Vendor's text of flags that are not spelled canonically, JSON"),
+        ), _FLAGS
     if field.name == "names" and field.item is Name:
-        return [
-            (Column("name", "text", "Name to show: English, else the first"), display_text),
-            (Column("names", "json", f"{doc}, JSON; NULL when name says it all"), _names_json),
-        ]
+        return (
+            Column("name", "text", "Name to show: English, else the first"),
+            Column("names", "json", f"{doc}, JSON; NULL when name says it all"),
+        ), _NAMES
     if field.xml.kind is IMAGE:
-        return [(Column(field.name.replace("image_data", "image_sha256"), "text", "Image, key in images"), image_key)]
+        return (Column(field.name.replace("image_data", "image_sha256"), "text", "Image, key in images"),), _IMAGE
     if field.many or _is_record(field.item):
-        return [(Column(field.name, "json", doc if "JSON" in doc else f"{doc}, as JSON"), _json)]
-    return [(Column(field.name, _KINDS[field.item], doc), None)]
+        return (Column(field.name, "json", doc if "JSON" in doc else f"{doc}, as JSON"),), _JSON
+    return (Column(field.name, _KINDS[field.item], doc),), _TAKEN
+
+
+def _flags_values(flags: Flags | None) -> tuple[Any, ...]:
+    own = codec(Flags)
+    return (True, *own.encode(flags)) if flags is not None else (None,) * (1 + len(own.columns))
+
+
+def _names_values(names: tuple[Name, ...]) -> tuple[str | None, str | None]:
+    return display_text(names), _names_json(names)
 
 
 def _decoder(field: Field) -> Callable[[Any, int], Any]:
@@ -371,3 +350,4 @@ def extension_rows(record: Any, table: str, position: int) -> list[tuple[str, in
 
 
 _PLAIN = fields_of(Name)[0].xml
+_FUNCTIONS: dict[str, Any] = {"json": to_json, "image": image_key, "names": _names_values, "flags": _flags_values}

@@ -25,9 +25,15 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
 from esicatalog.model.derivation import Deriver
 from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.memo import IdentityMemo
 from esicatalog.model.resolver import TypeSet
 from esicatalog.model.slots import reachable_modules
 from esicatalog.model.sync import default_op_mode
+
+_MAX_PLACES = 1_000
+
+_NOWHERE: PdoPlaces = {}
+"""PDOs of a module have places in a device only."""
 
 
 class TypeRows(msgspec.Struct):
@@ -156,6 +162,7 @@ class RowMaker:
         self._deriver = deriver or Deriver()
         self._resolver = self._deriver.resolver
         self._digests = Digests(self._resolver)
+        self._places: IdentityMemo[PdoPlaces] = IdentityMemo(_MAX_PLACES)
         self._sharing = Sharing()
         self._owned = OwnedRowMaker(self._sharing)
         self._sent: set[bytes] = set()
@@ -224,8 +231,9 @@ class RowMaker:
         key = self._digests.device(device, vendor_id, module_keys)
         if self._new(key):
             derived = self._deriver.derive(device, modules)
+            places = self._places.of(derived.process_data, lambda data: pdo_places(data.images))
             rows = DeviceRows(
-                **self._owner(device, key, vendor_id, pdo_places(derived.images)),
+                **self._owner(device, key, vendor_id, places),
                 modules=module_keys,
                 default_op_mode=default_op_mode(device.op_modes),
                 derived=derived_rows(derived),
@@ -237,7 +245,7 @@ class RowMaker:
     def _module(self, module: Module, vendor_id: int | None) -> bytes:
         key = self._digests.module(module, vendor_id)
         if self._new(key):
-            rows = ModuleRows(**self._owner(module, key, vendor_id, {}))
+            rows = ModuleRows(**self._owner(module, key, vendor_id, _NOWHERE))
             self._module_counts[key] = rows.element_count
             self._out.new_modules.append(rows)
         return key
@@ -276,8 +284,10 @@ class RowMaker:
         if self._new(key):
             types = self._digests.types(dictionary).types
             object_keys = self._digests.objects(dictionary)
+            sent = self._sent
             for declared, object_key in zip(dictionary.objects, object_keys, strict=True):
-                if self._new(object_key):
+                if object_key not in sent:
+                    sent.add(object_key)
                     self._out.new_objects.append(self._object(declared, types, object_key))
             type_set = self._type_set(dictionary)
             row = codec(Dictionary).encode(dictionary)
@@ -292,18 +302,16 @@ class RowMaker:
     def _type_set(self, dictionary: Dictionary) -> bytes:
         types = self._digests.types(dictionary)
         if self._new(types.digest):
-            for data_type in dictionary.data_types:
-                self._data_type(data_type)
+            for data_type, key in zip(dictionary.data_types, types.digests, strict=True):
+                if self._new(key):
+                    self._out.new_types.append(self._data_type(data_type, key))
             self._out.new_type_sets.append(TypeSetRows(types.digest, self._sharing.digests(types.digests)))
         return types.digest
 
-    def _data_type(self, data_type: DataType) -> bytes:
-        key = self._digests.data_type(data_type)
-        if self._new(key):
-            sub_items = self._sharing.records("sub_items", data_type.sub_items, SubItem)
-            enum_values = self._sharing.rows("enum_values", map(codec(EnumInfo).encode, data_type.enum_infos))
-            self._out.new_types.append(TypeRows(key, codec(DataType).encode(data_type), sub_items, enum_values))
-        return key
+    def _data_type(self, data_type: DataType, key: bytes) -> TypeRows:
+        sub_items = self._sharing.records("sub_items", data_type.sub_items, SubItem)
+        enum_values = self._sharing.records("enum_values", data_type.enum_infos, EnumInfo)
+        return TypeRows(key, codec(DataType).encode(data_type), sub_items, enum_values)
 
 
 def _texts(owner: Device | Module) -> list[tuple[str, int, int | None, str]]:

@@ -8,7 +8,7 @@ its parent and its position.
 
 import os
 from collections.abc import Hashable, Iterable
-from typing import Any, Generic, TypeVar
+from typing import Any, TypeVar
 
 import msgspec
 
@@ -26,7 +26,6 @@ NO_NUMBERS: Numbers = "[]"
 _MOST_HELD = 60_000
 """Rows and digests with a number: both sides remember them, so numbering starts anew some time."""
 
-_MOST_RECORDS = 40_000
 _MOST_LISTS = 5_000
 
 Item = TypeVar("Item", bound=Hashable)
@@ -55,13 +54,12 @@ class Sharing:
         self._starts_anew = True
         self._rows: dict[str, _Numbering[Row]] = {}
         self._digests: _Numbering[bytes] = _Numbering()
-        self._of_records: IdentityMemo[int] = IdentityMemo(_MOST_RECORDS)
         self._of_lists: IdentityMemo[Numbers] = IdentityMemo(_MOST_LISTS)
 
     @property
     def is_full(self) -> bool:
         """Whether it is time to start anew."""
-        return len(self._digests.known) + sum(len(rows.known) for rows in self._rows.values()) >= _MOST_HELD
+        return len(self._digests) + sum(map(len, self._rows.values())) >= _MOST_HELD
 
     def begin(self) -> NewlyShared:
         """A document begins: what it adds fills with everything that is numbered from now on."""
@@ -72,20 +70,18 @@ class Sharing:
 
     def rows(self, table: str, rows: Iterable[Row]) -> Numbers:
         """Numbers of rows."""
-        return to_json(list(map(self._table(table).number, rows)))
+        return to_json(self._table(table).numbers(rows))
 
     def records(self, table: str, records: tuple[Record, ...], record_type: type[Record]) -> Numbers:
-        """Numbers of the rows of records that often are the same as before, each or all together."""
+        """Numbers of the rows of records that often are all together the same as before."""
         return self._of_lists.get(id(records), records, self._record_numbers, table, records, record_type)
 
     def _record_numbers(self, table: str, records: tuple[Record, ...], record_type: type[Record]) -> Numbers:
-        encode, number = codec(record_type).encode, self._table(table).number
-        find = self._of_records.of
-        return to_json([find(record, lambda record: number(encode(record))) for record in records])
+        return self.rows(table, map(codec(record_type).encode, records))
 
     def digests(self, digests: Iterable[bytes]) -> list[int]:
         """Numbers of digests."""
-        return list(map(self._digests.number, digests))
+        return self._digests.numbers(digests)
 
     def _table(self, name: str) -> "_Numbering[Row]":
         known = self._rows.get(name)
@@ -95,11 +91,11 @@ class Sharing:
         return known
 
 
-class _Numbering(Generic[Item]):
-    """Distinct items with their numbers."""
+class _Numbering(dict[Item, int]):
+    """Distinct items with their numbers; one that is new gets the next."""
 
     def __init__(self) -> None:
-        self.known: dict[Item, int] = {}
+        super().__init__()
         self._new: list[Item] = []
 
     def begin(self) -> list[Item]:
@@ -107,9 +103,11 @@ class _Numbering(Generic[Item]):
         self._new = []
         return self._new
 
-    def number(self, item: Item) -> int:
-        number = self.known.get(item)
-        if number is None:
-            number = self.known[item] = len(self.known)
-            self._new.append(item)
+    def numbers(self, items: Iterable[Item]) -> list[int]:
+        """The number of each item."""
+        return [self[item] for item in items]
+
+    def __missing__(self, item: Item) -> int:
+        number = self[item] = len(self)
+        self._new.append(item)
         return number

@@ -5,6 +5,7 @@ values are paired by position in arrays and by name in records; six flags are in
 """
 
 from collections.abc import Iterable, Mapping
+from operator import attrgetter
 from typing import Annotated, NamedTuple
 
 from esicatalog.esi.binding import Doc, Record
@@ -22,7 +23,7 @@ _MAX_OBJECTS = 10_000
 OBJECT_CODES = {"VAR": 7, "ARRAY": 8, "RECORD": 9}
 
 
-class ObjectEntry(Record):
+class ObjectEntry(Record, kw_only=False):
     """One index:subindex with everything that type, object and declared values say about it."""
 
     subindex: Annotated[int, Doc("Subindex")] = 0
@@ -72,19 +73,21 @@ def type_table(data_types: Iterable[DataType]) -> dict[str, DataType]:
     return table
 
 
-def used_types(object_type: str | None, types: Mapping[str, DataType]) -> list[DataType]:
+def used_types(object_type: str | None, types: Mapping[str, DataType]) -> tuple[DataType, ...]:
     """The declared types that a type name leads to, itself first, each once."""
     found: dict[str, DataType] = {}
     pending = [object_type]
     while pending:
         name = pending.pop()
         data_type = types.get(name) if name else None
-        if data_type is None or data_type.name is None or data_type.name in found:
+        if data_type is None or name is None or name in found:
             continue
-        found[data_type.name] = data_type
-        pending.append(data_type.base_type)
-        pending.extend(sub_item.type for sub_item in reversed(data_type.sub_items))
-    return list(found.values())
+        found[name] = data_type
+        if data_type.base_type:
+            pending.append(data_type.base_type)
+        if data_type.sub_items:
+            pending.extend(reversed(dict.fromkeys([sub_item.type for sub_item in data_type.sub_items])))
+    return tuple(found.values())
 
 
 def resolve_base(name: str | None, types: Mapping[str, DataType]) -> BaseType | None:
@@ -165,24 +168,26 @@ class ObjectType:
 
     def _composite(self, members: Members, infos: tuple[InfoSubItem, ...], inherited: Flags | None) -> _Composite:
         remarks: list[tuple[str, str]] = []
-        known, entries = self._memo.entries, []
-        for member, values in zip(members, members.pair(infos, remarks), strict=True):
+        paired = members.pair(infos, remarks)
+        known, make = self._memo.entries.get, self._entry
+        entries = []
+        for member, values in zip(members, paired, strict=True):
             flags = member.flags or inherited
             key = (id(member), id(values), id(flags))
-            entries.append(known.get(key, (member, values, flags), self._entry, member, values, flags))
+            entries.append(known(key, (member, values, flags), make, member, values, flags))
         return _Composite(tuple(entries), tuple(remarks))
 
     def _entry(self, member: Member, values: DeclaredValues | None, flags: Flags | None) -> ObjectEntry:
         return _entry(member, values, self._memo.traits.of(flags, _traits))
 
 
+_own_values = attrgetter("default_data", "default_value", "default_string", "min_value")
+_NO_OWN_VALUES = _own_values(DeclaredValues())
+
+
 def _single_values(declared: Object, remarks: list[tuple[str, str]]) -> DeclaredValues:
     """Values of an object without sub-items: those of Info itself, else of the one sub-item that some files give."""
-    has_own = any(
-        value is not None
-        for value in (declared.default_data, declared.default_value, declared.default_string, declared.min_value)
-    )
-    if has_own or not declared.info_sub_items:
+    if not declared.info_sub_items or _own_values(declared) != _NO_OWN_VALUES:
         return declared
     if len(declared.info_sub_items) > 1:
         remarks.append(("L46", "Info has sub-items, but the data type has none; left unpaired"))
@@ -192,7 +197,7 @@ def _single_values(declared: Object, remarks: list[tuple[str, str]]) -> Declared
 
 
 class _Traits(NamedTuple):
-    """What members with the same flags share."""
+    """What members with the same flags share, as an entry has it."""
 
     access: str
     access_word: int
@@ -217,55 +222,57 @@ def _traits(declared: Flags | None) -> _Traits:
 
 
 def _entry(member: Member, values: DeclaredValues | None, traits: _Traits) -> ObjectEntry:
-    default, minimum, maximum = _values(values, member.fallback, member.base)
-    display = (values.display_names if values is not None else ()) or member.display_names
-    return ObjectEntry(
-        subindex=member.subindex,
-        name=member.name,
-        data_type=member.type,
-        base_type=member.base.name if member.base is not None else None,
-        bit_size=member.bit_size,
-        bit_offset=member.bit_offset,
-        access=traits.access,
-        access_word=traits.access_word,
-        category=traits.category,
-        pdo_mapping=traits.pdo_mapping,
-        safety_mapping=traits.safety_mapping,
-        default_raw=default.raw,
-        default_kind=default.kind,
-        default_int=default.number,
-        default_real=default.real,
-        default_text=default.text,
-        min_int=minimum.number,
-        min_real=minimum.real,
-        max_int=maximum.number,
-        max_real=maximum.real,
-        unit=values.unit if values is not None else None,
-        display_name=display_text(display) if display else None,
+    subindex, name, display_names, data_type, base, bit_size, bit_offset, _, fallback = member
+    declared, unit = _NO_VALUES, None
+    if values is not None:
+        declared, unit = _declared(values, base), values.unit
+        display_names = values.display_names or display_names
+    default, minimum, maximum = declared if fallback is None else _with_obsolete(declared, fallback, base)
+    return ObjectEntry(  # in the order of its fields: names would cost more than all the rest
+        subindex,
+        name,
+        data_type,
+        base.name if base is not None else None,
+        bit_size,
+        bit_offset,
+        *traits,
+        *default,
+        minimum.number,
+        minimum.real,
+        maximum.number,
+        maximum.real,
+        unit,
+        display_text(display_names),
     )
 
 
 _NO_VALUE = Value(None, None)
 
 
-def _values(
-    values: DeclaredValues | None, sub_item: SubItem | None, base: BaseType | None
-) -> tuple[Value, Value, Value]:
-    """Default, minimum and maximum: those of Info, else the obsolete ones of the data type's sub-item."""
-    default = minimum = maximum = _NO_VALUE
-    if values is not None:
-        default = _default(values, base)
-        if values.min_data or values.min_value is not None:
-            minimum = _bound(values, values.min_data, "min_value", base)
-        if values.max_data or values.max_value is not None:
-            maximum = _bound(values, values.max_data, "max_value", base)
-    if sub_item is not None:
-        if default is _NO_VALUE:
-            default = _default(sub_item, base)
-        if minimum is _NO_VALUE and sub_item.min_value is not None:
-            minimum = _bound(sub_item, None, "min_value", base)
-        if maximum is _NO_VALUE and sub_item.max_value is not None:
-            maximum = _bound(sub_item, None, "max_value", base)
+_Values = tuple[Value, Value, Value]
+"""Default, minimum and maximum."""
+_NO_VALUES: _Values = (_NO_VALUE, _NO_VALUE, _NO_VALUE)
+
+
+def _declared(values: DeclaredValues, base: BaseType | None) -> _Values:
+    """Those of Info."""
+    minimum = maximum = _NO_VALUE
+    if values.min_data or values.min_value is not None:
+        minimum = _bound(values, values.min_data, "min_value", base)
+    if values.max_data or values.max_value is not None:
+        maximum = _bound(values, values.max_data, "max_value", base)
+    return _default(values, base), minimum, maximum
+
+
+def _with_obsolete(declared: _Values, sub_item: SubItem, base: BaseType | None) -> _Values:
+    """Where Info has none, the obsolete ones of the data type's sub-item."""
+    default, minimum, maximum = declared
+    if default is _NO_VALUE:
+        default = _default(sub_item, base)
+    if minimum is _NO_VALUE and sub_item.min_value is not None:
+        minimum = _bound(sub_item, None, "min_value", base)
+    if maximum is _NO_VALUE and sub_item.max_value is not None:
+        maximum = _bound(sub_item, None, "max_value", base)
     return default, minimum, maximum
 
 

@@ -2,6 +2,8 @@
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
+from operator import attrgetter
 from typing import NamedTuple
 
 from esicatalog.esi.records.common import Name
@@ -57,13 +59,20 @@ class Members:
             else:
                 subindex = sub_item.subindex if sub_item.subindex is not None else following
                 own = base(sub_item.type)
-                members += memo.get((id(sub_item), subindex, own), sub_item, _single, sub_item, subindex, own)
+                members += memo.get(
+                    (id(sub_item), subindex, id(own)), (sub_item, own), _single, sub_item, subindex, own
+                )
         self._members = members
         self.is_array = expanded == 1 and is_pair
         self._names = [member.name for member in members]
-        self._by_name: dict[str, list[int]] = {}
+
+    @cached_property
+    def _by_name(self) -> Mapping[str, Sequence[int]]:
+        """Positions of the members that have a name."""
+        found: dict[str, list[int]] = {}
         for position, name in enumerate(self._names):
-            self._by_name.setdefault((name or "").strip(), []).append(position)
+            found.setdefault((name or "").strip(), []).append(position)
+        return found
 
     def __iter__(self) -> Iterator[Member]:
         return iter(self._members)
@@ -125,10 +134,12 @@ def _single(sub_item: SubItem, subindex: int, base: BaseType | None) -> tuple[Me
     )
 
 
+_declared = attrgetter("default_data", "default_string", "default_value", "min_value", "max_value")
+_NOTHING = _declared(SubItem())
+
+
 def _fallback(sub_item: SubItem) -> SubItem | None:
-    values = (sub_item.default_data, sub_item.default_string, sub_item.default_value)
-    bounds = (sub_item.min_value, sub_item.max_value)
-    return sub_item if sub_item.spelling or any(value is not None for value in values + bounds) else None
+    return sub_item if sub_item.spelling or _declared(sub_item) != _NOTHING else None
 
 
 def _lower_bound(array: DataType) -> int:

@@ -27,7 +27,10 @@ def pdo_facts(pdo: Pdo) -> PdoFacts:
 
 def entry_facts(entry: Entry) -> EntryFacts:
     """Index 0 is padding whatever else the entry carries (ESI-FACTS section 9)."""
-    return EntryFacts(is_padding=entry.entry_index == 0)
+    return _PADDING if entry.entry_index == 0 else _NO_PADDING
+
+
+_PADDING, _NO_PADDING = EntryFacts(is_padding=True), EntryFacts(is_padding=False)
 
 
 def symmetric_exclusions(pdos: Iterable[Pdo]) -> Mapping[int | None, tuple[int, ...]]:

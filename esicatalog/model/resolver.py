@@ -3,7 +3,8 @@
 The reader gives the same record for the same words, so identity tells what was seen before.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cache
 
 from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.model.dictionary import EntryMemo, ObjectType, ResolvedObject, type_table, used_types
@@ -20,22 +21,12 @@ class TypeSet:
     def __init__(self, data_types: tuple[DataType, ...]) -> None:
         self.data_types = data_types
         self.by_name: Mapping[str, DataType] = type_table(data_types)
-        self._used: dict[str | None, tuple[DataType, ...]] = {}
-        self._closures: dict[str | None, tuple[int, ...]] = {}
-
-    def used(self, name: str | None) -> tuple[DataType, ...]:
+        by_name = self.by_name
+        self.used: Callable[[str | None], tuple[DataType, ...]] = cache(lambda name: used_types(name, by_name))
         """The declared types that a type name leads to, itself first."""
-        found = self._used.get(name)
-        if found is None:
-            found = self._used[name] = tuple(used_types(name, self.by_name))
-        return found
-
-    def closure(self, name: str | None) -> tuple[int, ...]:
+        used = self.used
+        self.closure: Callable[[str | None], tuple[int, ...]] = cache(lambda name: identities(used(name)))
         """Identities of the declared types that a type name leads to: equal closures mean the same."""
-        found = self._closures.get(name)
-        if found is None:
-            found = self._closures[name] = identities(self.used(name))
-        return found
 
 
 class Resolver:
@@ -43,12 +34,16 @@ class Resolver:
 
     def __init__(self) -> None:
         self._memo = EntryMemo()
+        self._of_dictionary: IdentityMemo[TypeSet] = IdentityMemo(_MAX_TYPE_SETS)
         self._type_sets: IdentityMemo[TypeSet] = IdentityMemo(_MAX_TYPE_SETS)
         self._object_types: IdentityMemo[ObjectType] = IdentityMemo(_MAX_OBJECT_TYPES)
         self._resolved: IdentityMemo[ResolvedObject] = IdentityMemo(_MAX_RESOLVED)
 
     def types(self, dictionary: Dictionary) -> TypeSet:
         """The data types of a dictionary; dictionaries that declare the same ones share them."""
+        return self._of_dictionary.of(dictionary, self._types)
+
+    def _types(self, dictionary: Dictionary) -> TypeSet:
         data_types = dictionary.data_types
         return self._type_sets.get(identities(data_types), data_types, TypeSet, data_types)
 

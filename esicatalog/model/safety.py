@@ -14,13 +14,15 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.memo import IdentityMemo
+from esicatalog.model.resolver import TypeSet
 
 HIGH, MEDIUM = "high", "medium"
 NOT_A_STATEMENT = "not a safety statement"
 
 _MAX_PDOS = 20_000
+_MAX_TYPE_SETS = 2_000
 
-_SAFETY_OBJECTS = (0xF980, 0xE901, 0xE600, 0xE700)
+_SAFETY_OBJECTS = frozenset((0xF980, 0xE901, 0xE600, 0xE700))
 _SAFETY_ADD_INFOS = (190, 290, 1904)
 _FSOE = re.compile(r"\bFSoE\b|\bConn?ID\b", re.IGNORECASE)
 _CRC = re.compile(r"\bCRC[_ ]?0\b", re.IGNORECASE)
@@ -46,6 +48,7 @@ class FsoeSigns:
     def __init__(self, views: DictionaryViews) -> None:
         self._views = views
         self._of_pdo: IdentityMemo[_Signs] = IdentityMemo(_MAX_PDOS)
+        self._of_types: IdentityMemo[_Signs] = IdentityMemo(_MAX_TYPE_SETS)
 
     def evidence(self, device: Device, modules: Sequence[Module] = ()) -> FsoeEvidence | None:
         """The first sign of the highest level, of the device before its modules."""
@@ -85,7 +88,12 @@ class FsoeSigns:
         return self._of_pdo.of(pdo, _pdo_signs)
 
     def _dictionary(self, dictionary: Dictionary) -> _Signs:
-        return self._views.view(dictionary).once(_dictionary_signs)
+        return self._views.view(dictionary).once(self._dictionary_signs)
+
+    def _dictionary_signs(self, view: DictionaryView) -> _Signs:
+        of_types = self._of_types.of(view.types, _type_signs)
+        of_objects = _object_signs(view)
+        return _Signs(of_types.high or of_objects.high, of_objects.medium)
 
 
 def _pdo_signs(pdo: Pdo) -> _Signs:
@@ -95,31 +103,32 @@ def _pdo_signs(pdo: Pdo) -> _Signs:
         high = f"{name} has SafetyPdoType {pdo.safety_pdo_type}"
     elif any(entry.safety_conn_number is not None for entry in pdo.entries):
         high = f"{name} has entries with SafetyConnNumber"
-    texts = [display_text(pdo.names) or "", *(display_text(entry.names) or "" for entry in pdo.entries)]
-    if any(map(_FSOE.search, texts)) and any(map(_CRC.search, texts)):
+    texts = [display_text(pdo.names) or "", *[display_text(entry.names) or "" for entry in pdo.entries]]
+    text = "\n".join(texts)
+    # Few names have a CRC, and that is told fastest without an expression.
+    if "crc" in text.lower() and _CRC.search(text) and _FSOE.search(text):
         medium = f"{name} has the names of an FSoE frame"
     return _Signs(high, medium)
 
 
-def _dictionary_signs(view: DictionaryView) -> _Signs:
-    objects = view.dictionary.objects
-    high = next(
-        (
-            f"data type {data_type.name} has SafetyMapping"
-            for data_type in view.dictionary.data_types
-            if any(item.flags is not None and item.flags.safety_mapping for item in data_type.sub_items)
-        ),
-        None,
-    ) or next(
-        (
-            f"object 0x{declared.object_index or 0:04X} has SafetyMapping"
-            for declared in objects
-            if declared.flags is not None and declared.flags.safety_mapping
-        ),
-        None,
+def _type_signs(types: TypeSet) -> _Signs:
+    names = (
+        data_type.name
+        for data_type in types.data_types
+        for item in data_type.sub_items
+        if item.flags is not None and item.flags.safety_mapping
     )
-    medium = next(
-        (f"object 0x{declared.object_index:04X}" for declared in objects if declared.object_index in _SAFETY_OBJECTS),
-        None,
+    return _Signs(next((f"data type {name} has SafetyMapping" for name in names), None), None)
+
+
+def _object_signs(view: DictionaryView) -> _Signs:
+    mapped = (
+        declared.object_index or 0
+        for declared in view.dictionary.objects
+        if declared.flags is not None and declared.flags.safety_mapping
     )
+    high = next((f"object 0x{index:04X} has SafetyMapping" for index in mapped), None)
+    if view.by_index.keys().isdisjoint(_SAFETY_OBJECTS):
+        return _Signs(high, None)
+    medium = next(f"object 0x{index:04X}" for index in view.by_index if index in _SAFETY_OBJECTS)
     return _Signs(high, medium)

@@ -1,5 +1,6 @@
 """ControlByte of a SyncManager in words (ESC register 0x0804, ESI-FACTS section 8)."""
 
+import functools
 from typing import Annotated
 
 from esicatalog.esi.binding import Doc, Record
@@ -26,7 +27,11 @@ class SmFacts(Record):
 
 def sm_facts(sync_manager: SyncManager) -> SmFacts:
     """Decode the ControlByte; everything is None when it is not given."""
-    control = sync_manager.control_byte
+    return _control_facts(sync_manager.control_byte)
+
+
+@functools.lru_cache(256)
+def _control_facts(control: int | None) -> SmFacts:
     if control is None:
         return SmFacts()
     return SmFacts(

@@ -26,10 +26,10 @@ class Property(Record):
 
 def display_text(names: tuple[Name, ...], lcid: int = ENGLISH) -> str | None:
     """The text to show: the asked language, else English, else the one without (or with zero) LcId, else the first."""
-    if not names:
-        return None
+    if len(names) <= 1:
+        return names[0].text if names else None
     for wanted in (lcid, ENGLISH, None, 0):
         for name in names:
             if name.lcid == wanted and name.text:
                 return name.text
-    return next((name.text for name in names if name.text), names[0].text if names else None)
+    return next((name.text for name in names if name.text), names[0].text)
