@@ -107,8 +107,8 @@ class Linter:
     def _info(
         self, info: EsiInfo, referenced: tuple[Module, ...], external: set[str], find_file: FileFinder | None
     ) -> list[_Hit]:
-        modules = [ModuleSubject(module, info, self._owner_views(module)) for module in info.modules]
-        of_others = [ModuleSubject(module, info, self._owner_views(module)) for module in referenced]
+        modules = [ModuleSubject(module, info, self._views.of(module.profiles)) for module in info.modules]
+        of_others = [ModuleSubject(module, info, self._views.of(module.profiles)) for module in referenced]
         devices = [self._device(device, info, (*modules, *of_others)) for device in info.devices]
         for device in devices:
             for module in device.modules:
@@ -130,10 +130,7 @@ class Linter:
         slots = device.slots
         reachable = [item for item in modules if any(accepts(slot, item.module) for slot in slots)] if slots else []
         derivation = self._deriver.derive(device, [item.module for item in reachable])
-        return DeviceSubject(device, info, self._owner_views(device), reachable, derivation)
-
-    def _owner_views(self, owner: Device | Module) -> list[DictionaryView]:
-        return [self._views.view(profile.dictionary) for profile in owner.profiles if profile.dictionary is not None]
+        return DeviceSubject(device, info, self._views.of(device.profiles), reachable, derivation)
 
     def _owner(self, owner: Owner, kind: type[Owner], external: set[str]) -> list[_Hit]:
         hits = self._check(owner, kind)
