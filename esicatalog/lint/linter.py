@@ -12,7 +12,7 @@ from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.esi.records.document import Document, EsiInfo
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.lint.dictionaries import ObjectSubject
+from esicatalog.lint.dictionaries import ObjectSubject, ObjectValues
 from esicatalog.lint.locator import Locator, Tree
 from esicatalog.lint.registry import Check, Found, Place, Rule
 from esicatalog.lint.rules import ALL_RULES
@@ -207,10 +207,12 @@ class Linter:
         return hits
 
     def _check_object(self, declared: Object, types: TypeSet) -> _Hits:
-        return [
-            *self._check(declared, Record),
-            *self._check(ObjectSubject(declared, types, self._deriver.resolver), ObjectSubject),
-        ]
+        hits = self._check(declared, Record)
+        hits += self._check(ObjectSubject(declared, types), ObjectSubject)
+        values = ObjectValues(declared, types, self._deriver.resolver)
+        if not values.is_sound:
+            hits += self._check(values, ObjectValues)
+        return hits
 
     def _check_types(self, types: TypeSet) -> _Hits:
         hits = self._check(types, TypeSet)

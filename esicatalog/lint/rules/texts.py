@@ -1,7 +1,8 @@
 """Rules about names and images."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
+from itertools import chain
 from operator import attrgetter
 
 from esicatalog.esi.binding import Record, fields_of
@@ -20,28 +21,41 @@ _IMAGE_SIZE = (16, 14)
 _HEADER_BYTES = 26
 
 
-@cache
-def _name_fields(record_type: type[Record]) -> tuple[tuple[str, str, Callable[[Record], Sequence[Name]]], ...]:
-    """Field, element and access to the value of each list of names."""
-    fields = [f for f in fields_of(record_type) if f.many and f.item is Name]
-    return tuple((f.name, f.xml.path, attrgetter(f.name)) for f in fields)
+class _NameFields:
+    """The fields of a record type that are lists of names."""
+
+    def __init__(self, record_type: type[Record]) -> None:
+        self._fields = [f for f in fields_of(record_type) if f.many and f.item is Name]
+        names = [f.name for f in self._fields]
+        # The first one twice: of a single attribute attrgetter makes no tuple.
+        self._lists: Callable[[Record], Iterable[Sequence[Name]]] = (
+            attrgetter(names[0], *names) if names else lambda _: ()
+        )
+
+    def have_several(self, records: Iterable[Record]) -> bool:
+        """Whether a list has more than one name, which is seldom and seen at once."""
+        return max(map(len, chain.from_iterable(map(self._lists, records))), default=0) > 1
+
+    def second_ones(self, record: Record, place: Place) -> Iterator[Found]:
+        """Names in a language that one before them in their list has."""
+        for field in self._fields:
+            yield from _second_ones(getattr(record, field.name), field.xml.path, (*place, field.name))
+
+
+_name_fields = cache(_NameFields)
 
 
 @rule("L17", WARNING, "ETG.2000 NameType: one element a language, LcId 1033 when absent")
 def language_twice(record: Record) -> Iterator[Found]:
     """A name, comment or text is given twice in one language."""
-    yield from _languages_twice((record,), type(record))
-    for nested, record_type in _NESTED.get(type(record), ()):
-        yield from _languages_twice(getattr(record, nested), record_type, nested)
-
-
-def _languages_twice(records: Sequence[Record], record_type: type[Record], nested: str = "") -> Iterator[Found]:
-    for field, element, get in _name_fields(record_type):
-        if max(map(len, map(get, records)), default=0) < 2:
-            continue  # nearly always
-        for position, record in enumerate(records):
-            place: Place = (nested, position) if nested else ()
-            yield from _second_ones(get(record), element, (*place, field))
+    own = _name_fields(type(record))
+    if own.have_several((record,)):
+        yield from own.second_ones(record, ())
+    for field, record_type in _NESTED.get(type(record), ()):
+        fields, items = _name_fields(record_type), getattr(record, field)
+        if fields.have_several(items):
+            for number, item in enumerate(items):
+                yield from fields.second_ones(item, (field, number))
 
 
 def _second_ones(names: Sequence[Name], element: str, place: Place) -> Iterator[Found]:
