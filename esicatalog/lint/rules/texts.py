@@ -2,60 +2,65 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
-from itertools import chain
-from operator import attrgetter
+from typing import Any
 
 from esicatalog.esi.binding import Record, fields_of
 from esicatalog.esi.records.common import ENGLISH, Name
-from esicatalog.esi.records.dictionary import DataType, EnumInfo, SubItem
-from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.dictionary import DataType, Object
+from esicatalog.esi.records.pdo import Pdo
 from esicatalog.lint.registry import INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import InfoSubject
 
-_NESTED: dict[type[Record], tuple[tuple[str, type[Record]], ...]] = {
-    Pdo: (("entries", Entry),),
-    DataType: (("enum_infos", EnumInfo), ("sub_items", SubItem)),
+_NESTED: dict[type[Record], tuple[str, ...]] = {
+    Pdo: ("entries",),
+    DataType: ("enum_infos", "sub_items"),
 }
 """Lists of records with names that are looked at with the record that holds them."""
 _IMAGE_SIZE = (16, 14)
 _HEADER_BYTES = 26
 
 
-class _NameFields:
-    """The fields of a record type that are lists of names."""
-
-    def __init__(self, record_type: type[Record]) -> None:
-        self._fields = [f for f in fields_of(record_type) if f.many and f.item is Name]
-        names = [f.name for f in self._fields]
-        # The first one twice: of a single attribute attrgetter makes no tuple.
-        self._lists: Callable[[Record], Iterable[Sequence[Name]]] = (
-            attrgetter(names[0], *names) if names else lambda _: ()
-        )
-
-    def have_several(self, records: Iterable[Record]) -> bool:
-        """Whether a list has more than one name, which is seldom and seen at once."""
-        return max(map(len, chain.from_iterable(map(self._lists, records))), default=0) > 1
-
-    def second_ones(self, record: Record, place: Place) -> Iterator[Found]:
-        """Names in a language that one before them in their list has."""
-        for field in self._fields:
-            yield from _second_ones(getattr(record, field.name), field.xml.path, (*place, field.name))
-
-
-_name_fields = cache(_NameFields)
+_HAS_SEVERAL: dict[type[Record], Callable[[Any], bool]] = {
+    Object: lambda held: len(held.names) > 1 or len(held.comments) > 1 or len(held.display_names) > 1,
+    Pdo: lambda held: (
+        len(held.names) > 1 or any(len(entry.names) > 1 or len(entry.comments) > 1 for entry in held.entries)
+    ),
+    DataType: lambda held: (
+        len(held.comments) > 1
+        or any(len(item.display_names) > 1 or len(item.comments) > 1 for item in held.sub_items)
+        or any(len(item.texts) > 1 or len(item.comments) > 1 for item in held.enum_infos)
+    ),
+}
+"""Whether a list of names has several in a record or in those that it holds. Most records are of these types, and
+seldom it has: so the fields are named here, which makes the look a short one."""
 
 
 @rule("L17", WARNING, "ETG.2000 NameType: one element a language, LcId 1033 when absent")
-def language_twice(record: Record) -> Iterator[Found]:
+def language_twice(record: Record) -> Iterable[Found]:
     """A name, comment or text is given twice in one language."""
-    own = _name_fields(type(record))
-    if own.have_several((record,)):
-        yield from own.second_ones(record, ())
-    for field, record_type in _NESTED.get(type(record), ()):
-        fields, items = _name_fields(record_type), getattr(record, field)
-        if fields.have_several(items):
-            for number, item in enumerate(items):
-                yield from fields.second_ones(item, (field, number))
+    has_several = _HAS_SEVERAL.get(type(record))
+    return _languages_twice(record) if has_several is None or has_several(record) else ()
+
+
+def _languages_twice(record: Record) -> Iterator[Found]:
+    yield from _in_lists((record,))
+    for nested in _NESTED.get(type(record), ()):
+        yield from _in_lists(getattr(record, nested), nested)
+
+
+def _in_lists(records: Sequence[Record], nested: str = "") -> Iterator[Found]:
+    for field, element in _name_fields(type(records[0])) if records else ():
+        for position, record in enumerate(records):
+            names: Sequence[Name] = getattr(record, field)
+            if len(names) > 1:
+                place: Place = (nested, position) if nested else ()
+                yield from _second_ones(names, element, (*place, field))
+
+
+@cache
+def _name_fields(record_type: type[Record]) -> tuple[tuple[str, str], ...]:
+    """Field and element of each list of names."""
+    return tuple((f.name, f.xml.path) for f in fields_of(record_type) if f.many and f.item is Name)
 
 
 def _second_ones(names: Sequence[Name], element: str, place: Place) -> Iterator[Found]:
