@@ -21,10 +21,11 @@ class DictionaryView:
     def __init__(self, dictionary: Dictionary, types: TypeSet, resolver: Resolver) -> None:
         self.dictionary = dictionary
         self.types = types
-        self.by_index: dict[int, Object] = {}
-        for declared in dictionary.objects:
-            if declared.object_index is not None:
-                self.by_index.setdefault(declared.object_index, declared)
+        self.by_index: dict[int, Object] = {
+            declared.object_index: declared
+            for declared in reversed(dictionary.objects)
+            if declared.object_index is not None
+        }
         self._resolver = resolver
         self._entries: dict[int, EntriesBySubindex] = {}
         self._results: dict[Any, Any] = {}

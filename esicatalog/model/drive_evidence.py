@@ -129,10 +129,10 @@ def _words(view: DictionaryView) -> frozenset[int | None]:
 
 def may_be_drive(owner: Device | Module, axis_count: int, views: DictionaryViews) -> bool:
     """Whether a device or module can be a CiA 402 drive of up to so many axes: a cheap look before a close one."""
-    controlwords = _CONTROLWORDS[:axis_count]
+    controlwords = frozenset(_CONTROLWORDS[:axis_count])
     return (
         any(map(_is_cia402, owner.profiles))
-        or any(index in view.by_index for view in views.of(owner.profiles) for index in controlwords)
+        or any(not view.by_index.keys().isdisjoint(controlwords) for view in views.of(owner.profiles))
         or any(entry.entry_index in controlwords for pdo in owner.rx_pdos for entry in pdo.entries)
     )
 

@@ -328,6 +328,7 @@ def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
     named = {
         name: [(mode, text) for text in _enum_texts(data_type) for mode in sorted(named_modes(text))]
         for name, data_type in types.items()
+        if data_type.enum_infos
     }
     found: dict[str, tuple[int, str, str]] = {}
     for declared in view.dictionary.objects:

@@ -54,8 +54,9 @@ def module_ident_twice(section: InfoSubject) -> Iterator[Found]:
 @rule("L55", WARNING, "ETG.2000 DependOnSlot: index + slot number x increment")
 def shifted_indices(subject: DeviceSubject) -> Iterator[Found]:
     """An index that moves with the slot leaves 16 bits, or meets that of another slot."""
-    yield from _overflows(subject)
-    yield from _collisions(subject)
+    if subject.device.slots:
+        yield from _overflows(subject)
+        yield from _collisions(subject)
 
 
 def _overflows(subject: DeviceSubject) -> Iterator[Found]:
