@@ -12,7 +12,7 @@ from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.esi.records.document import Document, EsiInfo
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.lint.dictionaries import ObjectSubject, ObjectValues
+from esicatalog.lint.dictionaries import ObjectSubject, ObjectValues, ValuesOfType
 from esicatalog.lint.locator import Locator, Tree
 from esicatalog.lint.registry import Check, Found, Place, Rule
 from esicatalog.lint.rules import ALL_RULES
@@ -34,6 +34,7 @@ from esicatalog.model.resolver import TypeSet
 from esicatalog.model.slots import accepts
 
 _MAX_RECORDS = 20_000
+_MAX_TYPES = 5_000
 _MAX_OWNERS = 2_000
 _MAX_DICTIONARIES = 500
 
@@ -71,6 +72,7 @@ class Linter:
         self._of_pdos: IdentityMemo[_Hits] = IdentityMemo(_MAX_OWNERS)
         self._of_record: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._of_object: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
+        self._values_of_type: IdentityMemo[ValuesOfType] = IdentityMemo(_MAX_TYPES)
         self._of_mapping: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._of_types: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
         self._of_dictionary: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
@@ -200,16 +202,20 @@ class Linter:
         hits += self._of_types.get(id(types), types, self._check_types, types)
         closure = types.closure
         for number, declared in enumerate(view.dictionary.objects):
-            key = (id(declared), closure(declared.type))
-            found = self._of_object.get(key, (declared, types), self._check_object, declared, types)
+            used = closure(declared.type)
+            key = (id(declared), used)
+            found = self._of_object.get(key, (declared, types), self._check_object, declared, types, used)
             if found:
                 hits += _below(("objects", number), found)
         return hits
 
-    def _check_object(self, declared: Object, types: TypeSet) -> _Hits:
+    def _check_object(self, declared: Object, types: TypeSet, closure: tuple[int, ...]) -> _Hits:
         hits = self._check(declared, Record)
-        hits += self._check(ObjectSubject(declared, types), ObjectSubject)
-        values = ObjectValues(declared, types, self._deriver.resolver)
+        data_type = types.by_name.get(declared.type) if declared.type else None
+        if data_type is None or data_type.bit_size != declared.bit_size:
+            hits += self._check(ObjectSubject(declared, data_type), ObjectSubject)
+        of_type = self._values_of_type.get(closure, types, ValuesOfType, data_type, types)
+        values = ObjectValues(declared, of_type, types, self._deriver.resolver)
         if not values.is_sound:
             hits += self._check(values, ObjectValues)
         return hits

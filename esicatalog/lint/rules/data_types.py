@@ -19,7 +19,7 @@ def type_undeclared(record: TypeSet | ObjectSubject) -> Iterator[Found]:
     """A type is not declared in its dictionary."""
     if isinstance(record, ObjectSubject):
         declared = record.declared
-        if declared.type and declared.type not in record.types.by_name:
+        if declared.type and record.data_type is None:
             yield Found(
                 f"object 0x{declared.object_index or 0:04X} has the type {declared.type!r}, "
                 f"which the dictionary does not declare{_known(declared.type)}",
@@ -87,12 +87,11 @@ def _repeated(keys: list[str | None] | list[int | None]) -> list[tuple[int, obje
 @rule("L43", WARNING, "ETG.2000 Object/BitSize is that of its type")
 def size_differs(subject: ObjectSubject) -> Iterator[Found]:
     """BitSize of an object differs from that of its type."""
-    declared = subject.declared
-    data_type = subject.types.by_name.get(declared.type or "")
-    if data_type is None or declared.bit_size == data_type.bit_size or None in (declared.bit_size, data_type.bit_size):
+    declared, data_type = subject.declared, subject.data_type
+    if data_type is None or declared.bit_size is None or data_type.bit_size is None:
         return
     index = declared.object_index or 0
-    if not any(index in dynamic for dynamic in _DYNAMIC):
+    if declared.bit_size != data_type.bit_size and not any(index in dynamic for dynamic in _DYNAMIC):
         yield Found(
             f"object 0x{index:04X} has BitSize {declared.bit_size}, its type {declared.type} {data_type.bit_size}",
             ("bit_size",),
