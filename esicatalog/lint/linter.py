@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
+from itertools import repeat
 from typing import Any, NamedTuple
 
 from esicatalog.esi.binding import Record
@@ -178,10 +179,10 @@ class Linter:
             others: Sequence[Owner] = owner.modules
         else:
             others = owner.hosts if isinstance(owner, ModuleSubject) else ()
-        return Dictionaries([view for part in (owner, *others) for view in part.own.views])
+        return Dictionaries([view for part in (owner, *others) for view in part.own.views]) if others else owner.own
 
     def _pdo(self, pdo: Pdo, direction: str, dictionaries: Dictionaries) -> list[_Hit]:
-        hits = list(self._of_record.get(id(pdo), pdo, self._check_kinds, pdo, (Record, Pdo)))
+        hits = [*self._of_record.of(pdo, self._check_pdo)]
         if dictionaries and pdo.entries:
             key = (id(pdo), direction, identities(dictionaries.views))
             hits += self._of_mapping.get(
@@ -189,27 +190,27 @@ class Linter:
             )
         return hits
 
+    def _check_pdo(self, pdo: Pdo) -> _Hits:
+        return self._check(pdo, Record) + self._check(pdo, Pdo) or ()
+
     def _check_mapping(self, direction: str, pdo: Pdo, dictionaries: Dictionaries) -> _Hits:
         return self._check(pdo_mapping(direction, pdo, dictionaries), PdoMapping)
 
     def _dictionary(self, dictionary: Dictionary) -> _Hits:
         view = self._views.view(dictionary)
-        return self._of_dictionary.get(id(view), view, self._check_dictionary, view)
+        return self._of_dictionary.of(view, self._check_dictionary)
 
     def _check_dictionary(self, view: DictionaryView) -> _Hits:
-        types = view.types
+        types, objects = view.types, view.dictionary.objects
         hits = self._check(view, DictionaryView)
-        hits += self._of_types.get(id(types), types, self._check_types, types)
-        closure = types.closure
-        for number, declared in enumerate(view.dictionary.objects):
-            used = closure(declared.type)
-            key = (id(declared), used)
-            found = self._of_object.get(key, (declared, types), self._check_object, declared, types, used)
-            if found:
-                hits += _below(("objects", number), found)
-        return hits
+        hits += self._of_types.of(types, self._check_types)
+        keys = zip(map(id, objects), [types.closure(declared.type) for declared in objects], strict=True)
+        found = self._of_object.get_all(keys, zip(objects, repeat(types)), self._check_object)
+        return hits + _below_each("objects", found)
 
-    def _check_object(self, declared: Object, types: TypeSet, closure: tuple[int, ...]) -> _Hits:
+    def _check_object(self, met: tuple[Object, TypeSet], key: tuple[int, tuple[int, ...]]) -> _Hits:
+        declared, types = met
+        _, closure = key
         hits = self._check(declared, Record)
         data_type = types.by_name.get(declared.type) if declared.type else None
         if data_type is None or data_type.bit_size != declared.bit_size:
@@ -218,19 +219,20 @@ class Linter:
         values = ObjectValues(declared, of_type, types, self._deriver.resolver)
         if not values.is_sound:
             hits += self._check(values, ObjectValues)
-        return hits
+        return hits or ()
 
     def _check_types(self, types: TypeSet) -> _Hits:
-        hits = self._check(types, TypeSet)
-        for number, data_type in enumerate(types.data_types):
-            found = self._of_record.get(id(data_type), data_type, self._check_kinds, data_type, (Record, DataType))
-            if found:
-                hits += _below(("data_types", number), found)
-        return hits
+        found = self._of_record.of_all(types.data_types, self._check_data_type)
+        return self._check(types, TypeSet) + _below_each("data_types", found)
 
-    def _check_kinds(self, subject: Record, kinds: Iterable[Any]) -> _Hits:
-        return [hit for kind in kinds for hit in self._check(subject, kind)]
+    def _check_data_type(self, data_type: DataType) -> _Hits:
+        return self._check(data_type, Record) + self._check(data_type, DataType) or ()
 
 
 def _below(place: Place, hits: Iterable[_Hit]) -> list[_Hit]:
     return [hit.below(place) for hit in hits]
+
+
+def _below_each(field: str, found: Iterable[_Hits]) -> list[_Hit]:
+    """What was found in each item of a list."""
+    return [hit.below((field, number)) for number, hits in enumerate(found) if hits for hit in hits]

@@ -44,7 +44,7 @@ class Dictionaries:
     """The dictionaries of an owner as one: of several objects with one index the first counts."""
 
     def __init__(self, views: Sequence[DictionaryView]) -> None:
-        self.views = tuple(view for view in views if view.by_index)
+        self.views = tuple([view for view in views if view.by_index])
 
     def __bool__(self) -> bool:
         return bool(self.views)
@@ -52,9 +52,8 @@ class Dictionaries:
     def entries(self, index: int) -> EntriesBySubindex | None:
         """Entries of an object by subindex; None when there is no such object."""
         for view in self.views:
-            found = view.entries(index)
-            if found is not None:
-                return found
+            if index in view.by_index:
+                return view.entries(index)
         return None
 
     def entry(self, index: int, subindex: int) -> ObjectEntry | None:
