@@ -81,7 +81,6 @@ def drive_modes(device: Device, modules: Sequence[Module] = (), views: Dictionar
     own_axes = {part.axis for part in own if has_cia402(part)}
     plugged = _module_parts(device, modules if own_axes else drives, views)
     default_idents = {item.module.module_ident for item in default_modules(device, modules)} if plugged else set()
-    groups = _configurations(own, plugged)
     evidence: list[ModeEvidence] = []
     verdicts: list[DriveModeVerdict] = []
     by_part = {}
@@ -89,6 +88,7 @@ def drive_modes(device: Device, modules: Sequence[Module] = (), views: Dictionar
         is_drive = part.axis in own_axes or has_cia402(part)
         by_part[id(part)] = list(find_evidence(part)) if is_drive else []
         evidence.extend(by_part[id(part)])
+    groups = _configurations(own, plugged) if evidence else {}
     for axis, configurations in sorted(groups.items()):
         for mode in DRIVE_MODES.values():
             verdict = _best(device, axis, mode, configurations, by_part, default_idents)
