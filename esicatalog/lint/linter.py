@@ -74,7 +74,6 @@ class Linter:
         self._of_record: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._of_object: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._values_of_type: IdentityMemo[ValuesOfType] = IdentityMemo(_MAX_TYPES)
-        self._of_mapping: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._of_types: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
         self._of_dictionary: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
 
@@ -162,11 +161,12 @@ class Linter:
         return self._of_pdos.get(key, (record, dictionaries.views), self._check_pdos, owner, dictionaries)
 
     def _check_pdos(self, owner: Owner, dictionaries: Dictionaries) -> _Hits:
-        return [
-            hit.below(placed.place)
-            for placed in owner.pdos
-            for hit in self._pdo(placed.pdo, placed.direction, dictionaries)
-        ]
+        hits: list[_Hit] = []
+        for place, direction, pdo in owner.pdos:
+            hits += _below(place, self._of_record.of(pdo, self._check_pdo))
+            if dictionaries.views and pdo.entries:
+                hits += _below(place, self._check(pdo_mapping(direction, pdo, dictionaries), PdoMapping))
+        return hits
 
     def _dictionaries_for(self, owner: Owner) -> Dictionaries:
         """Where the objects of its PDOs are looked up: its own, then those of what it is plugged into or carries.
@@ -181,20 +181,8 @@ class Linter:
             others = owner.hosts if isinstance(owner, ModuleSubject) else ()
         return Dictionaries([view for part in (owner, *others) for view in part.own.views]) if others else owner.own
 
-    def _pdo(self, pdo: Pdo, direction: str, dictionaries: Dictionaries) -> list[_Hit]:
-        hits = [*self._of_record.of(pdo, self._check_pdo)]
-        if dictionaries and pdo.entries:
-            key = (id(pdo), direction, identities(dictionaries.views))
-            hits += self._of_mapping.get(
-                key, (pdo, dictionaries.views), self._check_mapping, direction, pdo, dictionaries
-            )
-        return hits
-
     def _check_pdo(self, pdo: Pdo) -> _Hits:
         return self._check(pdo, Record) + self._check(pdo, Pdo) or ()
-
-    def _check_mapping(self, direction: str, pdo: Pdo, dictionaries: Dictionaries) -> _Hits:
-        return self._check(pdo_mapping(direction, pdo, dictionaries), PdoMapping)
 
     def _dictionary(self, dictionary: Dictionary) -> _Hits:
         view = self._views.view(dictionary)
@@ -229,8 +217,8 @@ class Linter:
         return self._check(data_type, Record) + self._check(data_type, DataType) or ()
 
 
-def _below(place: Place, hits: Iterable[_Hit]) -> list[_Hit]:
-    return [hit.below(place) for hit in hits]
+def _below(place: Place, hits: _Hits) -> list[_Hit]:
+    return [hit.below(place) for hit in hits] if hits else []
 
 
 def _below_each(field: str, found: Iterable[_Hits]) -> list[_Hit]:
