@@ -59,8 +59,10 @@ def declared_twice(record: DictionaryView | TypeSet | DataType) -> Iterator[Foun
         for number, name in _repeated(names):
             yield Found(f"DataType {name} is declared twice: the first counts", ("data_types", number, "name"))
         return
-    indices = [declared.object_index for declared in record.dictionary.objects]
-    for number, index in _repeated(indices):
+    objects = record.dictionary.objects
+    if len(record.by_index) == len(objects):
+        return
+    for number, index in _repeated([declared.object_index for declared in objects]):
         yield Found(f"object 0x{index:04X} is declared twice", ("objects", number, "object_index"))
 
 
