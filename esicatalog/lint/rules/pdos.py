@@ -74,6 +74,8 @@ def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
 @rule("L30", WARNING, "ETG.2000 Exclude: meant for both sides; a tool that reads one side only offers the pair")
 def exclusion_one_sided(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """A PDO excludes another one that does not exclude it."""
+    if not _any_excludes(subject):
+        return
     excluded = {
         placed.pdo.pdo_index: {item.pdo_index for item in placed.pdo.excludes} for placed in reversed(subject.pdos)
     }
@@ -92,6 +94,8 @@ def exclusion_one_sided(subject: ProcessSubject | ModuleSubject) -> Iterator[Fou
 @rule("L31", ERROR, "ETG.2000 Exclude: the PDOs may not be assigned at the same time")
 def exclusive_defaults(subject: ProcessSubject) -> Iterator[Found]:
     """Two PDOs that exclude each other are both assigned by default, or a PDO excludes itself."""
+    if not _any_excludes(subject):
+        return
     for placed in subject.pdos:
         for number, item in enumerate(placed.pdo.excludes):
             if item.pdo_index is not None and item.pdo_index == placed.pdo.pdo_index:
@@ -116,6 +120,10 @@ def exclusive_defaults(subject: ProcessSubject) -> Iterator[Found]:
             before.append(index)
 
 
+def _any_excludes(subject: ProcessSubject | ModuleSubject) -> bool:
+    return any(placed.pdo.excludes for placed in subject.pdos)
+
+
 def _assigned_by_default(subject: ProcessSubject) -> list[PlacedPdo]:
     """PDOs with Sm, but not those whose SyncManager the default OpMode assigns itself."""
     mode = subject.data.default_op_mode
@@ -130,7 +138,7 @@ def _assigned_by_default(subject: ProcessSubject) -> list[PlacedPdo]:
 @rule("L32", WARNING, "ETG.2000 Exclude: index of another PDO")
 def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """Exclude names a PDO that is not described."""
-    if not any(placed.pdo.excludes for placed in subject.pdos):
+    if not _any_excludes(subject):
         return
     hosts = [] if isinstance(subject, ProcessSubject) else subject.hosts
     modules = subject.modules if isinstance(subject, ProcessSubject) else [m for host in hosts for m in host.modules]
