@@ -8,7 +8,7 @@ from esicatalog.esi.containers import Folder
 from esicatalog.esi.documents import parse_document
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.tree import DocumentTree
-from esicatalog.lint.dictionaries import ObjectSubject
+from esicatalog.lint.dictionaries import ObjectValues, ValuesOfType
 from esicatalog.lint.linter import Linter
 from esicatalog.model.derivation import Deriver
 from esicatalog.model.dictionary_views import DictionaryViews
@@ -157,9 +157,24 @@ def test_objects_are_resolved_only_where_their_values_could_be_wrong(text, is_re
             return super().resolve(declared, types)
 
     resolver = Watched()
-    subject = ObjectSubject(found.objects[0], resolver.types(found), resolver)
-    assert isinstance(subject.with_values, list)
+    types = resolver.types(found)
+    of_type = ValuesOfType(types.by_name[found.objects[0].type], types)
+    values = ObjectValues(found.objects[0], of_type, types, resolver)
+    assert values.is_sound is not is_resolved
+    assert isinstance(values.with_values, list)
     assert bool(asked) is is_resolved
+
+
+def test_values_of_no_sub_item_are_not_sound_even_if_they_say_nothing():
+    text = declared("<SubItem><Name>C</Name></SubItem>", "DT1", 48)
+    (held,) = read(esi(device(dictionary(UINT + RECORD, text)))).document.infos[0].devices
+    found, resolver = held.profiles[0].dictionary, Resolver()
+    types = resolver.types(found)
+    of_type = ValuesOfType(types.by_name[found.objects[0].type], types)
+    values = ObjectValues(found.objects[0], of_type, types, resolver)
+    assert not values.is_paired
+    assert not values.is_sound
+    assert values.with_values == []
 
 
 @pytest.mark.parametrize("before", [10, 65_530, 65_540])

@@ -1,33 +1,53 @@
 """Objects as the rules see them: resolved only where a rule has to look at their entries."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
+from functools import cached_property
+from operator import attrgetter
+from typing import NamedTuple
 
-from esicatalog.esi.records.dictionary import DeclaredValues, InfoSubItem, Object, SubItem
+from esicatalog.esi.records.dictionary import DataType, DeclaredValues, InfoSubItem, Object, SubItem
 from esicatalog.model.dictionary import ObjectEntry, ResolvedObject
 from esicatalog.model.resolver import Resolver, TypeSet
 
-_Pairs = Sequence[tuple[InfoSubItem, SubItem]]
+_Pairs = Sequence[tuple[InfoSubItem, int | None]]
+
+_name = attrgetter("name")
+_type = attrgetter("type")
+_values_of_sub_item = attrgetter("default_data", "default_value", "default_string", "min_value", "max_value")
+_NO_VALUES = frozenset({(None, None, None, None, None), ("", None, None, None, None)})
 
 
-class ObjectSubject:
-    """An object of a dictionary and the data types around it."""
+class ObjectSubject(NamedTuple):
+    """An object that is not as its type says: this is not declared or has another size."""
 
-    def __init__(self, declared: Object, types: TypeSet, resolver: Resolver) -> None:
+    declared: Object
+    data_type: DataType | None
+
+
+class ValuesOfType:
+    """What the values of all objects of a data type are held against."""
+
+    def __init__(self, data_type: DataType | None, types: TypeSet) -> None:
+        self.sub_items: Sequence[SubItem] = data_type.sub_items if data_type is not None else ()
+        self.names = list(map(_name, self.sub_items))
+        self.sizes = [sub_item.bit_size for sub_item in self.sub_items]
+        self.are_silent = _NO_VALUES.issuperset(map(_values_of_sub_item, self.sub_items))
+        """Whether the SubItems have no values of their own, as it should be."""
+        self.may_be_expanded = not types.arrays.isdisjoint(map(_type, self.sub_items))
+        """Whether a SubItem may stand for all elements of an array."""
+
+
+class ObjectValues:
+    """What an object of a dictionary declares about its values."""
+
+    def __init__(self, declared: Object, of_type: ValuesOfType, types: TypeSet, resolver: Resolver) -> None:
         self.declared = declared
-        self.types = types
+        self._of_type = of_type
+        self._types = types
         self._resolver = resolver
-        data_type = types.by_name.get(declared.type or "")
-        self._sub_items: Sequence[SubItem] = data_type.sub_items if data_type is not None else ()
-        self._pairs = self._paired() if declared.info_sub_items and self._sub_items else None
-        self._resolved: ResolvedObject | None = None
-        self._with_values: Sequence[ObjectEntry] | None = None
-
-    @property
-    def resolved(self) -> ResolvedObject:
-        """The object with its entries."""
-        if self._resolved is None:
-            self._resolved = self._resolver.resolve(self.declared, self.types)
-        return self._resolved
+        infos = declared.info_sub_items
+        self._pairs: _Pairs | None = (self._paired() if of_type.sub_items else None) if infos else ()
+        self._are_harmless = self._values_are_harmless() if of_type.sub_items else self._own_are_harmless()
 
     @property
     def is_paired(self) -> bool:
@@ -35,70 +55,68 @@ class ObjectSubject:
         return self._pairs is not None
 
     @property
-    def with_values(self) -> Sequence[ObjectEntry]:
-        """The entries that have a default, but none where nothing about the values can be wrong.
+    def is_sound(self) -> bool:
+        """Whether nothing about the values can be wrong, so that no rule needs to look at them.
 
         Most objects have no values, numbers without limits, or defaults as long as their SubItems: they need not be
         resolved.
         """
-        if self._with_values is None:
-            entries = () if self._values_are_harmless() else self.resolved.entries
-            self._with_values = [entry for entry in entries if entry.default_raw is not None]
-        return self._with_values
+        return self._are_harmless and self.is_paired
+
+    @cached_property
+    def resolved(self) -> ResolvedObject:
+        """The object with its entries."""
+        return self._resolver.resolve(self.declared, self._types)
+
+    @cached_property
+    def with_values(self) -> Sequence[ObjectEntry]:
+        """The entries that have a default, but none where nothing about the values can be wrong."""
+        entries = () if self._are_harmless else self.resolved.entries
+        return [entry for entry in entries if entry.default_raw is not None]
 
     def _paired(self) -> _Pairs | None:
-        """Values with the SubItems that they belong to, where names alone tell it."""
-        infos, sub_items = self.declared.info_sub_items, self._sub_items
-        pairs = list(zip(infos, sub_items, strict=False))
-        in_order = len(infos) == len(sub_items) and all(info.name == sub_item.name for info, sub_item in pairs)
-        if not in_order:
-            by_name = {sub_item.name: sub_item for sub_item in sub_items}
-            pairs = [(info, by_name[info.name]) for info in infos if info.name in by_name]
-            if len({info.name for info, _ in pairs}) < len(infos) or len(by_name) < len(sub_items):
+        """Values with the sizes of the SubItems that they belong to, where names alone tell it."""
+        infos, of_type = self.declared.info_sub_items, self._of_type
+        in_order = list(map(_name, infos)) == of_type.names
+        if in_order:
+            pairs = list(zip(infos, of_type.sizes, strict=True))
+        else:
+            by_name = dict(zip(of_type.names, of_type.sizes, strict=True))
+            named = [info for info in infos if info.name in by_name]
+            if len({info.name for info in named}) < len(infos) or len(by_name) < len(of_type.names):
                 return None
-        if any(map(self._is_expanded, sub_items)) and not (in_order and _fit(pairs)):
-            return None
-        return pairs
+            pairs = [(info, by_name[info.name]) for info in named]
+        return None if of_type.may_be_expanded and not (in_order and _fit(pairs)) else pairs
 
-    def _is_expanded(self, sub_item: SubItem) -> bool:
-        """Whether a SubItem may stand for all elements of an array."""
-        data_type = self.types.by_name.get(sub_item.type or "")
-        return data_type is not None and bool(data_type.array_infos)
+    def _own_are_harmless(self) -> bool:
+        declared = self.declared
+        return not declared.info_sub_items and _is_harmless(declared, declared.bit_size)
 
     def _values_are_harmless(self) -> bool:
-        declared = self.declared
-        if not self._sub_items:
-            return not declared.info_sub_items and _is_harmless(declared, declared.bit_size)
-        if not all(map(_says_nothing, self._sub_items)):
+        if not self._of_type.are_silent:
             return False
-        if self._pairs is not None:
-            return all(_is_harmless(info, sub_item.bit_size) for info, sub_item in self._pairs)
-        return all(_is_harmless(info, None) for info in declared.info_sub_items)
+        if self._pairs is None:
+            return all(_is_harmless(info, None) for info in self.declared.info_sub_items)
+        return all(_is_harmless(info, bit_size) for info, bit_size in self._pairs)
 
 
-def _fit(pairs: Iterable[tuple[InfoSubItem, SubItem]]) -> bool:
+def _fit(pairs: _Pairs) -> bool:
     """Whether nothing but bytes is given, as many as each SubItem has: then one stands for one."""
     return all(
-        info.default_value is None and sub_item.bit_size is not None and _is_harmless(info, sub_item.bit_size)
-        for info, sub_item in pairs
+        info.default_value is None and bit_size is not None and _is_harmless(info, bit_size) for info, bit_size in pairs
     )
-
-
-def _says_nothing(sub_item: SubItem) -> bool:
-    """Whether a SubItem of a type has no values of its own, as it should."""
-    return not _has_default(sub_item) and sub_item.min_value is None and sub_item.max_value is None
-
-
-def _has_default(values: DeclaredValues | SubItem) -> bool:
-    return bool(values.default_data) or values.default_value is not None or values.default_string is not None
 
 
 def _is_harmless(values: DeclaredValues, bit_size: int | None) -> bool:
     """Whether there is no default, or one without limits: a number, or as many bytes as a known size asks for."""
     data = values.default_data
-    return not _has_default(values) or (
-        (not data or (bit_size is not None and len(data) == 2 * ((bit_size + 7) // 8)))
-        and values.default_string is None
+    if not data:
+        if values.default_value is None and values.default_string is None:
+            return True
+    elif bit_size is None or len(data) != 2 * ((bit_size + 7) // 8):
+        return False
+    return (
+        values.default_string is None
         and values.min_value is None
         and values.max_value is None
         and not (values.min_data or values.max_data)

@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
+from itertools import repeat
 from typing import Any, NamedTuple
 
 from esicatalog.esi.binding import Record
@@ -12,7 +13,7 @@ from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.esi.records.document import Document, EsiInfo
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.lint.dictionaries import ObjectSubject
+from esicatalog.lint.dictionaries import ObjectSubject, ObjectValues, ValuesOfType
 from esicatalog.lint.locator import Locator, Tree
 from esicatalog.lint.registry import Check, Found, Place, Rule
 from esicatalog.lint.rules import ALL_RULES
@@ -34,6 +35,7 @@ from esicatalog.model.resolver import TypeSet
 from esicatalog.model.slots import accepts
 
 _MAX_RECORDS = 20_000
+_MAX_TYPES = 5_000
 _MAX_OWNERS = 2_000
 _MAX_DICTIONARIES = 500
 
@@ -71,7 +73,7 @@ class Linter:
         self._of_pdos: IdentityMemo[_Hits] = IdentityMemo(_MAX_OWNERS)
         self._of_record: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._of_object: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
-        self._of_mapping: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
+        self._values_of_type: IdentityMemo[ValuesOfType] = IdentityMemo(_MAX_TYPES)
         self._of_types: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
         self._of_dictionary: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
 
@@ -107,8 +109,8 @@ class Linter:
     def _info(
         self, info: EsiInfo, referenced: tuple[Module, ...], external: set[str], find_file: FileFinder | None
     ) -> list[_Hit]:
-        modules = [ModuleSubject(module, info, self._owner_views(module)) for module in info.modules]
-        of_others = [ModuleSubject(module, info, self._owner_views(module)) for module in referenced]
+        modules = [ModuleSubject(module, info, self._views.of(module.profiles)) for module in info.modules]
+        of_others = [ModuleSubject(module, info, self._views.of(module.profiles)) for module in referenced]
         devices = [self._device(device, info, (*modules, *of_others)) for device in info.devices]
         for device in devices:
             for module in device.modules:
@@ -130,10 +132,7 @@ class Linter:
         slots = device.slots
         reachable = [item for item in modules if any(accepts(slot, item.module) for slot in slots)] if slots else []
         derivation = self._deriver.derive(device, [item.module for item in reachable])
-        return DeviceSubject(device, info, self._owner_views(device), reachable, derivation)
-
-    def _owner_views(self, owner: Device | Module) -> list[DictionaryView]:
-        return [self._views.view(profile.dictionary) for profile in owner.profiles if profile.dictionary is not None]
+        return DeviceSubject(device, info, self._views.of(device.profiles), reachable, derivation)
 
     def _owner(self, owner: Owner, kind: type[Owner], external: set[str]) -> list[_Hit]:
         hits = self._check(owner, kind)
@@ -162,11 +161,12 @@ class Linter:
         return self._of_pdos.get(key, (record, dictionaries.views), self._check_pdos, owner, dictionaries)
 
     def _check_pdos(self, owner: Owner, dictionaries: Dictionaries) -> _Hits:
-        return [
-            hit.below(placed.place)
-            for placed in owner.pdos
-            for hit in self._pdo(placed.pdo, placed.direction, dictionaries)
-        ]
+        hits: list[_Hit] = []
+        for place, direction, pdo in owner.pdos:
+            hits += _below(place, self._of_record.of(pdo, self._check_pdo))
+            if dictionaries.views and pdo.entries:
+                hits += _below(place, self._check(pdo_mapping(direction, pdo, dictionaries), PdoMapping))
+        return hits
 
     def _dictionaries_for(self, owner: Owner) -> Dictionaries:
         """Where the objects of its PDOs are looked up: its own, then those of what it is plugged into or carries.
@@ -179,53 +179,48 @@ class Linter:
             others: Sequence[Owner] = owner.modules
         else:
             others = owner.hosts if isinstance(owner, ModuleSubject) else ()
-        return Dictionaries([view for part in (owner, *others) for view in part.own.views])
+        return Dictionaries([view for part in (owner, *others) for view in part.own.views]) if others else owner.own
 
-    def _pdo(self, pdo: Pdo, direction: str, dictionaries: Dictionaries) -> list[_Hit]:
-        hits = list(self._of_record.get(id(pdo), pdo, self._check_kinds, pdo, (Record, Pdo)))
-        if dictionaries and pdo.entries:
-            key = (id(pdo), direction, identities(dictionaries.views))
-            hits += self._of_mapping.get(
-                key, (pdo, dictionaries.views), self._check_mapping, direction, pdo, dictionaries
-            )
-        return hits
-
-    def _check_mapping(self, direction: str, pdo: Pdo, dictionaries: Dictionaries) -> _Hits:
-        return self._check(pdo_mapping(direction, pdo, dictionaries), PdoMapping)
+    def _check_pdo(self, pdo: Pdo) -> _Hits:
+        return self._check(pdo, Record) + self._check(pdo, Pdo) or ()
 
     def _dictionary(self, dictionary: Dictionary) -> _Hits:
         view = self._views.view(dictionary)
-        return self._of_dictionary.get(id(view), view, self._check_dictionary, view)
+        return self._of_dictionary.of(view, self._check_dictionary)
 
     def _check_dictionary(self, view: DictionaryView) -> _Hits:
-        types = view.types
+        types, objects = view.types, view.dictionary.objects
         hits = self._check(view, DictionaryView)
-        hits += self._of_types.get(id(types), types, self._check_types, types)
-        closure = types.closure
-        for number, declared in enumerate(view.dictionary.objects):
-            key = (id(declared), closure(declared.type))
-            found = self._of_object.get(key, (declared, types), self._check_object, declared, types)
-            if found:
-                hits += _below(("objects", number), found)
-        return hits
+        hits += self._of_types.of(types, self._check_types)
+        keys = zip(map(id, objects), [types.closure(declared.type) for declared in objects], strict=True)
+        found = self._of_object.get_all(keys, zip(objects, repeat(types)), self._check_object)
+        return hits + _below_each("objects", found)
 
-    def _check_object(self, declared: Object, types: TypeSet) -> _Hits:
-        return [
-            *self._check(declared, Record),
-            *self._check(ObjectSubject(declared, types, self._deriver.resolver), ObjectSubject),
-        ]
+    def _check_object(self, met: tuple[Object, TypeSet], key: tuple[int, tuple[int, ...]]) -> _Hits:
+        declared, types = met
+        _, closure = key
+        hits = self._check(declared, Record)
+        data_type = types.by_name.get(declared.type) if declared.type else None
+        if data_type is None or data_type.bit_size != declared.bit_size:
+            hits += self._check(ObjectSubject(declared, data_type), ObjectSubject)
+        of_type = self._values_of_type.get(closure, types, ValuesOfType, data_type, types)
+        values = ObjectValues(declared, of_type, types, self._deriver.resolver)
+        if not values.is_sound:
+            hits += self._check(values, ObjectValues)
+        return hits or ()
 
     def _check_types(self, types: TypeSet) -> _Hits:
-        hits = self._check(types, TypeSet)
-        for number, data_type in enumerate(types.data_types):
-            found = self._of_record.get(id(data_type), data_type, self._check_kinds, data_type, (Record, DataType))
-            if found:
-                hits += _below(("data_types", number), found)
-        return hits
+        found = self._of_record.of_all(types.data_types, self._check_data_type)
+        return self._check(types, TypeSet) + _below_each("data_types", found)
 
-    def _check_kinds(self, subject: Record, kinds: Iterable[Any]) -> _Hits:
-        return [hit for kind in kinds for hit in self._check(subject, kind)]
+    def _check_data_type(self, data_type: DataType) -> _Hits:
+        return self._check(data_type, Record) + self._check(data_type, DataType) or ()
 
 
-def _below(place: Place, hits: Iterable[_Hit]) -> list[_Hit]:
-    return [hit.below(place) for hit in hits]
+def _below(place: Place, hits: _Hits) -> list[_Hit]:
+    return [hit.below(place) for hit in hits] if hits else []
+
+
+def _below_each(field: str, found: Iterable[_Hits]) -> list[_Hit]:
+    """What was found in each item of a list."""
+    return [hit.below((field, number)) for number, hits in enumerate(found) if hits for hit in hits]

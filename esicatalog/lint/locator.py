@@ -3,13 +3,13 @@
 Records carry no lines, so the parsed document is asked, and only when there is something to report.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache, cached_property
 from typing import Any, NamedTuple
 
 from lxml import etree
 
-from esicatalog.esi.binding import Field, Record, fields_of
+from esicatalog.esi.binding import Record, fields_of
 from esicatalog.esi.lines import LAST_COUNTED
 from esicatalog.esi.records.document import DiagInfo, DictInfo, Document, EsiInfo, InfoList, ModuleInfo
 from esicatalog.esi.tree import DocumentTree
@@ -44,7 +44,7 @@ class _Known(NamedTuple):
     """
 
     record: Any
-    fields: dict[str, Field]
+    ways: "_Ways"
     path: str
     element: etree._Element
     lines_before: int
@@ -77,29 +77,30 @@ class Locator:
 
     def _root(self) -> _Known:
         record_type = _ROOTS[self._document.root]
-        return _Known(self._document, _fields(record_type), self._document.root, self._tree.root, 0, True)
+        return _Known(self._document, _ways(record_type), self._document.root, self._tree.root, 0, True)
 
     def _step(self, place: Place) -> _Known:
         if place == _SECTION and (record_type := _ROOTS[self._document.root]) in _SINGLE_SECTION:
             root = self._look_up(())
-            return root._replace(record=self._document.infos[0], fields=_fields(record_type))
-        position = place[-1] if isinstance(place[-1], int) else None
-        name = place[-1] if position is None else place[-2]
-        around = self._look_up(place[:-1] if position is None else place[:-2])
-        field = around.fields[str(name)]
-        value = getattr(around.record, str(name))
-        path = field.xml.path.partition("@")[0].removeprefix(".")
+            return root._replace(record=self._document.infos[0], ways=_ways(record_type))
+        last = place[-1]
+        if isinstance(last, int):
+            name, position, around = str(place[-2]), last, self._look_up(place[:-2])
+        else:
+            name, position, around = last, None, self._look_up(place[:-1])
+        path, is_list = around.ways[name]
         if not path:
             return around
+        value = getattr(around.record, name)
         shown = f"{around.path}/{path}"
-        if field.many and position is not None:
+        if is_list and position is not None:
             shown += f"[{position}]" if len(value) > 1 else ""
             value = value[position]
-        fields = _fields(type(value)) if isinstance(value, Record) else {}
+        ways = _ways(value.__class__)
         found = self._tree.element(around.element, path, position or 0) if around.exact else None
         if found is None:
-            return _Known(value, fields, shown, around.element, around.lines_before, False)
-        return _Known(value, fields, shown, found.element, around.lines_before + found.lines_before, True)
+            return _Known(value, ways, shown, around.element, around.lines_before, False)
+        return _Known(value, ways, shown, found.element, around.lines_before + found.lines_before, True)
 
 
 def _line(element: etree._Element) -> int:
@@ -111,6 +112,14 @@ def _line(element: etree._Element) -> int:
     return next((line for line in around if line > LAST_COUNTED), LAST_COUNTED)
 
 
+_Ways = Mapping[str, tuple[str, bool]]
+"""By the name of a field the path of its element and whether there are several."""
+
+
 @cache
-def _fields(record_type: type[Record]) -> dict[str, Field]:
-    return {field.name: field for field in fields_of(record_type)}
+def _ways(value_type: type) -> _Ways:
+    if not issubclass(value_type, Record):
+        return {}
+    return {
+        field.name: (field.xml.path.partition("@")[0].removeprefix("."), field.many) for field in fields_of(value_type)
+    }

@@ -1,13 +1,13 @@
 """The registry of rules: every rule documents itself (``esicatalog lint --list``, the help texts of SARIF).
 
-A rule is a function of one subject that yields what it found; its docstring says what is wrong, the annotation of its
+A rule is a function of one subject that gives what it found; its docstring says what is wrong, the annotation of its
 argument says what it looks at (a union: several kinds of subjects). Rules that the reader checks while it reads have
 no function: their findings are the reader's.
 """
 
 import types
 import typing
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple, TypeVar, get_args, get_origin, get_type_hints
 
 from esicatalog.errors import InputError
@@ -50,7 +50,7 @@ def listed(items: Sequence[str]) -> str:
     return f"{shown} and {len(items) - _SHOWN} more" if len(items) > _SHOWN else shown
 
 
-Function = TypeVar("Function", bound=Callable[[Any], Iterator[Found]])
+Function = TypeVar("Function", bound=Callable[[Any], Iterable[Found]])
 
 RULES: dict[str, Rule] = {}
 """All rules by id; complete once :mod:`esicatalog.lint.rules` is imported."""

@@ -44,7 +44,7 @@ class Dictionaries:
     """The dictionaries of an owner as one: of several objects with one index the first counts."""
 
     def __init__(self, views: Sequence[DictionaryView]) -> None:
-        self.views = tuple(view for view in views if view.by_index)
+        self.views = tuple([view for view in views if view.by_index])
 
     def __bool__(self) -> bool:
         return bool(self.views)
@@ -52,9 +52,8 @@ class Dictionaries:
     def entries(self, index: int) -> EntriesBySubindex | None:
         """Entries of an object by subindex; None when there is no such object."""
         for view in self.views:
-            found = view.entries(index)
-            if found is not None:
-                return found
+            if index in view.by_index:
+                return view.entries(index)
         return None
 
     def entry(self, index: int, subindex: int) -> ObjectEntry | None:
@@ -185,33 +184,34 @@ class InfoSubject(NamedTuple):
                 yield ("devices", number, "slot_group_data", position), data
 
 
-class MappedEntry(NamedTuple):
-    """An entry of a PDO that maps an object; what the dictionaries say about it."""
-
-    place: Place
-    entry: Entry
-    object_index: int
-    subindex: int
-    declared: ObjectEntry | None
+PlacedEntry = tuple[int, Entry]
+"""An entry and its position in its PDO."""
 
 
 class PdoMapping(NamedTuple):
-    """A PDO with the entries that map objects, held against the dictionaries of its owner."""
+    """A PDO, held against the dictionaries of its owner; fillers are left out."""
 
     direction: str
     pdo: Pdo
-    mapped: list[MappedEntry]
+    described: list[tuple[int, Entry, ObjectEntry]]
+    """Entries, their positions, and what a dictionary says about that which they map."""
+    unknown: list[PlacedEntry]
+    """Entries that map what no dictionary has."""
 
 
 def pdo_mapping(direction: str, pdo: Pdo, dictionaries: Dictionaries) -> PdoMapping:
-    """Look up what a PDO maps; fillers are left out."""
-    mapped = []
+    """Look up what a PDO maps."""
+    mapping = PdoMapping(direction, pdo, [], [])
+    before, entries = None, None
     for position, entry in enumerate(pdo.entries):
         index = entry.entry_index
         if index is None or index < FIRST_OBJECT:
             continue
-        entries = dictionaries.entries(index)
-        subindex = entry.subindex or 0
-        declared = entries.get(subindex) if entries is not None else None
-        mapped.append(MappedEntry(("entries", position), entry, index, subindex, declared))
-    return PdoMapping(direction, pdo, mapped)
+        if index != before:
+            before, entries = index, dictionaries.entries(index)
+        declared = entries.get(entry.subindex or 0) if entries is not None else None
+        if declared is not None:
+            mapping.described.append((position, entry, declared))
+        else:
+            mapping.unknown.append((position, entry))
+    return mapping

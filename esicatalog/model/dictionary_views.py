@@ -1,10 +1,11 @@
 """Dictionaries looked at as a whole: objects by index, resolved when asked for; equal ones are looked at once."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
 from esicatalog.esi.records.dictionary import Dictionary, Object
-from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.esi.records.profile import Profile
+from esicatalog.model.dictionary import ObjectEntry, ResolvedObject
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.resolver import Resolver, TypeSet
 
@@ -20,10 +21,11 @@ class DictionaryView:
     def __init__(self, dictionary: Dictionary, types: TypeSet, resolver: Resolver) -> None:
         self.dictionary = dictionary
         self.types = types
-        self.by_index: dict[int, Object] = {}
-        for declared in dictionary.objects:
-            if declared.object_index is not None:
-                self.by_index.setdefault(declared.object_index, declared)
+        self.by_index: dict[int, Object] = {
+            declared.object_index: declared
+            for declared in reversed(dictionary.objects)
+            if declared.object_index is not None
+        }
         self._resolver = resolver
         self._entries: dict[int, EntriesBySubindex] = {}
         self._results: dict[Any, Any] = {}
@@ -35,11 +37,15 @@ class DictionaryView:
         result: Result = self._results[function]
         return result
 
+    def resolved(self, index: int) -> ResolvedObject | None:
+        """An object with its entries, None when the dictionary has no such object."""
+        declared = self.by_index.get(index)
+        return self._resolver.resolve(declared, self.types) if declared is not None else None
+
     def entries(self, index: int) -> EntriesBySubindex | None:
         """Entries of an object by subindex, None when the dictionary has no such object."""
         found = self._entries.get(index)
-        if found is None and (declared := self.by_index.get(index)) is not None:
-            resolved = self._resolver.resolve(declared, self.types)
+        if found is None and (resolved := self.resolved(index)) is not None:
             found = self._entries[index] = {entry.subindex: entry for entry in reversed(resolved.entries)}
         return found
 
@@ -55,6 +61,10 @@ class DictionaryViews:
     def view(self, dictionary: Dictionary) -> DictionaryView:
         """The view of a dictionary."""
         return self._of_dictionary.of(dictionary, self._view)
+
+    def of(self, profiles: Iterable[Profile]) -> tuple[DictionaryView, ...]:
+        """The views of the dictionaries that profiles have."""
+        return tuple([self.view(profile.dictionary) for profile in profiles if profile.dictionary is not None])
 
     def _view(self, dictionary: Dictionary) -> DictionaryView:
         types = self.resolver.types(dictionary)

@@ -10,7 +10,6 @@ from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
@@ -29,8 +28,8 @@ from esicatalog.model.cia402 import (
     DriveMode,
     named_modes,
 )
-from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
-from esicatalog.model.dictionary_views import DictionaryViews
+from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 
 MAX_AXES = 8
 _CONTROLWORDS = tuple(CONTROLWORD + axis * AXIS_STEP for axis in range(MAX_AXES))
@@ -80,7 +79,8 @@ class Part(NamedTuple):
     module_ident: int | None
     name: str
     """Names of a module: type and name."""
-    dictionaries: tuple[Dictionary, ...]
+    views: tuple[DictionaryView, ...]
+    """Its dictionaries."""
     rx_pdos: tuple[Pdo, ...]
     init_cmds: tuple[InitCmd, ...]
     profiles: tuple[Profile, ...]
@@ -98,13 +98,12 @@ class Part(NamedTuple):
 
 def find_evidence(part: Part) -> Iterator[ModeEvidence]:
     """All findings of a part that has CiA 402 evidence."""
-    objects = _Objects(part)
-    yield from _supported_modes(part, objects)
-    yield from _enumerated(part, objects)
+    yield from _supported_modes(part)
+    yield from _enumerated(part)
     yield from _init_commands(part)
     yield from _named(part)
     yield from _mapped(part)
-    yield from _mappable(part, objects)
+    yield from _mappable(part)
 
 
 def has_cia402(part: Part) -> bool:
@@ -120,20 +119,20 @@ def has_cia402(part: Part) -> bool:
         for pdo in part.rx_pdos
         for entry in pdo.entries
     )
-    return mapped or any(
-        declared.object_index == control and declared.bit_size == 16
-        for dictionary in part.dictionaries
-        for declared in dictionary.objects
-    )
+    return mapped or any(control in view.once(_words) for view in part.views)
+
+
+def _words(view: DictionaryView) -> frozenset[int | None]:
+    """Indices of the objects of 16 bits."""
+    return frozenset([declared.object_index for declared in view.dictionary.objects if declared.bit_size == 16])
 
 
 def may_be_drive(owner: Device | Module, axis_count: int, views: DictionaryViews) -> bool:
     """Whether a device or module can be a CiA 402 drive of up to so many axes: a cheap look before a close one."""
-    controlwords = _CONTROLWORDS[:axis_count]
-    dictionaries = [profile.dictionary for profile in owner.profiles if profile.dictionary is not None]
+    controlwords = frozenset(_CONTROLWORDS[:axis_count])
     return (
         any(map(_is_cia402, owner.profiles))
-        or any(index in views.view(dictionary).by_index for dictionary in dictionaries for index in controlwords)
+        or any(not view.by_index.keys().isdisjoint(controlwords) for view in views.of(owner.profiles))
         or any(entry.entry_index in controlwords for pdo in owner.rx_pdos for entry in pdo.entries)
     )
 
@@ -142,34 +141,22 @@ def _is_cia402(profile: Profile) -> bool:
     return PROFILE_CIA402 in (profile.profile_no, *(channel.profile_no for channel in profile.channel_infos))
 
 
-class _Objects:
-    """Objects of a part by index, with the data types of their dictionary."""
+def _value(part: Part, index: int) -> ObjectEntry | None:
+    """The single value of an object."""
+    for view in part.views:
+        resolved = view.resolved(index)
+        if resolved is not None:
+            return resolved.entries[0]
+    return None
 
-    def __init__(self, part: Part) -> None:
-        self._found: dict[int, tuple[Object, dict[str, DataType]]] = {}
-        for dictionary in part.dictionaries:
-            types: dict[str, DataType] | None = None
-            for declared in dictionary.objects:
-                index = declared.object_index
-                if index is not None and index not in self._found:
-                    types = type_table(dictionary.data_types) if types is None else types
-                    self._found[index] = (declared, types)
 
-    def entry(self, index: int) -> ObjectEntry | None:
-        """The single value of an object."""
-        found = self._found.get(index)
-        return resolve_object(*found).entries[0] if found is not None else None
-
-    def enum_values(self, index: int) -> list[tuple[int | None, str]]:
-        """Values and texts of the enumeration that an object's type is."""
-        found = self._found.get(index)
-        if found is None:
-            return []
-        declared, types = found
-        data_type = types.get(declared.type or "")
-        if data_type is None:
-            return []
-        return [(item.value, display_text(item.texts) or "") for item in data_type.enum_infos]
+def _enum_values(part: Part, index: int) -> list[tuple[int | None, str]]:
+    """Values and texts of the enumeration that an object's type is."""
+    view = next((view for view in part.views if index in view.by_index), None)
+    data_type = view.types.by_name.get(view.by_index[index].type or "") if view is not None else None
+    if data_type is None:
+        return []
+    return [(item.value, display_text(item.texts) or "") for item in data_type.enum_infos]
 
 
 def _finding(
@@ -199,10 +186,10 @@ def _finding(
     )
 
 
-def _supported_modes(part: Part, objects: _Objects) -> Iterator[ModeEvidence]:
+def _supported_modes(part: Part) -> Iterator[ModeEvidence]:
     """Default of 0x6502: bit b declares mode b + 1. Absent and zero say nothing."""
     index = part.at(SUPPORTED_DRIVE_MODES)
-    entry = objects.entry(index)
+    entry = _value(part, index)
     if entry is None or not entry.default_int or entry.default_int < 0:
         return
     value, rank, doubt = entry.default_int, "A+", ""
@@ -226,10 +213,10 @@ def _supported_modes(part: Part, objects: _Objects) -> Iterator[ModeEvidence]:
             yield _finding(part, mode, "A-", text, polarity=NO, object_index=index)
 
 
-def _enumerated(part: Part, objects: _Objects) -> Iterator[ModeEvidence]:
+def _enumerated(part: Part) -> Iterator[ModeEvidence]:
     """0x6060 whose type enumerates modes by code, with a text that names the same mode."""
     index = part.at(MODES_OF_OPERATION)
-    for value, text in objects.enum_values(index):
+    for value, text in _enum_values(part, index):
         mode = MODE_BY_CODE.get(value) if value is not None else None
         if mode is not None:
             words = f"values of 0x{index:04X} list {value} ({text})"
@@ -310,13 +297,13 @@ def _mapped(part: Part) -> Iterator[ModeEvidence]:
                 yield _finding(part, mode, "D3", text, pdo_index=pdo.pdo_index)
 
 
-def _mappable(part: Part, objects: _Objects) -> Iterator[ModeEvidence]:
+def _mappable(part: Part) -> Iterator[ModeEvidence]:
     """Setpoints that the dictionary lets into an RxPDO."""
     pairs: list[tuple[int, Iterable[DriveMode]]] = list(PROFILE_AND_CYCLIC.items())
     pairs += [(setpoint, (mode,)) for setpoint, mode in SINGLE_SETPOINTS.items()]
     for setpoint, modes in pairs:
         index = part.at(setpoint)
-        entry = objects.entry(index)
+        entry = _value(part, index)
         if entry is not None and "R" in (entry.pdo_mapping or ""):
             for mode in modes:
                 text = f"0x{index:04X} can be mapped into an RxPDO"
@@ -345,8 +332,11 @@ def pdo_words(pdo: Pdo) -> str:
     return f"RxPDO 0x{pdo.pdo_index:04X}" if pdo.pdo_index is not None else "an RxPDO"
 
 
-def axes_of(dictionaries: Iterable[Dictionary], rx_pdos: Iterable[Pdo]) -> list[int]:
-    """Axes above the first whose controlword or 0x6060 stands literally in the device's own description."""
-    indices = {o.object_index for dictionary in dictionaries for o in dictionary.objects}
-    indices |= {entry.entry_index for pdo in rx_pdos for entry in pdo.entries}
-    return [axis for axis in range(1, MAX_AXES) if CONTROLWORD + axis * AXIS_STEP in indices]
+def axes_of(views: Sequence[DictionaryView], rx_pdos: Iterable[Pdo]) -> list[int]:
+    """Axes above the first whose controlword stands literally in the device's own description."""
+    mapped = {entry.entry_index for pdo in rx_pdos for entry in pdo.entries}
+    return [
+        axis
+        for axis, control in enumerate(_CONTROLWORDS)
+        if axis and (control in mapped or any(control in view.by_index for view in views))
+    ]

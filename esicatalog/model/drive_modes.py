@@ -13,7 +13,7 @@ import msgspec
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.dictionary import DataType, Dictionary
+from esicatalog.esi.records.dictionary import DataType
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.cia402 import AXIS_STEP, CIA402, DRIVE_MODES, MODES_OF_OPERATION, DriveMode, named_modes
@@ -77,19 +77,18 @@ def drive_modes(device: Device, modules: Sequence[Module] = (), views: Dictionar
     drives = [module for module in modules if may_be_drive(module, 1, views)]
     if not drives and not may_be_drive(device, MAX_AXES, views):
         return DriveModes(verdicts=tuple(_other_systems(device, views)))
-    own = _device_parts(device)
-    is_own_drive = any(map(has_cia402, own))
-    plugged = _module_parts(device, modules if is_own_drive else drives)
+    own = _device_parts(device, views)
+    own_axes = {part.axis for part in own if has_cia402(part)}
+    plugged = _module_parts(device, modules if own_axes else drives, views)
     default_idents = {item.module.module_ident for item in default_modules(device, modules)} if plugged else set()
-    groups = _configurations(own, plugged)
     evidence: list[ModeEvidence] = []
     verdicts: list[DriveModeVerdict] = []
     by_part = {}
     for part in [*own, *(part for parts in plugged.values() for part in parts)]:
-        siblings = [p for p in own if p.axis == part.axis]
-        is_drive = has_cia402(part) or any(map(has_cia402, siblings))
+        is_drive = part.axis in own_axes or has_cia402(part)
         by_part[id(part)] = list(find_evidence(part)) if is_drive else []
         evidence.extend(by_part[id(part)])
+    groups = _configurations(own, plugged) if evidence else {}
     for axis, configurations in sorted(groups.items()):
         for mode in DRIVE_MODES.values():
             verdict = _best(device, axis, mode, configurations, by_part, default_idents)
@@ -97,19 +96,15 @@ def drive_modes(device: Device, modules: Sequence[Module] = (), views: Dictionar
                 verdicts.append(verdict)
     if not verdicts:
         verdicts = _other_systems(device, views)
-    if not verdicts and is_own_drive:
+    if not verdicts and own_axes:
         wording, score = RANKS["F"]
         text = "profile number 402, but nothing says which modes"
         evidence.append(ModeEvidence(rank="F", wording=wording, score=score, evidence=text))
     return DriveModes(evidence=tuple(evidence), verdicts=tuple(verdicts))
 
 
-def _dictionaries(owner: Device | Module) -> tuple[Dictionary, ...]:
-    return tuple(profile.dictionary for profile in owner.profiles if profile.dictionary is not None)
-
-
-def _device_parts(device: Device) -> list[Part]:
-    dictionaries = _dictionaries(device)
+def _device_parts(device: Device, known: DictionaryViews) -> list[Part]:
+    views = known.of(device.profiles)
     sync0 = any(sync_signals(mode.assign_activate).sync0 for mode in device.op_modes)
     commands = device.mailbox.coe_init_cmds if device.mailbox is not None else ()
     return [
@@ -117,18 +112,18 @@ def _device_parts(device: Device) -> list[Part]:
             axis,
             None,
             "",
-            dictionaries,
+            views,
             device.rx_pdos,
             commands,
             device.profiles if axis == 0 else (),
             sync0,
             axis * AXIS_STEP,
         )
-        for axis in (0, *axes_of(dictionaries, device.rx_pdos))
+        for axis in (0, *axes_of(views, device.rx_pdos))
     ]
 
 
-def _module_parts(device: Device, modules: Sequence[Module]) -> dict[int, list[Part]]:
+def _module_parts(device: Device, modules: Sequence[Module], known: DictionaryViews) -> dict[int, list[Part]]:
     """Parts of the modules by axis: what fits slot n can drive axis n."""
     parts: dict[int, list[Part]] = defaultdict(list)
     for number, slot, _ in numbered_slots(device):
@@ -136,24 +131,25 @@ def _module_parts(device: Device, modules: Sequence[Module]) -> dict[int, list[P
             break
         for module in modules:
             if accepts(slot, module):
-                parts[number].append(_module_part(device, PluggedModule(number, slot, module)))
+                parts[number].append(_module_part(device, PluggedModule(number, slot, module), known))
     return parts
 
 
-def _module_part(device: Device, plugged: PluggedModule) -> Part:
+def _module_part(device: Device, plugged: PluggedModule, known: DictionaryViews) -> Part:
     module = expand_module(device, plugged).module
+    views = known.of(module.profiles)
     modes = [mode for mode in device.op_modes if module.dc_op_mode_name in (None, mode.name)]
     increment = plugged.slot.slot_index_increment
     if increment is None:
         increment = device.slot_index_increment or 0
     moves = any(entry.depend_on_slot for pdo in module.rx_pdos for entry in pdo.entries) or any(
-        o.depend_on_slot for dictionary in _dictionaries(module) for o in dictionary.objects
+        o.depend_on_slot for view in views for o in view.dictionary.objects
     )
     return Part(
         plugged.slot_number,
         module.module_ident,
         f"{module.type or ''} / {display_text(module.names) or ''}",
-        _dictionaries(module),
+        views,
         module.rx_pdos,
         module.mailbox.coe_init_cmds if module.mailbox is not None else (),
         module.profiles,
@@ -320,8 +316,8 @@ def _motion_terminal_modes(device: Device, views: DictionaryViews) -> list[tuple
     ):
         return []
     found: dict[str, tuple[int, str, str]] = {}
-    for dictionary in _dictionaries(device):
-        for mode, place in views.view(dictionary).once(_listed_modes).items():
+    for view in views.of(device.profiles):
+        for mode, place in view.once(_listed_modes).items():
             found.setdefault(mode, place)
     return list(found.values())
 
@@ -332,6 +328,7 @@ def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
     named = {
         name: [(mode, text) for text in _enum_texts(data_type) for mode in sorted(named_modes(text))]
         for name, data_type in types.items()
+        if data_type.enum_infos
     }
     found: dict[str, tuple[int, str, str]] = {}
     for declared in view.dictionary.objects:

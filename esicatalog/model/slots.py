@@ -121,6 +121,25 @@ def expand_module(device: Device, plugged: PluggedModule) -> ExpandedModule:
     return ExpandedModule(plugged.slot_number, expanded, tuple(dict.fromkeys(shift.problems)))
 
 
+def shift_problems(device: Device, plugged: PluggedModule) -> tuple[str, ...]:
+    """The problems of :func:`expand_module`; nearly always a look at the highest index shows that there are none."""
+    highest = max(_indices(plugged.module), default=0) + _Shift(device, plugged.slot, plugged.slot_number).largest
+    return expand_module(device, plugged).problems if highest > MAX_INDEX else ()
+
+
+def _indices(module: Module) -> list[int]:
+    """The indices that can move with the slot."""
+    pdos = (*module.rx_pdos, *module.tx_pdos)
+    found = [entry.entry_index for pdo in pdos for entry in pdo.entries]
+    found += [pdo.pdo_index for pdo in pdos]
+    found += [item.pdo_index for pdo in pdos for item in pdo.excludes]
+    if module.mailbox is not None:
+        found += [command.object_index for command in module.mailbox.coe_init_cmds]
+    for profile in module.profiles:
+        found += [declared.object_index for declared in profile.dictionary.objects] if profile.dictionary else ()
+    return [index for index in found if index is not None]
+
+
 def _profile_in_slot(profile: Any, shift: "_Shift") -> Any:
     dictionary = profile.dictionary
     if dictionary is None or not any(o.depend_on_slot or o.depend_on_slot_group for o in dictionary.objects):
@@ -151,6 +170,13 @@ class _Shift:
         self._pdos_of_group = group * increment(slot.slot_group_pdo_increment, device.slot_group_pdo_increment)
         self._slot_number = slot_number
         self.problems: list[str] = []
+
+    @property
+    def largest(self) -> int:
+        """The furthest that any index moves up."""
+        return max(
+            max(self._objects, 0) + max(self._objects_of_group, 0), max(self._pdos, 0) + max(self._pdos_of_group, 0)
+        )
 
     def object_index(self, index: int, by_slot: bool | None, by_group: bool | None) -> int:
         """Shifted index of an object."""

@@ -4,6 +4,7 @@ AssignActivate is written to the registers 0x0980 (low byte) and 0x0981 (high by
 SYNC1 needs bit 0x0400 and the unit's bit 0x0100; a CycleTimeSync1 alone says nothing.
 """
 
+from functools import lru_cache
 from typing import Annotated
 
 from lxml import etree
@@ -31,6 +32,7 @@ class SyncSignals(Record):
     latch1_pdi: Annotated[bool | None, Doc("Latch 1 is controlled by the slave (0x0020)")] = None
 
 
+@lru_cache(1_000)
 def sync_signals(assign_activate: int | None) -> SyncSignals:
     """Decode AssignActivate; everything is None when the OpMode does not give it."""
     if assign_activate is None:

@@ -1,6 +1,5 @@
 """Rules about data types and objects as they are declared (ESI-FACTS sections 6 and 7)."""
 
-from collections import Counter
 from collections.abc import Iterator
 from itertools import pairwise
 
@@ -20,7 +19,7 @@ def type_undeclared(record: TypeSet | ObjectSubject) -> Iterator[Found]:
     """A type is not declared in its dictionary."""
     if isinstance(record, ObjectSubject):
         declared = record.declared
-        if declared.type and declared.type not in record.types.by_name:
+        if declared.type and record.data_type is None:
             yield Found(
                 f"object 0x{declared.object_index or 0:04X} has the type {declared.type!r}, "
                 f"which the dictionary does not declare{_known(declared.type)}",
@@ -52,15 +51,18 @@ def _known(name: str) -> str:
 def declared_twice(record: DictionaryView | TypeSet | DataType) -> Iterator[Found]:
     """A data type name, SubItem name, SubIdx or object index is declared twice."""
     if isinstance(record, DataType):
-        yield from _sub_items_twice(record)
+        if record.sub_items:
+            yield from _sub_items_twice(record)
         return
     if isinstance(record, TypeSet):
         names = [data_type.name for data_type in record.data_types]
         for number, name in _repeated(names):
             yield Found(f"DataType {name} is declared twice: the first counts", ("data_types", number, "name"))
         return
-    indices = [declared.object_index for declared in record.dictionary.objects]
-    for number, index in _repeated(indices):
+    objects = record.dictionary.objects
+    if len(record.by_index) == len(objects):
+        return
+    for number, index in _repeated([declared.object_index for declared in objects]):
         yield Found(f"object 0x{index:04X} is declared twice", ("objects", number, "object_index"))
 
 
@@ -74,25 +76,23 @@ def _sub_items_twice(data_type: DataType) -> Iterator[Found]:
         yield Found(f"SubIdx {subindex} occurs twice in DataType {data_type.name}", ("sub_items", number, "subindex"))
 
 
-def _repeated(keys: list[str | None] | list[int | None]) -> Iterator[tuple[int, object]]:
+def _repeated(keys: list[str | None] | list[int | None]) -> list[tuple[int, object]]:
     """Position and key of every item whose key another item had before."""
     if len(set(keys)) == len(keys):
-        return
-    seen: Counter[object] = Counter()
-    for number, key in enumerate(keys):
-        if key is not None and seen[key]:
-            yield number, key
-        seen[key] += 1
+        return []
+    first: dict[object, int] = {}
+    return [
+        (number, key) for number, key in enumerate(keys) if key is not None and first.setdefault(key, number) != number
+    ]
 
 
 @rule("L43", WARNING, "ETG.2000 Object/BitSize is that of its type")
 def size_differs(subject: ObjectSubject) -> Iterator[Found]:
     """BitSize of an object differs from that of its type."""
-    declared = subject.declared
-    index = declared.object_index or 0
-    data_type = subject.types.by_name.get(declared.type or "")
+    declared, data_type = subject.declared, subject.data_type
     if data_type is None or declared.bit_size is None or data_type.bit_size is None:
         return
+    index = declared.object_index or 0
     if declared.bit_size != data_type.bit_size and not any(index in dynamic for dynamic in _DYNAMIC):
         yield Found(
             f"object 0x{index:04X} has BitSize {declared.bit_size}, its type {declared.type} {data_type.bit_size}",
@@ -103,31 +103,34 @@ def size_differs(subject: ObjectSubject) -> Iterator[Found]:
 @rule("L44", WARNING, "ETG.2000 SubItem/BitOffs, BitSize: the complete-access image; SubIndex 0 lies at its start")
 def sub_item_overlap(data_type: DataType) -> Iterator[Found]:
     """SubItems overlap or exceed their type, or SubIndex 0 does not lie at BitOffs 0."""
-    if all(sub_item.subindex is None for sub_item in data_type.sub_items):
-        return  # the structure of an IDN, where members may be a union
-    first = data_type.sub_items[0]
+    sub_items = data_type.sub_items
+    if not sub_items or all(sub_item.subindex is None for sub_item in sub_items):
+        return  # nothing to overlap, or the structure of an IDN, where members may be a union
+    first = sub_items[0]
     if first.subindex == 0 and first.bit_offset:
         yield Found(
             f"SubIdx 0 of DataType {data_type.name} has BitOffs {first.bit_offset}; it lies at 0",
             ("sub_items", 0, "bit_offset"),
         )
     areas = sorted(
-        (sub_item.bit_offset, sub_item.bit_size, number)
-        for number, sub_item in enumerate(data_type.sub_items)
-        if sub_item.bit_offset is not None and sub_item.bit_size
+        [
+            (sub_item.bit_offset, sub_item.bit_offset + sub_item.bit_size, number)
+            for number, sub_item in enumerate(sub_items)
+            if sub_item.bit_offset is not None and sub_item.bit_size
+        ]
     )
-    for (offset, size, number), (next_offset, _, next_number) in pairwise(areas):
-        if next_offset < offset + size:
+    for (_, end, number), (start, _, next_number) in pairwise(areas):
+        if start < end:
             yield Found(
-                f"SubItem {data_type.sub_items[next_number].name!r} of DataType {data_type.name} starts at bit "
-                f"{next_offset}, {data_type.sub_items[number].name!r} ends at {offset + size}: correct BitOffs",
+                f"SubItem {sub_items[next_number].name!r} of DataType {data_type.name} starts at bit "
+                f"{start}, {sub_items[number].name!r} ends at {end}: correct BitOffs",
                 ("sub_items", next_number, "bit_offset"),
             )
     if areas and data_type.bit_size is not None:
-        end, number = max((offset + size, number) for offset, size, number in areas)
+        end, number = max([(end, number) for _, end, number in areas])
         if end > data_type.bit_size:
             yield Found(
-                f"SubItem {data_type.sub_items[number].name!r} of DataType {data_type.name} ends at bit {end}, "
+                f"SubItem {sub_items[number].name!r} of DataType {data_type.name} ends at bit {end}, "
                 f"behind its BitSize {data_type.bit_size}",
                 ("sub_items", number),
             )

@@ -63,11 +63,13 @@ def _dictionary_place(subject: DeviceSubject) -> Place:
 @rule("L59", WARNING, "ETG.1000.6 object 0x1000: the low word is the profile number")
 def device_type(subject: DeviceSubject) -> Iterator[Found]:
     """The profile in 0x1000 is none of the ProfileNo."""
-    default = subject.own.default(_DEVICE_TYPE)
+    default = subject.own.default(_DEVICE_TYPE) or 0
+    if default <= 0:
+        return
     numbers = {profile.profile_no for profile in subject.device.profiles}
     numbers |= {channel.profile_no for profile in subject.device.profiles for channel in profile.channel_infos}
     declared = sorted(number for number in numbers if number)
-    if default and default > 0 and declared and default & 0xFFFF not in declared:
+    if declared and default & 0xFFFF not in declared:
         yield Found(
             f"0x1000 has the default 0x{default:08X}, profile {default & 0xFFFF}; "
             f"ProfileNo is {', '.join(map(str, declared))}",

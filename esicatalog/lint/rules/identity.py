@@ -131,9 +131,10 @@ def identity_object(subject: DeviceSubject) -> Iterator[Found]:
         (2, "ProductCode", device.product_code, WARNING),
         (3, "RevisionNo", device.revision_no, INFORMATION),
     )
+    entries = subject.own.entries(_IDENTITY_OBJECT) or {}
     for subindex, name, expected, severity in compared:
-        default = subject.own.default(_IDENTITY_OBJECT, subindex)
-        if default and expected is not None and default != expected:
+        default = entries[subindex].default_int if subindex in entries else None
+        if default and default != expected and expected is not None:
             reversed_bytes = default == int.from_bytes(expected.to_bytes(4, "little"), "big")
             why = "its bytes are reversed" if reversed_bytes else "it looks taken over from another device"
             yield Found(

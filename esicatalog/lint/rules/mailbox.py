@@ -16,6 +16,8 @@ _LEAST_EEPROM_BYTES = 128
 @rule("L56", WARNING, "ETG.2000 CoE/InitCmd: the master writes Data to the object; a device refuses what does not fit")
 def init_cmd(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
     """An InitCmd writes an unknown or read-only object, or data of another length than the object's."""
+    if not subject.coe_init_cmds:
+        return
     others = () if isinstance(subject, DeviceSubject) else tuple(subject.hosts)
     dictionaries = Dictionaries([view for owner in (subject, *others) for view in owner.own.views])
     if not dictionaries:
@@ -79,7 +81,7 @@ def pdo_choice_without_service(subject: DeviceSubject) -> Iterator[Found]:
     mailbox = subject.device.mailbox
     if mailbox is None or not mailbox.coe:
         return
-    pdos = [placed.pdo for placed in subject.pdos if not placed.pdo.virtual]
+    pdos = [pdo for pdo in (*subject.device.rx_pdos, *subject.device.tx_pdos) if not pdo.virtual]
     optional = [pdo for pdo in pdos if pdo.sm is None]
     if optional and not mailbox.coe_pdo_assign:
         yield Found(

@@ -1,12 +1,13 @@
 """Rules that hold PDO entries against the dictionary they map from; one finding a PDO."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
-from esicatalog.esi.records.pdo import Pdo
-from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
-from esicatalog.lint.subjects import MappedEntry, PdoMapping
+from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, listed, rule
+from esicatalog.lint.subjects import PdoMapping, PlacedEntry
 from esicatalog.model.base_types import BASE_TYPES, BaseType, base_type
+from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.resolver import TypeSet
 
 _LETTERS = {"RxPdo": "R", "TxPdo": "T"}
@@ -26,38 +27,49 @@ def _maps(mapping: PdoMapping) -> str:
     return f"{mapping.direction} 0x{mapping.pdo.pdo_index or 0:04X} maps"
 
 
-def _entries(items: list[MappedEntry]) -> str:
-    return listed([f"0x{item.object_index:04X}:{item.subindex:02X}" for item in items])
+def _entries(items: Sequence[PlacedEntry]) -> str:
+    return listed([_words(entry) for _, entry in items])
+
+
+def _words(entry: Entry) -> str:
+    return f"0x{entry.entry_index:04X}:{entry.subindex or 0:02X}"
+
+
+def _place(items: Sequence[PlacedEntry]) -> Place:
+    return ("entries", items[0][0])
 
 
 @rule("L36", WARNING, "ETG.1000.6: a PDO maps objects of the dictionary")
 def object_unknown(mapping: PdoMapping) -> Iterator[Found]:
     """A PDO maps objects or subindices that are not in the dictionary."""
-    unknown = [item for item in mapping.mapped if item.declared is None]
-    if unknown:
+    if mapping.unknown:
         yield Found(
-            f"{_maps(mapping)} {_entries(unknown)}: not in the dictionary; describe them or correct the entries",
-            unknown[0].place,
+            f"{_maps(mapping)} {_entries(mapping.unknown)}: "
+            "not in the dictionary; describe them or correct the entries",
+            _place(mapping.unknown),
         )
 
 
 @rule("L37", WARNING, "ETG.1000.6: an entry is mapped with its length; the process image follows BitLen")
 def length_differs(mapping: PdoMapping) -> Iterator[Found]:
     """BitLen of entries differs from the size of the objects they map."""
-    found = [item for item in mapping.mapped if item.declared is not None and _length_differs(item)]
+    found = [
+        ((position, entry), declared.bit_size)
+        for position, entry, declared in mapping.described
+        if entry.bit_length != declared.bit_size and _length_differs(entry.bit_length, declared)
+    ]
     if found:
-        first = found[0]
-        size = first.declared.bit_size if first.declared is not None else None
+        items, sizes = zip(*found, strict=True)
+        first = items[0][1]
         yield Found(
-            f"{_maps(mapping)} {_entries(found)} with another BitLen than the dictionary has "
-            f"(0x{first.object_index:04X}:{first.subindex:02X}: {first.entry.bit_length} instead of {size} bits)",
-            (*first.place, "bit_length"),
+            f"{_maps(mapping)} {_entries(items)} with another BitLen than the dictionary has "
+            f"({_words(first)}: {first.bit_length} instead of {sizes[0]} bits)",
+            (*_place(items), "bit_length"),
         )
 
 
-def _length_differs(item: MappedEntry) -> bool:
-    declared, length = item.declared, item.entry.bit_length
-    if declared is None or declared.bit_size is None or length is None or length == declared.bit_size:
+def _length_differs(length: int | None, declared: ObjectEntry) -> bool:
+    if declared.bit_size is None or length is None:
         return False
     return not (declared.base_type == "BOOL" and {length, declared.bit_size} == _BOOL_SIZES)
 
@@ -65,22 +77,24 @@ def _length_differs(item: MappedEntry) -> bool:
 @rule("L38", INFORMATION, "ETG.2000 Entry/DataType repeats the type of the mapped object")
 def type_differs(mapping: PdoMapping) -> Iterator[Found]:
     """DataType of entries means something else than the type of the objects they map."""
-    found = [item for item in mapping.mapped if item.declared is not None and _type_differs(item)]
+    found = [
+        ((position, entry), declared.data_type)
+        for position, entry, declared in mapping.described
+        if entry.data_type != declared.base_type and _type_differs(entry.data_type, declared.base_type)
+    ]
     if found:
-        first = found[0]
-        declared = first.declared.data_type if first.declared is not None else None
+        items, types = zip(*found, strict=True)
+        first = items[0][1]
         yield Found(
-            f"{_maps(mapping)} {_entries(found)} with another DataType than the dictionary has "
-            f"(0x{first.object_index:04X}:{first.subindex:02X}: {first.entry.data_type} instead of {declared})",
-            (*first.place, "data_type"),
+            f"{_maps(mapping)} {_entries(items)} with another DataType than the dictionary has "
+            f"({_words(first)}: {first.data_type} instead of {types[0]})",
+            (*_place(items), "data_type"),
         )
 
 
-def _type_differs(item: MappedEntry) -> bool:
-    if item.declared is None or item.declared.base_type is None:
-        return False
-    mapped = base_type(item.entry.data_type)
-    return mapped is not None and _kind(mapped) != _kind(BASE_TYPES[item.declared.base_type])
+def _type_differs(mapped: str | None, declared: str | None) -> bool:
+    base = base_type(mapped)
+    return declared is not None and base is not None and _kind(base) != _kind(BASE_TYPES[declared])
 
 
 def _kind(base: BaseType) -> str:
@@ -92,24 +106,22 @@ def not_mappable(mapping: PdoMapping) -> Iterator[Found]:
     """A PDO maps objects without PdoMapping (with that of the other direction only: E)."""
     letter = _LETTERS[mapping.direction]
     refused = [
-        item
-        for item in mapping.mapped
-        if item.declared is not None
-        and letter not in (item.declared.pdo_mapping or "")
-        and (item.object_index, item.subindex) not in _SYNC_ERRORS
+        (position, entry, declared.pdo_mapping)
+        for position, entry, declared in mapping.described
+        if letter not in (declared.pdo_mapping or "") and (entry.entry_index, entry.subindex) not in _SYNC_ERRORS
     ]
-    without = [item for item in refused if item.declared is not None and item.declared.pdo_mapping is None]
+    without = [(position, entry) for position, entry, declared in refused if declared is None]
     if without:
         yield Found(
             f"{_maps(mapping)} {_entries(without)} without PdoMapping in the dictionary: give PdoMapping {letter}",
-            without[0].place,
+            _place(without),
         )
-    other_way = [item for item in refused if item not in without]
+    other_way = [(position, entry) for position, entry, declared in refused if declared is not None]
     if other_way:
         yield Found(
             f"{_maps(mapping)} {_entries(other_way)}, which the dictionary allows the other way only: "
             f"PdoMapping must have {letter}",
-            other_way[0].place,
+            _place(other_way),
             ERROR,
         )
 

@@ -4,8 +4,8 @@ from collections.abc import Iterable, Iterator
 
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
-from esicatalog.lint.subjects import DeviceSubject, ModuleSubject, PlacedPdo, ProcessSubject, is_absent
-from esicatalog.model.pdo_facts import entry_facts, symmetric_exclusions
+from esicatalog.lint.subjects import DIRECTIONS, DeviceSubject, ModuleSubject, PlacedPdo, ProcessSubject, is_absent
+from esicatalog.model.pdo_facts import is_padding, symmetric_exclusions
 
 _RANGES = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
 _OPPOSITE = {"RxPdo": "Inputs", "TxPdo": "Outputs"}
@@ -59,20 +59,23 @@ def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
     mailbox = subject.record.mailbox
     if mailbox is not None and mailbox.soe and not mailbox.coe:
         return  # the PDOs of a SoE drive are the IDNs of its telegrams
-    for placed in subject.pdos:
-        index = placed.pdo.pdo_index
-        allowed = _RANGES[placed.direction]
-        if index is not None and index not in allowed and not placed.pdo.virtual:
-            yield Found(
-                f"{_words(placed.direction, index)} is no PDO mapping object; "
-                f"{placed.direction} are 0x{allowed.start:04X} to 0x{allowed.stop - 1:04X}",
-                (*placed.place, "pdo_index"),
-            )
+    for direction, field in DIRECTIONS.items():
+        allowed = _RANGES[direction]
+        for position, pdo in enumerate(getattr(subject.record, field)):
+            index = pdo.pdo_index
+            if index not in allowed and index is not None and not pdo.virtual:
+                yield Found(
+                    f"{_words(direction, index)} is no PDO mapping object; "
+                    f"{direction} are 0x{allowed.start:04X} to 0x{allowed.stop - 1:04X}",
+                    (field, position, "pdo_index"),
+                )
 
 
 @rule("L30", WARNING, "ETG.2000 Exclude: meant for both sides; a tool that reads one side only offers the pair")
 def exclusion_one_sided(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """A PDO excludes another one that does not exclude it."""
+    if not _any_excludes(subject):
+        return
     excluded = {
         placed.pdo.pdo_index: {item.pdo_index for item in placed.pdo.excludes} for placed in reversed(subject.pdos)
     }
@@ -91,6 +94,8 @@ def exclusion_one_sided(subject: ProcessSubject | ModuleSubject) -> Iterator[Fou
 @rule("L31", ERROR, "ETG.2000 Exclude: the PDOs may not be assigned at the same time")
 def exclusive_defaults(subject: ProcessSubject) -> Iterator[Found]:
     """Two PDOs that exclude each other are both assigned by default, or a PDO excludes itself."""
+    if not _any_excludes(subject):
+        return
     for placed in subject.pdos:
         for number, item in enumerate(placed.pdo.excludes):
             if item.pdo_index is not None and item.pdo_index == placed.pdo.pdo_index:
@@ -115,6 +120,10 @@ def exclusive_defaults(subject: ProcessSubject) -> Iterator[Found]:
             before.append(index)
 
 
+def _any_excludes(subject: ProcessSubject | ModuleSubject) -> bool:
+    return any(placed.pdo.excludes for placed in subject.pdos)
+
+
 def _assigned_by_default(subject: ProcessSubject) -> list[PlacedPdo]:
     """PDOs with Sm, but not those whose SyncManager the default OpMode assigns itself."""
     mode = subject.data.default_op_mode
@@ -129,7 +138,7 @@ def _assigned_by_default(subject: ProcessSubject) -> list[PlacedPdo]:
 @rule("L32", WARNING, "ETG.2000 Exclude: index of another PDO")
 def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """Exclude names a PDO that is not described."""
-    if not any(placed.pdo.excludes for placed in subject.pdos):
+    if not _any_excludes(subject):
         return
     hosts = [] if isinstance(subject, ProcessSubject) else subject.hosts
     modules = subject.modules if isinstance(subject, ProcessSubject) else [m for host in hosts for m in host.modules]
@@ -148,8 +157,9 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
 def entry_without_length(pdo: Pdo) -> Iterator[Found]:
     """An entry has no BitLen, or none above 0."""
     for number, entry in enumerate(pdo.entries):
-        if is_absent(entry, "bit_length") or (entry.bit_length is not None and entry.bit_length <= 0):
-            words = "no BitLen" if entry.bit_length is None else f"BitLen {entry.bit_length}"
+        length = entry.bit_length
+        if is_absent(entry, "bit_length") if length is None else length <= 0:
+            words = "no BitLen" if length is None else f"BitLen {length}"
             yield Found(
                 f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} has {words}: "
                 "nothing tells where the next entries lie",
@@ -161,7 +171,7 @@ def entry_without_length(pdo: Pdo) -> Iterator[Found]:
 def padding_with_type(pdo: Pdo) -> Iterator[Found]:
     """A padding entry carries a SubIndex or a DataType."""
     for number, entry in enumerate(pdo.entries):
-        if entry_facts(entry).is_padding and (entry.subindex or entry.data_type):
+        if is_padding(entry) and (entry.subindex or entry.data_type):
             carried = f"SubIndex {entry.subindex}" if entry.subindex else f"DataType {entry.data_type}"
             yield Found(
                 f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} is padding (index 0) with {carried}, "

@@ -5,7 +5,14 @@ from collections.abc import Iterator
 
 from esicatalog.lint.registry import ERROR, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject
-from esicatalog.model.slots import PluggedModule, accepts, default_modules, expand_module, numbered_slots
+from esicatalog.model.slots import (
+    PluggedModule,
+    accepts,
+    default_modules,
+    expand_module,
+    numbered_slots,
+    shift_problems,
+)
 
 
 @rule("L53", ERROR, "ETG.2000 Slot/ModuleIdent, @Default, @MinInstances, @MaxInstances")
@@ -54,8 +61,9 @@ def module_ident_twice(section: InfoSubject) -> Iterator[Found]:
 @rule("L55", WARNING, "ETG.2000 DependOnSlot: index + slot number x increment")
 def shifted_indices(subject: DeviceSubject) -> Iterator[Found]:
     """An index that moves with the slot leaves 16 bits, or meets that of another slot."""
-    yield from _overflows(subject)
-    yield from _collisions(subject)
+    if subject.device.slots:
+        yield from _overflows(subject)
+        yield from _collisions(subject)
 
 
 def _overflows(subject: DeviceSubject) -> Iterator[Found]:
@@ -67,7 +75,7 @@ def _overflows(subject: DeviceSubject) -> Iterator[Found]:
         fitting = [(number, slot) for number, slot in last.values() if accepts(slot, module)]
         if fitting:
             number, slot = fitting[-1]
-            problems = expand_module(subject.device, PluggedModule(number, slot, module)).problems
+            problems = shift_problems(subject.device, PluggedModule(number, slot, module))
             if problems:
                 more = f" and {len(problems) - 1} more" if len(problems) > 1 else ""
                 yield Found(f"module {module.type!r}: {problems[0]}{more}", ("slots", positions[id(slot)]))

@@ -1,47 +1,66 @@
 """Rules about names and images."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cache
-from operator import attrgetter
+from typing import Any
 
 from esicatalog.esi.binding import Record, fields_of
 from esicatalog.esi.records.common import ENGLISH, Name
-from esicatalog.esi.records.dictionary import DataType, EnumInfo, SubItem
-from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.dictionary import DataType, Object
+from esicatalog.esi.records.pdo import Pdo
 from esicatalog.lint.registry import INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import InfoSubject
 
-_NESTED: dict[type[Record], tuple[tuple[str, type[Record]], ...]] = {
-    Pdo: (("entries", Entry),),
-    DataType: (("enum_infos", EnumInfo), ("sub_items", SubItem)),
+_NESTED: dict[type[Record], tuple[str, ...]] = {
+    Pdo: ("entries",),
+    DataType: ("enum_infos", "sub_items"),
 }
 """Lists of records with names that are looked at with the record that holds them."""
 _IMAGE_SIZE = (16, 14)
 _HEADER_BYTES = 26
 
 
-@cache
-def _name_fields(record_type: type[Record]) -> tuple[tuple[str, str, Callable[[Record], Sequence[Name]]], ...]:
-    """Field, element and access to the value of each list of names."""
-    fields = [f for f in fields_of(record_type) if f.many and f.item is Name]
-    return tuple((f.name, f.xml.path, attrgetter(f.name)) for f in fields)
+_HAS_SEVERAL: dict[type[Record], Callable[[Any], bool]] = {
+    Object: lambda held: len(held.names) > 1 or len(held.comments) > 1 or len(held.display_names) > 1,
+    Pdo: lambda held: (
+        len(held.names) > 1 or any(len(entry.names) > 1 or len(entry.comments) > 1 for entry in held.entries)
+    ),
+    DataType: lambda held: (
+        len(held.comments) > 1
+        or any(len(item.display_names) > 1 or len(item.comments) > 1 for item in held.sub_items)
+        or any(len(item.texts) > 1 or len(item.comments) > 1 for item in held.enum_infos)
+    ),
+}
+"""Whether a list of names has several in a record or in those that it holds. Most records are of these types, and
+seldom it has: so the fields are named here, which makes the look a short one."""
 
 
 @rule("L17", WARNING, "ETG.2000 NameType: one element a language, LcId 1033 when absent")
-def language_twice(record: Record) -> Iterator[Found]:
+def language_twice(record: Record) -> Iterable[Found]:
     """A name, comment or text is given twice in one language."""
-    yield from _languages_twice((record,), type(record))
-    for nested, record_type in _NESTED.get(type(record), ()):
-        yield from _languages_twice(getattr(record, nested), record_type, nested)
+    has_several = _HAS_SEVERAL.get(type(record))
+    return _languages_twice(record) if has_several is None or has_several(record) else ()
 
 
-def _languages_twice(records: Sequence[Record], record_type: type[Record], nested: str = "") -> Iterator[Found]:
-    for field, element, get in _name_fields(record_type):
-        if max(map(len, map(get, records)), default=0) < 2:
-            continue  # nearly always
+def _languages_twice(record: Record) -> Iterator[Found]:
+    yield from _in_lists((record,))
+    for nested in _NESTED.get(type(record), ()):
+        yield from _in_lists(getattr(record, nested), nested)
+
+
+def _in_lists(records: Sequence[Record], nested: str = "") -> Iterator[Found]:
+    for field, element in _name_fields(type(records[0])) if records else ():
         for position, record in enumerate(records):
-            place: Place = (nested, position) if nested else ()
-            yield from _second_ones(get(record), element, (*place, field))
+            names: Sequence[Name] = getattr(record, field)
+            if len(names) > 1:
+                place: Place = (nested, position) if nested else ()
+                yield from _second_ones(names, element, (*place, field))
+
+
+@cache
+def _name_fields(record_type: type[Record]) -> tuple[tuple[str, str], ...]:
+    """Field and element of each list of names."""
+    return tuple((f.name, f.xml.path) for f in fields_of(record_type) if f.many and f.item is Name)
 
 
 def _second_ones(names: Sequence[Name], element: str, place: Place) -> Iterator[Found]:

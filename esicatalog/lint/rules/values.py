@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from esicatalog.esi.numbers import decode_hex_binary
-from esicatalog.lint.dictionaries import ObjectSubject
+from esicatalog.lint.dictionaries import ObjectValues
 from esicatalog.lint.registry import WARNING, Found, listed, rule
 from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
@@ -11,12 +11,12 @@ from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
 _FIXED_WIDTH = frozenset({"bool", "int", "uint", "bits", "real", "time", "guid"})
 
 
-def _words(subject: ObjectSubject, entry: ObjectEntry) -> str:
+def _words(subject: ObjectValues, entry: ObjectEntry) -> str:
     return f"0x{subject.declared.object_index or 0:04X}:{entry.subindex:02X}"
 
 
 @rule("L45", WARNING, "ETG.2000 DefaultData: the bytes of the value, little-endian; MinValue, MaxValue")
-def default_value(subject: ObjectSubject) -> Iterator[Found]:
+def default_value(subject: ObjectValues) -> Iterator[Found]:
     """DefaultData has another length than the type, or the default lies outside of minimum and maximum."""
     found = []
     for entry in subject.with_values:
@@ -61,7 +61,7 @@ def _beyond(entry: ObjectEntry, value: float | None, lowest: float | None, highe
 
 
 @rule("L46", WARNING, "ETG.2000 Info/SubItem has no subindex: paired with the type by name, in arrays by position")
-def info_unpaired(subject: ObjectSubject) -> Iterator[Found]:
+def info_unpaired(subject: ObjectValues) -> Iterator[Found]:
     """A SubItem of Info matches no SubItem of the type, or an array has another number of them than elements."""
     infos = subject.declared.info_sub_items
     if not infos or subject.is_paired:
@@ -84,7 +84,7 @@ def info_unpaired(subject: ObjectSubject) -> Iterator[Found]:
 
 
 @rule("L47", WARNING, "ETG.2000 Info/DefaultString is for texts; numbers have DefaultData or DefaultValue")
-def text_for_number(subject: ObjectSubject) -> Iterator[Found]:
+def text_for_number(subject: ObjectValues) -> Iterator[Found]:
     """A number has a DefaultString."""
     found = []
     for entry in subject.with_values:
