@@ -7,8 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from snippets import device, dictionary, esi, only_device
 
+from esicatalog.esi.records.dictionary import DataType, SubItem
 from esicatalog.model.base_types import BASE_TYPES, base_type
-from esicatalog.model.dictionary import resolve_base, resolve_object, type_table
+from esicatalog.model.dictionary import resolve_base, resolve_object, type_table, used_types
 
 SI0 = (
     "<SubItem><SubIdx>0</SubIdx><Name>SubIndex 000</Name><Type>USINT</Type><BitSize>8</BitSize><BitOffs>0</BitOffs>"
@@ -414,3 +415,19 @@ def test_negative_numbers_written_as_their_bits(type_name, bits, minimum, number
     (item,) = found.dictionary.objects
     (entry,) = resolve_object(item, type_table(found.dictionary.data_types)).entries
     assert entry.min_int == number
+
+
+def test_a_type_leads_to_its_sub_items_in_order_then_to_its_base_type_each_once():
+    def data_type(name: str, *inner: str, base: str | None = None) -> DataType:
+        return DataType(name=name, base_type=base, sub_items=tuple(SubItem(type=item) for item in inner))
+
+    a, b, c, d = (
+        data_type("A", "C", "D", "C", "UINT", base="B"),
+        data_type("B"),
+        data_type("C", "A"),
+        data_type("D", "D"),
+    )
+    types = type_table((a, b, c, d))
+    assert used_types("A", types) == (a, c, d, b)
+    assert used_types("D", types) == (d,)
+    assert used_types("UINT", types) == used_types(None, types) == ()

@@ -208,7 +208,10 @@ class Codec:
 
     @cached_property
     def encode(self) -> Callable[[Any], tuple[Any, ...]]:
-        """What gives the column values of a record: one expression of all, which costs a third of a loop over them."""
+        """What gives the column values of a record: one expression of all, which costs a third of a loop over them.
+
+        It is made of names of record fields, never of anything that was read.
+        """
         expressions, functions = self._expressions, _FUNCTIONS
         if self._derived is not None:
             expressions = [*expressions, "*derived(derive(record))"]
