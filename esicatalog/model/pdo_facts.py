@@ -27,12 +27,7 @@ def pdo_facts(pdo: Pdo) -> PdoFacts:
 
 def entry_facts(entry: Entry) -> EntryFacts:
     """Index 0 is padding whatever else the entry carries (ESI-FACTS section 9)."""
-    return EntryFacts(is_padding=is_padding(entry))
-
-
-def is_padding(entry: Entry) -> bool:
-    """Whether an entry is a gap."""
-    return entry.entry_index == 0
+    return EntryFacts(is_padding=entry.entry_index == 0)
 
 
 def symmetric_exclusions(pdos: Iterable[Pdo]) -> Mapping[int | None, tuple[int, ...]]:

@@ -4,7 +4,6 @@ The reader gives the same record for the same words, so identity tells what was 
 """
 
 from collections.abc import Mapping
-from functools import cached_property
 
 from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.model.dictionary import EntryMemo, ObjectType, ResolvedObject, type_table, used_types
@@ -23,11 +22,6 @@ class TypeSet:
         self.by_name: Mapping[str, DataType] = type_table(data_types)
         self._used: dict[str | None, tuple[DataType, ...]] = {}
         self._closures: dict[str | None, tuple[int, ...]] = {}
-
-    @cached_property
-    def arrays(self) -> frozenset[str]:
-        """Names of the array types."""
-        return frozenset([name for name, data_type in self.by_name.items() if data_type.array_infos])
 
     def used(self, name: str | None) -> tuple[DataType, ...]:
         """The declared types that a type name leads to, itself first."""

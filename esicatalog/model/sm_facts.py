@@ -1,6 +1,5 @@
 """ControlByte of a SyncManager in words (ESC register 0x0804, ESI-FACTS section 8)."""
 
-from functools import lru_cache
 from typing import Annotated
 
 from esicatalog.esi.binding import Doc, Record
@@ -28,11 +27,8 @@ class SmFacts(Record):
 def sm_facts(sync_manager: SyncManager) -> SmFacts:
     """Decode the ControlByte; everything is None when it is not given."""
     control = sync_manager.control_byte
-    return _decoded(control) if control is not None else SmFacts()
-
-
-@lru_cache(1_000)
-def _decoded(control: int) -> SmFacts:
+    if control is None:
+        return SmFacts()
     return SmFacts(
         buffer_mode=_MODES.get(control & 0b11),
         transfer_direction=_DIRECTIONS.get(control >> 2 & 0b11),
