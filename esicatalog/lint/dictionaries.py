@@ -12,7 +12,6 @@ from esicatalog.model.resolver import Resolver, TypeSet
 _Pairs = Sequence[tuple[InfoSubItem, int | None]]
 
 _name = attrgetter("name")
-_type = attrgetter("type")
 _values_of_sub_item = attrgetter("default_data", "default_value", "default_string", "min_value", "max_value")
 _NO_VALUES = frozenset({(None, None, None, None, None), ("", None, None, None, None)})
 
@@ -33,7 +32,8 @@ class ValuesOfType:
         self.sizes = [sub_item.bit_size for sub_item in self.sub_items]
         self.are_silent = _NO_VALUES.issuperset(map(_values_of_sub_item, self.sub_items))
         """Whether the SubItems have no values of their own, as it should be."""
-        self.may_be_expanded = not types.arrays.isdisjoint(map(_type, self.sub_items))
+        used = [types.by_name.get(sub_item.type or "") for sub_item in self.sub_items]
+        self.may_be_expanded = any(data_type is not None and data_type.array_infos for data_type in used)
         """Whether a SubItem may stand for all elements of an array."""
 
 

@@ -27,15 +27,10 @@ def pdo_facts(pdo: Pdo) -> PdoFacts:
 
 def entry_facts(entry: Entry) -> EntryFacts:
     """Index 0 is padding whatever else the entry carries (ESI-FACTS section 9)."""
-    return _PADDING if is_padding(entry) else _NO_PADDING
+    return _PADDING if entry.entry_index == 0 else _NO_PADDING
 
 
 _PADDING, _NO_PADDING = EntryFacts(is_padding=True), EntryFacts(is_padding=False)
-
-
-def is_padding(entry: Entry) -> bool:
-    """Whether an entry is a gap."""
-    return entry.entry_index == 0
 
 
 def symmetric_exclusions(pdos: Iterable[Pdo]) -> Mapping[int | None, tuple[int, ...]]:

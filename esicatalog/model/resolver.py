@@ -4,7 +4,7 @@ The reader gives the same record for the same words, so identity tells what was 
 """
 
 from collections.abc import Callable, Mapping
-from functools import cache, cached_property
+from functools import cache
 
 from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.model.dictionary import EntryMemo, ObjectType, ResolvedObject, type_table, used_types
@@ -27,11 +27,6 @@ class TypeSet:
         used = self.used
         self.closure: Callable[[str | None], tuple[int, ...]] = cache(lambda name: identities(used(name)))
         """Identities of the declared types that a type name leads to: equal closures mean the same."""
-
-    @cached_property
-    def arrays(self) -> frozenset[str]:
-        """Names of the array types."""
-        return frozenset([name for name, data_type in self.by_name.items() if data_type.array_infos])
 
 
 class Resolver:

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import DIRECTIONS, DeviceSubject, ModuleSubject, PlacedPdo, ProcessSubject, is_absent
-from esicatalog.model.pdo_facts import is_padding, symmetric_exclusions
+from esicatalog.model.pdo_facts import entry_facts, symmetric_exclusions
 
 _RANGES = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
 _OPPOSITE = {"RxPdo": "Inputs", "TxPdo": "Outputs"}
@@ -171,7 +171,7 @@ def entry_without_length(pdo: Pdo) -> Iterator[Found]:
 def padding_with_type(pdo: Pdo) -> Iterator[Found]:
     """A padding entry carries a SubIndex or a DataType."""
     for number, entry in enumerate(pdo.entries):
-        if is_padding(entry) and (entry.subindex or entry.data_type):
+        if entry_facts(entry).is_padding and (entry.subindex or entry.data_type):
             carried = f"SubIndex {entry.subindex}" if entry.subindex else f"DataType {entry.data_type}"
             yield Found(
                 f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} is padding (index 0) with {carried}, "
