@@ -74,7 +74,7 @@ def test_parts_of_new_parts_are_known_too(monkeypatch):
     record, first, second = parts_of(read)[0]
     assert first.info_sub_items[0] is second.info_sub_items[0]
     assert first.info_sub_items[1].default_data == "01000000" and second.info_sub_items[1].default_data == "02000000"
-    assert all(member.flags == first.flags == second.flags for member in record.sub_items)
+    assert all(member.flags is first.flags is second.flags for member in record.sub_items)
     assert read == plain(content, monkeypatch)
 
 

@@ -13,6 +13,7 @@ A record field is declared as ``Annotated[type, Xml(path, scalar, doc)]``. Paths
 
 import types
 import typing
+from functools import cache
 from typing import Annotated, Any, ClassVar, TypeVar, get_args, get_origin, get_type_hints
 
 import msgspec
@@ -144,6 +145,7 @@ class _Node:
 
 
 _compiled: dict[type[Record], _Node] = {}
+_shared: dict[Record, Record] = {}
 
 
 def is_record(item: Any) -> bool:
@@ -212,11 +214,13 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
         elif slot.name in values:
             notes.unmapped_attribute(element, name, text, repeated=True)
         else:
-            _store(slot, text, values, element, notes)
+            if (remark := store(slot, text, values)) is not None:
+                notes.remark(element, remark)
     text_slot = node.text
     if text_slot is not None:
         if text_slot.name not in values or text_slot.many:
-            _store(text_slot, element.text or "", values, element, notes)
+            if (remark := store(text_slot, element.text or "", values)) is not None:
+                notes.remark(element, remark)
         elif element.text:
             notes.unmapped_text(element, element.text, repeated=True)
     elif element.text is not None and not element.text.isspace():
@@ -238,10 +242,8 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
             rank = taken.rank
         plain = taken.plain
         if plain is not None and not len(child) and plain.name not in values and not child.keys():
-            if plain.scalar is TEXT:
-                values[plain.name] = (child.text or "").strip()
-            else:
-                _store(plain, child.text or "", values, child, notes)
+            if (remark := store(plain, child.text or "", values)) is not None:
+                notes.remark(child, remark)
             continue
         if taken.whole is not None:
             _take_whole(taken, child, values, notes)
@@ -267,13 +269,30 @@ def _take_whole(node: _Node, child: etree._Element, values: dict[str, Any], note
             values[name] = records[0]
         return
     elif len(child):
-        value = read_record(node.record, child, notes)
+        value = shared(read_record(node.record, child, notes))
     else:
         value = _read_leaf(node, node.record, child, notes)
     if node.many:
         values.setdefault(name, []).append(value)
     else:
         values[name] = value
+
+
+@cache
+def _is_flat(record_type: type[Record]) -> bool:
+    return not any(is_record(field.item) for field in fields_of(record_type))
+
+
+def shared(record: R) -> R:
+    """The first of records that are equal, flags for example: what is made of records is found by their identity.
+
+    Records that hold others, or spellings, are not compared.
+    """
+    if record.spelling is not None or not _is_flat(type(record)):
+        return record
+    if len(_shared) >= _MAX_LEAVES:
+        _shared.clear()
+    return typing.cast(R, _shared.setdefault(record, record))
 
 
 def _read_leaf(node: _Node, record_type: type[Record], element: etree._Element, notes: Notes) -> Record:
@@ -290,23 +309,17 @@ def _read_leaf(node: _Node, record_type: type[Record], element: etree._Element, 
 def store(slot: Slot, text: str, values: dict[str, Any]) -> Remark | None:
     """Put what a text means among the values of a record; returns what is wrong with it."""
     scalar: Scalar = slot.scalar
-    if scalar is TEXT and not slot.many:
-        values[slot.name] = text.strip()
-        return None
-    value, raw, remark = scalar.read(text)
     name = slot.name
     if slot.many:
         held = values.setdefault(name, [])
+        value, raw, remark = scalar.read(text)
         name = f"{name}.{len(held)}"
         held.append(value)
+    elif scalar is TEXT:
+        values[name] = text.strip()
+        return None
     else:
-        values[name] = value
+        values[name], raw, remark = scalar.read(text)
     if raw is not None:
         values.setdefault("spelling", {})[name] = raw
     return remark
-
-
-def _store(slot: Slot, text: str, values: dict[str, Any], element: etree._Element, notes: Notes) -> None:
-    remark = store(slot, text, values)
-    if remark is not None:
-        notes.remark(element, remark)

@@ -18,7 +18,7 @@ from typing import Any, ClassVar
 
 from lxml import etree
 
-from esicatalog.esi.binding import Field, Record, Slot, fields_of, is_record, read_record, store
+from esicatalog.esi.binding import Field, Record, Slot, fields_of, is_record, read_record, shared, store
 from esicatalog.esi.documents import make_parser
 from esicatalog.esi.notes import Notes
 from esicatalog.esi.numbers import TEXT
@@ -257,7 +257,7 @@ class _Repeating:
         key = self._key(texts)
         known = self._known.get(key)
         if known is None:
-            known = (self._layout.record(texts),)
+            known = (shared(self._layout.record(texts)),)
             if len(self._known) < _MAX_KNOWN:
                 self._known[key] = known
         return known
