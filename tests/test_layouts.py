@@ -66,6 +66,13 @@ def test_parts_of_parts_are_made_once():
     assert first.flags is second.flags and first.flags == Flags(access="ro", backup=1)
 
 
+def test_equal_flags_are_one_record_in_other_layouts_too_and_for_the_parser():
+    flags = "<Flags><Access>ro</Access><Backup>7</Backup></Flags>"
+    words = f"<SubItem><Name>N</Name>{flags}</SubItem>", f"<SubItem><Name>N</Name>\n{flags}\n</SubItem>"
+    found = [read(SubItem, *[text] * 4)[-1] for text in words] + [parsed(SubItem, text) for text in words]
+    assert len({id(item.flags) for item in found if isinstance(item, SubItem)}) == 1
+
+
 def test_runs_stand_where_their_mark_is():
     layouts = Layouts({Entry})
     entries = (Entry(entry_index=1), Entry(entry_index=2))
@@ -100,6 +107,12 @@ def test_comments_and_sections_say_what_they_say_to_the_parser():
 )
 def test_what_the_parser_has_to_see_is_left_to_it(words):
     assert read(Entry, *[words] * 5) == [None] * 5
+
+
+def test_parts_that_nest_deep_are_left_to_the_parser_which_counts_what_is_around_them_too():
+    words = "<Object><Info>" + "<SubItem><Info>" * 30 + "</Info></SubItem>" * 30 + "</Info></Object>"
+    assert parsed(Object, words) is not None
+    assert read(Object, *[words] * 5) == [None] * 5
 
 
 TEXTS = st.text(st.sampled_from("aZ09 #x.-\t\n\r<>&]![/\u00e4\x01\x0b"), max_size=8) | st.sampled_from(

@@ -77,6 +77,7 @@ class Field(msgspec.Struct, frozen=True):
 
 
 _MAX_LEAVES = 50_000
+_LONGEST_SHARED = 500
 _ANYWHERE = -1
 """Rank after a child was found out of order: an element is told once."""
 _SCHEMA_INSTANCE = "{http://www.w3.org/2001/XMLSchema-instance}"
@@ -290,9 +291,10 @@ def shared(record: R) -> R:
     """
     if record.spelling is not None or not _is_flat(type(record)):
         return record
-    if len(_shared) >= _MAX_LEAVES:
-        _shared.clear()
-    return typing.cast(R, _shared.setdefault(record, record))
+    known = _shared.get(record)
+    if known is None and len(_shared) < _MAX_LEAVES and len(repr(record)) < _LONGEST_SHARED:
+        _shared[record] = record
+    return typing.cast(R, known) if known is not None else record
 
 
 def _read_leaf(node: _Node, record_type: type[Record], element: etree._Element, notes: Notes) -> Record:

@@ -29,14 +29,18 @@ _COMMENTS = re.compile(r">(?:\s*<!--(?:[\t\n\r -,.-~]|-[\t\n\r -,.-~])*-->)+")
 _WORTH_LEARNING = 4
 """How often a layout has to be met: learning it takes as long as parsing some parts."""
 _LONGEST_WORDS = 50_000
-_CAPACITY = 8_000_000
-"""Characters of the layouts that are kept."""
+_CAPACITY = 2_000_000
+"""Characters of the layouts that are kept; what is learned of them takes up to a hundred times as much."""
 _MAX_KNOWN = 10_000
-"""Records that are kept for one place of one layout."""
+"""Records that are kept for parts of parts which are alike."""
+_LONGEST_KNOWN = 200
+"""Characters of the texts of such a record."""
 _NUMBER = "0100000"
 """Begins the numbers of a specimen: good for all scalars but booleans, and no canonical spelling of a number."""
 _NUMBERS = re.compile(rf"0?{int(_NUMBER)}(\d{{3}})")
 _MAX_TEXTS = 1_000
+_NESTS_DEEP = etree.XPath(f"boolean(/*{'/*' * 50})")
+"""The parser allows 256 elements within each other, among them those around a part."""
 _fields = cache(fields_of)
 
 
@@ -99,7 +103,10 @@ class Layouts:
         notes = Notes(cut=self._specimen)
         try:
             words = "".join([tag + number for tag, number in zip(tags, [*numbers, ""], strict=True)])
-            record = read_record(record_type, etree.fromstring(words.encode(), make_parser()), notes)
+            element = etree.fromstring(words.encode(), make_parser())
+            if _NESTS_DEEP(element):
+                return None
+            record = read_record(record_type, element, notes)
             layout = _Layout(record, places, self._known)
         except (etree.XMLSyntaxError, _Unfit):
             return None
@@ -151,6 +158,11 @@ _Known = defaultdict[str, dict[Any, tuple[Record]]]
 
 class _Layout:
     """How a record is made from texts; ``places`` are those of the numbers that its specimen has instead of them."""
+
+    __slots__ = (
+        "_collected", "_constants", "_lists", "_parts", "_record_type", "_slots", "_spelling", "_texts",
+        "places", "runs",
+    )  # fmt: skip
 
     def __init__(self, record: Record, places: dict[Any, int], known: _Known) -> None:
         self._record_type = type(record)
@@ -217,6 +229,7 @@ class _Layout:
 class _Constant:
     """A part of a record that has no texts."""
 
+    __slots__ = ("_records",)
     places: ClassVar[Sequence[int]] = ()
     runs: ClassVar[Sequence[int]] = ()
 
@@ -229,6 +242,8 @@ class _Constant:
 
 class _Run:
     """Parts of a record that were known before."""
+
+    __slots__ = ("_place", "places", "runs")
 
     def __init__(self, place: int) -> None:
         self._place = place
@@ -243,6 +258,7 @@ class _Run:
 class _Repeating:
     """A part of a record that is made from texts; those of different records are often the same."""
 
+    __slots__ = ("_key", "_known", "_layout", "places")
     runs: ClassVar[Sequence[int]] = ()
 
     def __init__(self, layout: _Layout, known: dict[Any, tuple[Record]]) -> None:
@@ -258,13 +274,15 @@ class _Repeating:
         known = self._known.get(key)
         if known is None:
             known = (shared(self._layout.record(texts)),)
-            if len(self._known) < _MAX_KNOWN:
+            if len(self._known) < _MAX_KNOWN and sum(map(len, key)) < _LONGEST_KNOWN:
                 self._known[key] = known
         return known
 
 
 class _Several:
     """Parts of a record behind each other."""
+
+    __slots__ = ("_parts", "places", "runs")
 
     def __init__(self, parts: "Sequence[_Part]") -> None:
         self._parts = parts
