@@ -1,6 +1,7 @@
 """Ingest: idempotent, resumable, the same catalog whatever the order, and nothing left of what went."""
 
 import shutil
+import sqlite3
 import zipfile
 from pathlib import Path
 
@@ -11,7 +12,7 @@ from snippets import device, dictionary, esi, one, pdo, rows, write
 
 from esicatalog import Catalog
 from esicatalog.catalog import schema
-from esicatalog.errors import InputError
+from esicatalog.errors import CatalogError, InputError
 from esicatalog.esi import containers
 
 KEPT = {"catalog_state", "alembic_version"}
@@ -328,3 +329,18 @@ def test_any_history_equals_a_fresh_ingest(tmp_path_factory, steps):
     for table in CONTENT_TABLES:
         query = f"SELECT count(*) FROM {table}"
         assert one(tmp_path / "c.db", query) == one(tmp_path / "fresh.db", query), table
+
+
+def test_a_load_that_left_broken_references_is_not_finished(tmp_path):
+    """Its indexes are built beside the check of its references: neither stays when that finds something."""
+    db = tmp_path / "c.db"
+    ingest(db, write(tmp_path / "a", {"a.xml": esi(rich("#x1"))}))
+    with sqlite3.connect(db) as connection:
+        connection.execute("INSERT INTO catalog_state VALUES ('indexes_pending', '1')")
+        connection.execute("DROP INDEX ix_pdo_entries_pdo_id")
+        connection.execute("UPDATE pdo_entries SET pdo_id = 4711")
+    with Catalog.open(db) as catalog, pytest.raises(CatalogError, match="rows of pdo_entries refer to rows of pdos"):
+        catalog.ingest([write(tmp_path / "b", {"b.xml": esi(rich("#x2"))})], jobs=1)
+    assert one(db, "SELECT value FROM catalog_state WHERE key = 'indexes_pending'") == "1"
+    assert one(db, "SELECT count(*) FROM sqlite_master WHERE name = 'ix_pdo_entries_pdo_id'") == 0
+    assert one(db, "PRAGMA journal_mode") == "delete"

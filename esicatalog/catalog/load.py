@@ -4,6 +4,10 @@ While documents are added SQLite keeps a write-ahead log (readers go on reading)
 file that can be copied.
 """
 
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
@@ -35,9 +39,7 @@ def prepare_load(connection: sa.Connection) -> None:
         connection.exec_driver_sql(f"PRAGMA synchronous = {'OFF' if is_empty else 'NORMAL'}")
         connection.exec_driver_sql(f"PRAGMA cache_size = -{_CACHE_KB}")
         connection.commit()
-    if read_state(connection, _INDEXES_PENDING):
-        _check_foreign_keys(connection)
-        _create_indexes(connection)
+    _finish_indexes(connection)
     # A server's catalog may have others loading into it: it keeps its indexes and checks every key.
     if is_empty and connection.dialect.name == "sqlite":
         write_state(connection, _INDEXES_PENDING, "1")
@@ -56,9 +58,7 @@ def is_unfinished(connection: sa.Connection) -> bool:
 
 def finish_load(connection: sa.Connection, changed: bool) -> None:
     """Build what is missing, store the content hash."""
-    if read_state(connection, _INDEXES_PENDING):
-        _check_foreign_keys(connection)
-        _create_indexes(connection)
+    _finish_indexes(connection)
     connection.commit()
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql("PRAGMA synchronous = FULL")
@@ -88,10 +88,34 @@ def _enforce_foreign_keys(connection: sa.Connection, enforce: bool) -> None:
         connection.commit()
 
 
-def _check_foreign_keys(connection: sa.Connection) -> None:
-    if connection.dialect.name != "sqlite":
+def _finish_indexes(connection: sa.Connection) -> None:
+    """Build the indexes that a load into an empty SQLite file has left for its end."""
+    if not read_state(connection, _INDEXES_PENDING):
         return
-    broken = connection.exec_driver_sql("PRAGMA foreign_key_check").first()
+    with _foreign_keys_checked(connection.engine):
+        # Changing a row begins a transaction, which making an index does not; Python's driver commits each by itself.
+        write_state(connection, _INDEXES_PENDING, None)
+        for index in secondary_indexes():
+            connection.execute(sa.schema.CreateIndex(index, if_not_exists=True))
+    connection.commit()
+
+
+@contextmanager
+def _foreign_keys_checked(engine: sa.Engine) -> Iterator[None]:
+    """Check what is committed beside what is done meanwhile: at the end of a load a core is idle.
+
+    Raises :class:`CatalogError` at its end; nothing may be committed before.
+    """
+    with ThreadPoolExecutor(1) as executor:
+        checking = executor.submit(_check_foreign_keys, engine)
+        yield
+        checking.result()
+
+
+def _check_foreign_keys(engine: sa.Engine) -> None:
+    with engine.connect() as connection:
+        connection.detach()  # In the pool it would keep others from changing the journal's mode.
+        broken = connection.exec_driver_sql("PRAGMA foreign_key_check").first()
     if broken is not None:
         table, _, missing, _ = broken
         raise CatalogError(f"rows of {table} refer to rows of {missing} that are missing; ingest into a new catalog")
@@ -100,10 +124,3 @@ def _check_foreign_keys(connection: sa.Connection) -> None:
 def secondary_indexes() -> list[sa.Index]:
     """Indexes that storing documents can do without."""
     return [index for table in schema.metadata.sorted_tables for index in table.indexes]
-
-
-def _create_indexes(connection: sa.Connection) -> None:
-    for index in secondary_indexes():
-        connection.execute(sa.schema.CreateIndex(index, if_not_exists=True))
-    write_state(connection, _INDEXES_PENDING, None)
-    connection.commit()
