@@ -78,9 +78,10 @@ class Layouts:
 
     def _layout(self, record_type: type, tags: tuple[str, ...]) -> "_Layout | None":
         key = (record_type, tags)
-        if key in self._layouts:
-            return self._layouts[key]
-        self._met[key] += 1
+        try:
+            return self._layouts[key]  # Tuples do not keep their hash: looking twice takes twice as long.
+        except KeyError:
+            self._met[key] += 1
         if self._met[key] >= _WORTH_LEARNING:
             layout = self._layouts[key] = self._learn(record_type, tags)
             return layout
@@ -116,11 +117,14 @@ class Layouts:
 def _meanings(texts: list[Any]) -> list[Any] | None:
     """What texts mean to any parser; None when that is not as plain as can be."""
     together = "".join(texts)
-    if not together.isprintable() or "<" in together:
-        texts = [_without_section(text).replace("\r\n", "\n").replace("\r", "\n") for text in texts]
+    if "<" in together:
+        texts = [_without_section(text) if text.startswith("<") else text for text in texts]
         together = "".join(texts)
-        if not together.replace("\n", "").replace("\t", "").isprintable():
-            return None
+    if "\r" in together:
+        texts = [text.replace("\r\n", "\n").replace("\r", "\n") for text in texts]
+        together = "".join(texts)
+    if not together.isprintable() and not together.replace("\n", "").replace("\t", "").isprintable():
+        return None
     return None if "<" in together or ">" in together or "&" in together else texts
 
 

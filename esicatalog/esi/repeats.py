@@ -147,6 +147,11 @@ class Cut:
             if part is not None and text.startswith(part.words, at):
                 begin, words = at, part.words
                 end = at + len(words)
+                if part.record is not None and part.encoding in encodings:
+                    run.append(part)
+                    previous = part
+                    at = end
+                    continue
             else:
                 begin = at if text.startswith(kind.expected, at) else _LEADING.match(text, at).end()  # type: ignore[union-attr]
                 if not text.startswith(kind.openings, begin) or kind in self._unclosed:
@@ -180,7 +185,7 @@ class Cut:
 
     def _look_at(self, kind: _Kind, words: bytes) -> tuple[Part | None, list[_Piece]]:
         """The part that new words are, and what of it is left to the parser: nothing if they could be read."""
-        left = self._cut_inner(kind, words)
+        left = self._cut_inner(kind, kind.inner, words) if kind.inner is not None else []
         record = self._read(kind, words, left)
         if record is None and (words.find(kind.start, 1) >= 0 or not _is_whole(words)):
             return None, [words]
@@ -190,14 +195,14 @@ class Cut:
             return part, []
         return part, [(kind, part), *(left or [words[len(kind.start) :]])]
 
-    def _cut_inner(self, kind: _Kind, words: bytes) -> list[_Piece]:
+    def _cut_inner(self, kind: _Kind, inner: _Kind, words: bytes) -> list[_Piece]:
         """A part behind the start of its tag, its inner parts cut out; nothing if it has none."""
         start = len(kind.start)
-        first = words.find(kind.inner.start, start) if kind.inner is not None else -1
-        if kind.inner is None or first < 0:
+        first = words.find(inner.start, start)
+        if first < 0:
             return []
         pieces: list[_Piece] = [words[start:first]]
-        at = self._cut_parts(kind.inner, words, first, pieces)
+        at = self._cut_parts(inner, words, first, pieces)
         pieces.append(words[at:])
         return pieces
 
