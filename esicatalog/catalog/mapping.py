@@ -11,7 +11,7 @@ from typing import Annotated, Any, NamedTuple, get_args, get_origin, get_type_hi
 
 import msgspec
 
-from esicatalog.esi.binding import Doc, Field, Record, fields_of
+from esicatalog.esi.binding import Doc, Field, Record, fields_of, is_record
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.numbers import IMAGE, decode_hex_binary
 from esicatalog.esi.records.common import Name, display_text
@@ -282,7 +282,7 @@ def _columns(field: Field) -> tuple[tuple[Column, ...], str]:
         ), _NAMES
     if field.xml.kind is IMAGE:
         return (Column(field.name.replace("image_data", "image_sha256"), "text", "Image, key in images"),), _IMAGE
-    if field.many or _is_record(field.item):
+    if field.many or is_record(field.item):
         return (Column(field.name, "json", doc if "JSON" in doc else f"{doc}, as JSON"),), _JSON
     return (Column(field.name, _KINDS[field.item], doc),), _TAKEN
 
@@ -307,16 +307,12 @@ def _decoder(field: Field) -> Callable[[Any, int], Any]:
     if field.many:
         decode_list = msgspec.json.Decoder(tuple[field.item, ...]).decode  # type: ignore[name-defined]
         return lambda values, at: () if values[at] is None else decode_list(values[at])
-    if _is_record(field.item):
+    if is_record(field.item):
         decode_one = msgspec.json.Decoder(field.item).decode
         return lambda values, at: None if values[at] is None else decode_one(values[at])
     if field.item is bool:
         return lambda values, at: None if values[at] is None else bool(values[at])
     return lambda values, at: values[at]
-
-
-def _is_record(item: Any) -> bool:
-    return isinstance(item, type) and issubclass(item, Record)
 
 
 def _names_json(names: tuple[Name, ...]) -> str | None:
