@@ -83,12 +83,11 @@ def index_devices(connection: sa.Connection, device_ids: Iterable[int]) -> None:
     texts = schema.device_names.c
     for part in chunks(device_ids):
         names: dict[int, list[str]] = {}
-        for number, text in connection.execute(
-            sa.select(texts.device_id, texts.text).where(texts.device_id.in_(part), texts.kind == "name")
-        ):
+        named = sa.select(texts.device_id, texts.text).where(texts.device_id.in_(part), texts.kind == "name")
+        for number, text in connection.execute(named).all():
             names.setdefault(number, []).append(text)
         rows = []
-        for row in connection.execute(query.where(columns.id.in_(part))):
+        for row in connection.execute(query.where(columns.id.in_(part))).all():
             identity = [
                 notation
                 for number in (row.vendor_id, row.product_code, row.revision_no)

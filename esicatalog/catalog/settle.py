@@ -161,7 +161,7 @@ def _number_variants(connection: sa.Connection, identities: Iterable[tuple[Any, 
         if None in codes:
             conditions.append(columns.product_code.is_(None))
         for condition in conditions:
-            for row in connection.execute(query.where(columns.vendor_id == vendor_id, condition)):
+            for row in connection.execute(query.where(columns.vendor_id == vendor_id, condition)).all():
                 group = variant_group(row.vendor_id, row.product_code, row.revision_no, row.type)
                 if group in wanted:
                     groups[group].append(row)

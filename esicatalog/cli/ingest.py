@@ -35,8 +35,9 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, prof
     Unchanged documents are skipped. Exit code 1 when a document failed.
     """
     from esicatalog.api import Catalog
+    from esicatalog.ingest.process import without_cycle_search
 
-    with _terminable(), Catalog(db, create=True, at_once=False) as catalog:
+    with _terminable(), without_cycle_search(), Catalog(db, create=True, at_once=False) as catalog:
         try:
             report = catalog.ingest(paths, jobs, prune, _Progress())
         finally:

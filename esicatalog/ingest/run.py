@@ -1,6 +1,5 @@
 """The ingest: what is new or changed is read by workers and written by one writer, resumable at any point."""
 
-import gc
 import os
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -16,6 +15,7 @@ from esicatalog.catalog.lock import only_writer
 from esicatalog.catalog.writer import SourceRow, Writer
 from esicatalog.esi.stages import Stages
 from esicatalog.ingest.plan import Held, HeldDocument, Plan, make_plan
+from esicatalog.ingest.process import without_cycle_search
 from esicatalog.ingest.reading import Reading
 from esicatalog.ingest.report import DocumentLine, IngestReport
 from esicatalog.ingest.tasks import Known, Outcome
@@ -51,7 +51,7 @@ def ingest(
     started = time.monotonic()
     stages = Stages()
     try:
-        with only_writer(sqlite_path(engine.url)), engine.connect() as connection, _without_cycle_search():
+        with only_writer(sqlite_path(engine.url)), engine.connect() as connection, without_cycle_search():
             try:
                 held = _read_held(connection)
                 plan = reading.plan or reading.start(make_plan(paths, held, prune, reading.hashed()))
@@ -65,21 +65,6 @@ def ingest(
         raise database_error(str(engine.url.database), error) from error
     lines.sort(key=lambda line: line.path)
     return IngestReport(lines, time.monotonic() - started, stages.seconds)
-
-
-@contextmanager
-def _without_cycle_search() -> Iterator[None]:
-    """Rows hold no cycles, and there are so many that looking for cycles takes a sixth of the writer's time."""
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            # All that is there becomes old without being looked at: as new it would be searched at once.
-            gc.freeze()
-            gc.unfreeze()
-            gc.enable()
 
 
 def _write(
