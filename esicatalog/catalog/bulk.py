@@ -13,7 +13,6 @@ from esicatalog.catalog.schema import metadata
 from esicatalog.catalog.shared import NO_NUMBERS, NewlyShared, Numbers, Row
 from esicatalog.catalog.sqlite_inserts import SqliteInserts
 
-_MAX_QUEUED = 50_000
 _TABLES = metadata.sorted_tables
 
 
@@ -79,9 +78,11 @@ class RowBuffer:
         self.add("mode_evidence", [(device_id, *row) for row in rows.mode_evidence])
 
     def flush_if_full(self) -> None:
-        """Write what is queued when it is much: memory stays bounded whatever a document holds."""
+        """Write what is queued when it is much: memory stays bounded whatever a document holds, and little is left for
+        the end, when nobody else is busy.
+        """
         queues = (self._rows, self._links, self._parts, self._shared)
-        if sum(len(queued) for queue in queues for queued in queue.values()) > _MAX_QUEUED:
+        if sum(len(queued) for queue in queues for queued in queue.values()) > self._inserts.batch_rows:
             self.flush()
 
     def flush(self) -> None:

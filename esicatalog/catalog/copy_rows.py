@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from itertools import count
-from typing import Any
+from typing import Any, ClassVar
 
 import msgspec
 import sqlalchemy as sa
@@ -15,6 +15,8 @@ _numbers = msgspec.json.Decoder(list[int]).decode
 
 class CopyInserts:
     """Inserts on one connection; ``take_ids`` reserves so many row numbers of a table and gives the first."""
+
+    batch_rows: ClassVar[int] = 50_000
 
     def __init__(self, connection: sa.Connection, take_ids: Callable[[str, int], int]) -> None:
         self._connection = connection

@@ -1,7 +1,7 @@
 """What is put into a database in bulk, besides plain rows: rows that are shared, and links."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import ClassVar, NamedTuple, Protocol
 
 import sqlalchemy as sa
 
@@ -25,6 +25,9 @@ class Links(NamedTuple):
 
 class Inserts(Protocol):
     """Inserts within the transaction of a connection, as one kind of database takes them."""
+
+    batch_rows: ClassVar[int]
+    """How many rows, links and parts together are worth a round of statements."""
 
     def rows(self, table: sa.Table, rows: Sequence[Row]) -> None:
         """Add complete rows (all columns in the order of the table)."""

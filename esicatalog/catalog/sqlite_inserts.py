@@ -6,7 +6,7 @@ NULL, shared rows are kept in temporary tables and put in place by SQLite itself
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, ClassVar
 
 import sqlalchemy as sa
 
@@ -24,6 +24,8 @@ _MAKER_BITS = 32
 
 class SqliteInserts:
     """Inserts on one connection."""
+
+    batch_rows: ClassVar[int] = 5_000
 
     def __init__(self, connection: sa.Connection) -> None:
         self._connection = connection
