@@ -42,7 +42,7 @@ def linted(archives: list[Path], schema: SchemaFolder) -> Iterator[Linted]:
                 read, tree = reader.read_tree(content, name.partition("!")[2], container)
             except EsiCatalogError:
                 continue
-            plain = DocumentTree(parse_document(content).root)
+            plain = DocumentTree(parse_document(content).root, content)
             findings = linter.document(read, tree, lambda _: True)
             # What was recognised before it was parsed is told with the same place and line.
             assert findings == linter.document(read, lambda plain=plain: plain, lambda _: True), name

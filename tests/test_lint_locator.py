@@ -21,7 +21,7 @@ DEVICES = "EtherCATInfo/Descriptions/Devices"
 
 def locator(text: str) -> Locator:
     content = text.encode()
-    return Locator(Reader().read(content).document, lambda: DocumentTree(parse_document(content).root))
+    return Locator(Reader().read(content).document, lambda: DocumentTree(parse_document(content).root, content))
 
 
 @pytest.mark.parametrize(
@@ -78,10 +78,35 @@ def test_every_kind_of_document(text, place, path):
 
 
 def test_lines_beyond_what_libxml2_counts():
-    """Empty elements beyond line 65535 have no line of their own: the one of the device is told."""
-    text = esi("\n" * 70_000 + device("<Sm/>\n<Sm>MBoxIn</Sm>").replace("<Sm/>\n<Sm>", "<Fmmu/>\n<Sm>"))
-    line = locator(text).position(("infos", 0, "devices", 0, "sync_managers", 0)).line
-    assert line in (70_001, 70_002)
+    """Elements without text beyond line 65535 have no line for libxml2; whether words were met before matters not."""
+    mailbox = '<Mailbox>\n<CoE SdoInfo="1"/>\n</Mailbox>\n<Eeprom\n><ByteSize>16</ByteSize></Eeprom>'
+    content = esi(
+        "\n" * 65_530 + device(f"<Fmmu/>\n<Sm/>\n{mailbox}", revision="#x1") + "<!-- <Sm/>\n -->"
+        + "\n" * 70_000 + device(f"<Fmmu/>\n<Sm/>\n{mailbox}", revision="#x2")
+    ).encode()  # fmt: skip
+    lines = content.decode().split("\n")
+    expected = {
+        field: [number for number, line in enumerate(lines, 1) if words in line]
+        for field, words in {"fmmus": "<Fmmu/>", "mailbox": "<Mailbox>", "coe_sdo_info": "<CoE "}.items()
+    }
+    assert expected["coe_sdo_info"] == [65_534, 135_541]
+    expected["sync_managers"] = [line + 1 for line in expected["fmmus"]]
+    expected["eeprom"] = [line + 3 for line in expected["coe_sdo_info"]]  # where its start tag ends
+    reader = Reader()
+    trees = [reader.read_tree(content) for _ in range(2)]
+    trees.append((trees[0][0], lambda: DocumentTree(parse_document(content).root, content)))
+    for read, tree in trees:
+        locator = Locator(read.document, tree)
+        for number in range(2):
+            around = ("infos", 0, "devices", number)
+            for place in (("fmmus", 0), ("sync_managers", 0), ("mailbox",), ("mailbox", "coe_sdo_info"), ("eeprom",)):
+                field = place[0] if place[-1] == 0 else place[-1]
+                assert locator.position((*around, *place)).line == expected[field][number], (field, number)
+
+
+def test_findings_of_reading_know_lines_beyond_what_libxml2_counts():
+    content = esi("\n" * 70_000 + device("\n<Sm Junk='1'/>\n<Junk/>")).encode()
+    assert [finding.line for finding in Reader().read(content).findings] == [70_002, 70_003]
 
 
 def test_the_elements_are_asked_for_once():
@@ -90,7 +115,7 @@ def test_the_elements_are_asked_for_once():
 
     def tree():
         asked.append(1)
-        return DocumentTree(parse_document(content).root)
+        return DocumentTree(parse_document(content).root, content)
 
     found = Locator(Reader().read(content).document, tree)
     for number in range(2):

@@ -1,31 +1,58 @@
-"""Lines of elements in long documents: libxml2 counts to 65535 and then goes by the texts around an element."""
+"""Lines of elements: libxml2 counts to 65535 only, and then goes by the texts around an element."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping
 from itertools import accumulate, pairwise
+from typing import NamedTuple
 
 from lxml import etree
 
-LAST_COUNTED = 65_535
+_LAST_COUNTED = 65_535
 
 
-def lines_of(elements: Sequence[etree._Element], content: bytes) -> list[int]:
-    """The line of each of some elements of one tag of a well-formed document, given its bytes.
+class Lines:
+    """Lines of the elements of one tree, given the bytes that it was parsed from."""
 
-    Above :data:`LAST_COUNTED` start tags are counted in the bytes.
-    """
-    lines = [element.sourceline or 0 for element in elements]
-    if not lines or max(lines) < LAST_COUNTED:
-        return lines
-    tag = str(elements[0].tag)
-    tags = re.finditer(_START_TAG.replace(b"TAG", re.escape(tag.encode())), content, re.DOTALL)
-    ends = [match.end() for match in tags if match["found"]]
-    alike = list(elements[0].getroottree().iter(tag))
-    if len(ends) != len(alike):
-        return lines
-    counts = accumulate(content.count(b"\n", before, end) for before, end in pairwise([0, *ends]))
-    exact = {element: count + 1 for element, count in zip(alike, counts, strict=True)}
-    return [exact[element] for element in elements]
+    def __init__(self, content: bytes) -> None:
+        self._content = content
+        self._counted: dict[str, Mapping[etree._Element, int]] = {}
+
+    def of(self, element: etree._Element) -> int:
+        """The line on which the start tag of an element ends, 0 = unknown.
+
+        Where libxml2 does not count start tags are counted in the bytes, if these are of an encoding based on ASCII.
+        """
+        line = element.sourceline or 0
+        if line < _LAST_COUNTED:
+            return line
+        tag = str(element.tag)
+        if tag not in self._counted:
+            self._counted[tag] = self._count(tag, element.getroottree())
+        return self._counted[tag].get(element, line)
+
+    def _count(self, tag: str, tree: "etree._ElementTree") -> Mapping[etree._Element, int]:
+        """Lines of all elements of a tag; none where the bytes do not show as many of them as there are."""
+        found = re.finditer(_START_TAG.replace(b"TAG", re.escape(tag.encode())), self._content, re.DOTALL)
+        ends = [match.end() for match in found if match["found"]]
+        alike = list(tree.iter(tag))
+        if len(ends) != len(alike):
+            return {}
+        counts = accumulate(self._content.count(b"\n", before, end) for before, end in pairwise([0, *ends]))
+        return {element: count + 1 for element, count in zip(alike, counts, strict=True)}
+
+
+class Located(NamedTuple):
+    """An element of a tree of its own lines, which come behind ``lines_before`` others of the document."""
+
+    element: etree._Element
+    lines: Lines
+    lines_before: int
+
+    @property
+    def line(self) -> int:
+        """Its line in the document, 0 = unknown."""
+        line = self.lines.of(self.element)
+        return line and self.lines_before + line
 
 
 _START_TAG = rb"""<(?:!--.*?-->|!\[CDATA\[.*?\]\]>|\?.*?\?>|(?P<found>TAG(?=[\s/>])(?:"[^"]*"|'[^']*'|[^>"'])*>))"""

@@ -81,15 +81,28 @@ class _Positions:
         return family.get(element)
 
 
-class Notes:
-    """Collects findings and unmapped values of one document; ``cut`` knows what parts of it mean without reading."""
+def _source_line(element: etree._Element) -> int:
+    return element.sourceline or 0
 
-    def __init__(self, owners: frozenset[type] = frozenset(), cut: Recognised | None = None) -> None:
+
+class Notes:
+    """Collects findings and unmapped values of one document.
+
+    ``cut`` knows what parts of it mean without reading, ``line_of`` the lines of its elements.
+    """
+
+    def __init__(
+        self,
+        owners: frozenset[type] = frozenset(),
+        cut: Recognised | None = None,
+        line_of: Callable[[etree._Element], int] = _source_line,
+    ) -> None:
         self.findings: list[Finding] = []
         self.unmapped: list[Unmapped] = []
         self._kept_count = 0
         self._base: etree._Element | None = None
         self._cut = cut
+        self._line_of = line_of
         self._positions = _Positions(cut.count if cut is not None else _one)
         self._owners = owners
         self.watched: frozenset[Any] = owners | (cut.record_types if cut is not None else frozenset())
@@ -115,8 +128,8 @@ class Notes:
         if len(message) > _LONGEST_MESSAGE:
             message = message[: _LONGEST_MESSAGE - 1] + "…"
         if len(self.findings) >= MAX_FINDINGS:
-            raise BrokenDocument(_TOO_MANY, element.sourceline or 0)
-        self.findings.append(Finding(rule, severity, message, element.sourceline or 0, self.path(element)))
+            raise BrokenDocument(_TOO_MANY, self._line_of(element))
+        self.findings.append(Finding(rule, severity, message, self._line_of(element), self.path(element)))
 
     def misplaced(self, element: etree._Element, child: etree._Element) -> None:
         """A child of ``element`` that the schema has before the one it stands behind."""

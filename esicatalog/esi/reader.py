@@ -13,7 +13,7 @@ from esicatalog.esi.containers import Container, Folder, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.documents import ParsedDocument, parse_as_it_is, parse_document
 from esicatalog.esi.layouts import Layouts
-from esicatalog.esi.lines import lines_of
+from esicatalog.esi.lines import Lines
 from esicatalog.esi.notes import Finding, Notes
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
@@ -31,7 +31,7 @@ from esicatalog.esi.records.document import (
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.records.profile import Profile
-from esicatalog.esi.repeats import Repeats
+from esicatalog.esi.repeats import Cut, Repeats
 from esicatalog.esi.stages import Stages
 from esicatalog.esi.tree import DocumentTree
 
@@ -97,17 +97,19 @@ class Reader:
             cut = self._repeats.cut(content)
             parsed = parse_as_it_is(cut.content) if cut is not None else None
         if cut is not None and parsed is not None:
-            read = self._read(parsed, cut.content, Notes(OWNERS, cut), member, container)
+            read = self._read(parsed, cut.content, cut, member, container)
             if cut.is_complete:
-                return read, DocumentTree(parsed.root, cut).itself
+                return read, DocumentTree(parsed.root, cut.content, cut).itself
         with self._stages("parse"):
             parsed = parse_document(content)
-        read = self._read(parsed, content, Notes(OWNERS), member, container)
-        return read, DocumentTree(parsed.root).itself
+        read = self._read(parsed, content, None, member, container)
+        return read, DocumentTree(parsed.root, content).itself
 
     def _read(
-        self, parsed: ParsedDocument, content: bytes, notes: Notes, member: str, container: Container | None
+        self, parsed: ParsedDocument, content: bytes, cut: Cut | None, member: str, container: Container | None
     ) -> ReadDocument:
+        lines = Lines(content)
+        notes = Notes(OWNERS, cut, lines.of)
         if parsed.recovered:
             notes.findings.append(Finding("L01", "E", parsed.recovered, parsed.error_line))
         if parsed.root.tag == "EtherCATDict":
@@ -117,11 +119,14 @@ class Reader:
             return _result(parsed, notes, schema_version=diag.schema_version, diag_messages=diag.diag_messages)
         elements, infos = _sections(parsed.root, notes)
         modules = "Modules/Module" if parsed.root.tag == "EtherCATModule" else "Descriptions/Modules/Module"
-        lines = _lines(elements, "Descriptions/Devices/Device", content), _lines(elements, modules, content)
+        device_lines, module_lines = (
+            tuple(tuple(map(lines.of, section.findall(path))) for section in elements)
+            for path in ("Descriptions/Devices/Device", modules)
+        )
         references: list[Reference] = []
         if container is not None:
             pull = _Puller(self, container, member, notes, references)
-            infos = [pull.resolve(info, devices) for info, devices in zip(infos, lines[0], strict=True)]
+            infos = [pull.resolve(info, devices) for info, devices in zip(infos, device_lines, strict=True)]
             referenced = tuple(pull.modules(info, element) for info, element in zip(infos, elements, strict=True))
         else:
             referenced = tuple(() for _ in infos)
@@ -131,8 +136,8 @@ class Reader:
             infos=tuple(infos),
             referenced_modules=referenced,
             references=tuple(references),
-            device_lines=lines[0],
-            module_lines=lines[1],
+            device_lines=device_lines,
+            module_lines=module_lines,
         )
 
     def _read_dictionary(self, parsed: ParsedDocument, notes: Notes) -> ReadDocument:
@@ -201,13 +206,6 @@ def _sections(root: etree._Element, notes: Notes) -> tuple[list[etree._Element],
         as_info = EsiInfo(schema_version=module.schema_version, vendor=module.vendor, modules=module.modules)
         return [root], [as_info]
     return [root], [read_record(EsiInfo, root, notes)]
-
-
-def _lines(sections: list[etree._Element], path: str, content: bytes) -> tuple[tuple[int, ...], ...]:
-    """Lines of the elements at a path below each section."""
-    found = [section.findall(path) for section in sections]
-    lines = iter(lines_of([element for elements in found for element in elements], content))
-    return tuple(tuple(next(lines) for _ in elements) for elements in found)
 
 
 def _result(parsed: ParsedDocument, notes: Notes, **fields: Any) -> ReadDocument:

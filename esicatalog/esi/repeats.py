@@ -24,7 +24,7 @@ from lxml import etree
 
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
 from esicatalog.esi.documents import make_parser
-from esicatalog.esi.lines import LAST_COUNTED
+from esicatalog.esi.lines import Lines, Located
 
 MARK = f"repeated-{secrets.token_hex(8)}"
 """Attribute that tells what an element stands for; of those that stand for themselves too."""
@@ -104,7 +104,7 @@ class Cut:
         self._memory = memory
         self._marks: list[_Marked] = []
         self._met = 0
-        self._alone: dict[tuple[bytes, int], etree._Element] = {}
+        self._alone: dict[bytes, Located] = {}
         self._unclosed: set[_Kind] = set()
         """Kinds of which a start tag without an end tag was met: looking for more might take forever."""
         pieces: list[_Piece] = []
@@ -280,21 +280,16 @@ class Cut:
         # Lines are counted by the parser, which knows more of them than an element can be given.
         return self._parsed(b"\n" * self._lines_before(element, number) + run[number].words)
 
-    def standing_alone(self, element: etree._Element, number: int) -> tuple[etree._Element, int]:
-        """:meth:`itself` with lines of its own, and how many lines come before it; for many looks at many parts."""
+    def standing_alone(self, element: etree._Element, number: int) -> Located | None:
+        """:meth:`itself` in a tree of its own, for many looks at many parts; None for what was not cut out."""
         run = self._run(element)
         if not run:
-            return element, 0
-        part, lines_before = run[number], self._lines_before(element, number)
-        # The parser has lines beyond the last counted one from texts: it must meet the part on the same side of it.
-        crosses = lines_before < LAST_COUNTED <= lines_before + part.line_count
-        blank_lines = lines_before if crosses else LAST_COUNTED if lines_before >= LAST_COUNTED else 0
-        alone = self._alone.get((part.words, blank_lines))
+            return None
+        words = run[number].words
+        alone = self._alone.get(words)
         if alone is None:
-            # Within a comment the parser counts lines four times as fast.
-            before = b"<!--%b-->" % (b"\n" * blank_lines) if blank_lines else b""
-            alone = self._alone[part.words, blank_lines] = self._parsed(before + part.words)
-        return alone, lines_before - blank_lines
+            alone = self._alone[words] = Located(self._parsed(words), Lines(words), 0)
+        return alone._replace(lines_before=self._lines_before(element, number))
 
     def _parsed(self, words: bytes) -> etree._Element:
         return etree.fromstring(words, make_parser(encoding=self._encoding.decode() or None))

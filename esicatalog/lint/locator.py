@@ -7,10 +7,8 @@ from collections.abc import Callable, Mapping
 from functools import cache, cached_property
 from typing import Any, NamedTuple
 
-from lxml import etree
-
 from esicatalog.esi.binding import Record, fields_of
-from esicatalog.esi.lines import LAST_COUNTED
+from esicatalog.esi.lines import Located
 from esicatalog.esi.records.document import DiagInfo, DictInfo, Document, EsiInfo, InfoList, ModuleInfo
 from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.registry import Place
@@ -38,16 +36,12 @@ class Position(NamedTuple):
 
 
 class _Known(NamedTuple):
-    """A place that was looked up; ``element`` is the nearest one that the tree has, ``exact`` whether it is the one.
-
-    Its line is counted from where its tree starts, ``lines_before`` come before that.
-    """
+    """A place that was looked up: the nearest element that the tree has, and whether it is the one."""
 
     record: Any
     ways: "_Ways"
     path: str
-    element: etree._Element
-    lines_before: int
+    located: Located
     exact: bool
 
 
@@ -66,8 +60,7 @@ class Locator:
     def position(self, place: Place) -> Position:
         """Path and line of a place; of the nearest element around it where the document has none there."""
         found = self._look_up(place)
-        line = _line(found.element)
-        return Position(found.path, line and found.lines_before + line)
+        return Position(found.path, found.located.line)
 
     def _look_up(self, place: Place) -> _Known:
         found = self._known.get(place)
@@ -77,7 +70,7 @@ class Locator:
 
     def _root(self) -> _Known:
         record_type = _ROOTS[self._document.root]
-        return _Known(self._document, _ways(record_type), self._document.root, self._tree.root, 0, True)
+        return _Known(self._document, _ways(record_type), self._document.root, self._tree.located_root(), True)
 
     def _step(self, place: Place) -> _Known:
         if place == _SECTION and (record_type := _ROOTS[self._document.root]) in _SINGLE_SECTION:
@@ -97,19 +90,8 @@ class Locator:
             shown += f"[{position}]" if len(value) > 1 else ""
             value = value[position]
         ways = _ways(value.__class__)
-        found = self._tree.element(around.element, path, position or 0) if around.exact else None
-        if found is None:
-            return _Known(value, ways, shown, around.element, around.lines_before, False)
-        return _Known(value, ways, shown, found.element, around.lines_before + found.lines_before, True)
-
-
-def _line(element: etree._Element) -> int:
-    line = element.sourceline or 0
-    if line != LAST_COUNTED:
-        return line
-    # libxml2 counts to 65535 where it cannot ask a text: the nearest element around it that knows more.
-    around = (item.sourceline or 0 for item in element.iterancestors())
-    return next((line for line in around if line > LAST_COUNTED), LAST_COUNTED)
+        found = self._tree.element(around.located, path, position or 0) if around.exact else None
+        return _Known(value, ways, shown, found or around.located, found is not None)
 
 
 _Ways = Mapping[str, tuple[str, bool]]
