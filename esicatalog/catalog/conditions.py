@@ -16,6 +16,16 @@ class Condition(NamedTuple):
 
     sql: Any
     evidence: Evidence | None = None
+    of_one: Any = None
+    """The same asked of each device by itself, where ``sql`` makes a list of all devices first."""
+    indexed: bool = False
+    """An index finds the devices: to find the first ones no others are looked at."""
+
+
+def with_row(owner: sa.Column[int], *fits: Any, evidence: Evidence) -> Condition:
+    """Devices with a row that fits; ``owner`` is the column with the device's number."""
+    found = sa.select(owner).where(*fits)
+    return Condition(among(found), evidence, found.where(owner == devices.c.id).exists())
 
 
 def among(device_ids: sa.SelectBase) -> Any:

@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+import msgspec
 import sqlalchemy as sa
 
 from esicatalog.catalog.device_filter import DeviceFilter
@@ -42,7 +43,8 @@ def list_devices(connection: sa.Connection, wanted: DeviceFilter, offset: int) -
     total = connection.execute(
         sa.select(sa.func.count()).select_from(matching_ids(held, wanted).subquery())
     ).scalar_one()
-    literal = device_query(held, wanted).limit(None).compile(connection, compile_kwargs={"literal_binds": True})
+    whole = msgspec.structs.replace(wanted, limit=None)
+    literal = device_query(held, whole).compile(connection, compile_kwargs={"literal_binds": True})
     return Listing(
         _listed(connection, found),
         total,
