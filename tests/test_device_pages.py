@@ -13,8 +13,9 @@ from test_query_plans import filters
 from esicatalog.catalog import search
 from esicatalog.catalog.conditions import Condition, among
 from esicatalog.catalog.device_filter import DeviceFilter
+from esicatalog.catalog.listing import list_devices
 from esicatalog.catalog.schema import devices
-from esicatalog.catalog.search import conditions, device_query, found_devices
+from esicatalog.catalog.search import conditions, device_query, find_devices, found_devices
 
 EXAMPLES = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
@@ -109,3 +110,22 @@ def test_a_list_is_made_only_where_a_page_needs_it(connection, monkeypatch, aske
     condition = Condition(among(sa.select(sa.func.listed())), of_one=devices.c.id.in_(first))
     connection.execute(device_query([condition], DeviceFilter(limit=5))).all()
     assert len(calls) == listed
+
+
+NARROWED = {
+    "vendor": lambda word: {"vendor_id": int(word, 16)},
+    "mode": lambda word: {"modes": (word,)},
+    "sync": lambda word: {"sync": word},
+    "protocol": lambda word: {"protocol": word},
+}
+"""The filter that a count beside the list stands for."""
+
+
+@pytest.mark.parametrize("chosen", [{}, {"maps": ((0x6040, None),)}, {"text": "drive"}, {"needs_dc": True}])
+def test_counts_are_those_of_the_lists_that_they_lead_to(library_db, connection, chosen):
+    listing = list_devices(connection, DeviceFilter(**chosen, limit=1), 0)
+    assert listing.total == len(find_devices(connection, DeviceFilter(**chosen)))
+    for name, narrowed in NARROWED.items():
+        for word, _, count in listing.facets[name]:
+            assert count == len(find_devices(connection, DeviceFilter(**chosen | narrowed(word)))), word
+    assert sum(value.device_count for value in listing.facets["vendor"]) == listing.total > 0

@@ -37,12 +37,12 @@ def among(device_ids: sa.SelectBase) -> Any:
     return tested(devices.c.id).in_(device_ids)
 
 
-def tested(column: sa.ColumnElement[int]) -> sa.ColumnElement[int]:
+def tested(column: sa.ColumnElement[Any]) -> sa.ColumnElement[Any]:
     """A column whose value is tested on rows found otherwise: no database looks ``column + 0`` up in an index.
 
-    Statistics say how many rows have a number on average; numbers that matter (0x6040, 0x1018) stand in thousands.
+    Statistics say how many rows have a value on average; values that matter (0x6040, 0x1018) stand in thousands.
     """
-    return column + 0
+    return column + ("" if isinstance(column.type, sa.String) else 0)
 
 
 def stated(words: str) -> Evidence:

@@ -58,7 +58,7 @@ def device_query(found: Sequence[Condition], wanted: DeviceFilter, offset: int =
     """The one SELECT of a filter; ``offset`` skips the first devices."""
     columns = devices.c
     limit = wanted.limit
-    fulfilled = _fulfilled(found, wanted) if limit is None else _on_page(found, wanted, limit + offset)
+    fulfil = fulfilled(found, wanted) if limit is None else _on_page(found, wanted, limit + offset)
     return (
         sa.select(
             columns.id,
@@ -72,7 +72,7 @@ def device_query(found: Sequence[Condition], wanted: DeviceFilter, offset: int =
             columns.name,
         )
         .outerjoin(vendors, vendors.c.vendor_id == columns.vendor_id)
-        .where(*fulfilled)
+        .where(*fulfil)
         .order_by(*_ORDER)
         .limit(limit)
         .offset(offset or None)
@@ -84,12 +84,12 @@ def matching_ids(found: Sequence[Condition], wanted: DeviceFilter) -> sa.Select[
     return (
         sa.select(devices.c.id)
         .outerjoin(vendors, vendors.c.vendor_id == devices.c.vendor_id)
-        .where(*_fulfilled(found, wanted))
+        .where(*fulfilled(found, wanted))
     )
 
 
-def _fulfilled(found: Sequence[Condition], wanted: DeviceFilter) -> list[Any]:
-    """What holds for few devices comes first: SQLite looks at conditions in their order."""
+def fulfilled(found: Sequence[Condition], wanted: DeviceFilter) -> list[Any]:
+    """The SQL conditions of a filter. What few devices fulfil comes first: SQLite looks at them in their order."""
     return [*(condition.sql for condition in found), *_visible(wanted)]
 
 
@@ -111,9 +111,9 @@ def _on_page(found: Sequence[Condition], wanted: DeviceFilter, size: int) -> lis
     listed = [condition for condition in found if condition.of_one is not None]
     plain = [condition for condition in found if condition.of_one is None]
     if not listed or size > _ASKED:
-        return _fulfilled(found, wanted)
+        return fulfilled(found, wanted)
     number = devices.c.id
-    indexed = sa.select(number).where(*_fulfilled([c for c in plain if c.indexed], wanted))
+    indexed = sa.select(number).where(*fulfilled([c for c in plain if c.indexed], wanted))
     asked = indexed.order_by(*_ORDER).limit(_ASKED).cte("asked")
     own = [*(c.sql for c in plain if not c.indexed), *(c.of_one for c in listed)]
     fit = sa.select(number).where(number.in_(sa.select(asked.c.id)), *own).cte("fit")
@@ -122,7 +122,7 @@ def _on_page(found: Sequence[Condition], wanted: DeviceFilter, size: int) -> lis
     return [
         sa.or_(enough, sa.and_(*(c.sql for c in listed))),
         sa.or_(sa.not_(enough), among(sa.select(fit.c.id))),
-        *_fulfilled(plain, wanted),
+        *fulfilled(plain, wanted),
     ]
 
 
