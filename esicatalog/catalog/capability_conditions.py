@@ -4,7 +4,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from esicatalog.catalog.conditions import Condition, among, by_row, stated
+from esicatalog.catalog.conditions import Condition, Evidence, by_row, stated, with_row
 from esicatalog.catalog.schema import dc_modes, device_facts, devices, drive_modes, mailboxes
 from esicatalog.identity import Bounds
 from esicatalog.model.cia402 import CIA402
@@ -38,7 +38,7 @@ _PORTS = {"Y": "MII", "K": "E-bus", "H": "MII fast hot connect", " ": "unused"}
 def flag(name: str) -> Condition:
     """Devices with a property that is there or not."""
     column, words = _FLAGS[name]
-    return Condition(_of_device(column, column == sa.true()), stated(words))
+    return _of_device(column, column == sa.true(), evidence=stated(words))
 
 
 def amount(name: str, bounds: Bounds) -> Condition:
@@ -50,7 +50,7 @@ def amount(name: str, bounds: Bounds) -> Condition:
     if bounds.most is not None:
         limits.append(column <= bounds.most)
     owner = _owner(column)
-    return Condition(_of_device(column, *limits), by_row(sa.select(owner, column), owner, words.format))
+    return _of_device(column, *limits, evidence=by_row(sa.select(owner, column), owner, words.format))
 
 
 def _owner(column: sa.Column[Any]) -> sa.Column[Any]:
@@ -58,11 +58,11 @@ def _owner(column: sa.Column[Any]) -> sa.Column[Any]:
     return table.c.id if table is devices else table.c.device_id
 
 
-def _of_device(column: sa.Column[Any], *conditions: Any) -> Any:
-    """A condition on ``devices`` from conditions on a table that has one row a device."""
+def _of_device(column: sa.Column[Any], *fits: Any, evidence: Evidence) -> Condition:
+    """Devices of which the row fits, in ``devices`` or in another table that has one row a device."""
     if column.table is devices:
-        return sa.and_(*conditions)
-    return among(sa.select(_owner(column)).where(*conditions))
+        return Condition(sa.and_(*fits), evidence)
+    return with_row(_owner(column), *fits, evidence=evidence)
 
 
 def drive_mode(mode: str, strict: bool) -> Condition:
@@ -76,8 +76,7 @@ def drive_mode(mode: str, strict: bool) -> Condition:
     def words(axis: int, verdict: str, evidence: str, recipe: str | None) -> str:
         return f"{mode} {verdict}, axis {axis}: {evidence}" + (f" -> {recipe}" if recipe else "")
 
-    found = sa.select(columns.device_id).where(*fits)
-    return Condition(among(found), by_row(query, columns.device_id, words))
+    return with_row(columns.device_id, *fits, evidence=by_row(query, columns.device_id, words))
 
 
 def sync(signal: str) -> Condition:
@@ -89,10 +88,8 @@ def sync(signal: str) -> Condition:
         return f"{signal.upper()} in OpMode {name!r}: AssignActivate 0x{assign_activate:04X}"
 
     ordered = query.order_by(dc_modes.c.device_id, dc_modes.c.position)
-    return Condition(
-        among(sa.select(dc_modes.c.device_id).where(column == sa.true())),
-        by_row(ordered, dc_modes.c.device_id, words),
-    )
+    evidence = by_row(ordered, dc_modes.c.device_id, words)
+    return with_row(dc_modes.c.device_id, column == sa.true(), evidence=evidence)
 
 
 def protocol(name: str) -> Condition:
@@ -100,13 +97,11 @@ def protocol(name: str) -> Condition:
     if name == _FSOE:
         facts = device_facts.c
         query = sa.select(facts.device_id, facts.fsoe, facts.fsoe_evidence)
-        return Condition(
-            _of_device(facts.fsoe, facts.fsoe.is_not(None)),
-            by_row(query, facts.device_id, "FSoE, {} evidence: {}".format),
-        )
+        evidence = by_row(query, facts.device_id, "FSoE, {} evidence: {}".format)
+        return _of_device(facts.fsoe, facts.fsoe.is_not(None), evidence=evidence)
     column = mailboxes.c[name]
     words = f"Mailbox/{protocol_name(name)} declared"
-    return Condition(_of_device(column, column == sa.true()), stated(words))
+    return _of_device(column, column == sa.true(), evidence=stated(words))
 
 
 def identification(method: str) -> Condition:
@@ -133,10 +128,9 @@ def like(number: int, words: str, facts: Any) -> Condition:
         rest = "all its PDOs too" if pdo_signature == facts.pdo_signature else "other PDOs differ"
         return f"same process-image layout as {words}, {rest}"
 
-    return Condition(
-        sa.and_(
-            _of_device(columns.image_signature, columns.image_signature == facts.image_signature),
-            devices.c.id != number,
-        ),
-        by_row(sa.select(columns.device_id, columns.pdo_signature), columns.device_id, compared),
+    return with_row(
+        columns.device_id,
+        columns.image_signature == facts.image_signature,
+        columns.device_id != number,
+        evidence=by_row(sa.select(columns.device_id, columns.pdo_signature), columns.device_id, compared),
     )

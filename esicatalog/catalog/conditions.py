@@ -16,6 +16,16 @@ class Condition(NamedTuple):
 
     sql: Any
     evidence: Evidence | None = None
+    of_one: Any = None
+    """The same asked of each device by itself, where ``sql`` makes a list of all devices first."""
+    indexed: bool = False
+    """An index finds the devices: to find the first ones no others are looked at."""
+
+
+def with_row(owner: sa.Column[int], *fits: Any, evidence: Evidence) -> Condition:
+    """Devices with a row that fits; ``owner`` is the column with the device's number."""
+    found = sa.select(owner).where(*fits)
+    return Condition(among(found), evidence, found.where(owner == devices.c.id).exists())
 
 
 def among(device_ids: sa.SelectBase) -> Any:
@@ -27,12 +37,12 @@ def among(device_ids: sa.SelectBase) -> Any:
     return tested(devices.c.id).in_(device_ids)
 
 
-def tested(column: sa.ColumnElement[int]) -> sa.ColumnElement[int]:
+def tested(column: sa.ColumnElement[Any]) -> sa.ColumnElement[Any]:
     """A column whose value is tested on rows found otherwise: no database looks ``column + 0`` up in an index.
 
-    Statistics say how many rows have a number on average; numbers that matter (0x6040, 0x1018) stand in thousands.
+    Statistics say how many rows have a value on average; values that matter (0x6040, 0x1018) stand in thousands.
     """
-    return column + 0
+    return column + ("" if isinstance(column.type, sa.String) else 0)
 
 
 def stated(words: str) -> Evidence:

@@ -7,9 +7,11 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema
 from esicatalog.catalog.conditions import Condition, among, tested
 from esicatalog.catalog.device_filter import Mapped
-from esicatalog.catalog.schema import pdo_entries, pdos, profiles
+from esicatalog.catalog.schema import devices, pdo_entries, pdos, profiles
 
 _LINKS = schema.device_modules.c
+_OF_PDO = pdo_entries.c.pdo_id == tested(pdos.c.id)
+"""From the devices to their PDOs to the entries: a planner that takes entries for few would begin with all."""
 
 
 def profile(profile_no: int) -> Condition:
@@ -30,10 +32,14 @@ def has_object(item: Mapped) -> Condition:
     holding = profiles.join(schema.dictionary_objects, held.dictionary_id == profiles.c.dictionary_id)
     found = _owning_devices(profiles, holding.join(schema.objects, objects.id == held.object_id))
     found = found.where(objects.object_index == index, _has_subindex(objects.id, subindex))
-    named = tested(held.object_id).in_(sa.select(objects.id).where(objects.object_index == index))
     holds = (
         sa.select(held.object_id)
-        .where(held.dictionary_id == profiles.c.dictionary_id, named, _has_subindex(held.object_id, subindex))
+        .join(schema.objects, objects.id == held.object_id)
+        .where(
+            held.dictionary_id == profiles.c.dictionary_id,
+            tested(objects.object_index) == index,
+            _has_subindex(objects.id, subindex),
+        )
         .exists()
     )
     words = f"object 0x{index:04X}" + (f":{subindex:02X}" if subindex is not None else "") + " in the dictionary"
@@ -60,6 +66,17 @@ def _owning_devices(table: sa.Table, joined: sa.FromClause | None = None) -> sa.
     return sa.select(device_id).select_from(links).where(device_id.is_not(None))
 
 
+def _owns(table: sa.Table, fits: Any) -> sa.ColumnElement[bool]:
+    """Whether a device has a row of a table that fits, its own or a module's that its slots can reach."""
+    own = sa.select(table.c.id).where(table.c.device_id == devices.c.id, fits)
+    modular = (
+        sa.select(table.c.id)
+        .join(schema.device_modules, _LINKS.module_id == table.c.module_id)
+        .where(_LINKS.device_id == devices.c.id, fits)
+    )
+    return sa.or_(own.exists(), modular.exists())
+
+
 def _own_or_modular(found: sa.Select[Any], holds: Any, own_words: str, module_words: str) -> Condition:
     """Devices that are found by one of their profiles or of their modules'; ``holds`` tells the same of a profile."""
 
@@ -68,7 +85,7 @@ def _own_or_modular(found: sa.Select[Any], holds: Any, own_words: str, module_wo
         numbers = set(connection.execute(direct).scalars())
         return {number: [own_words if number in numbers else module_words] for number in ids}
 
-    return Condition(among(found), evidence)
+    return Condition(among(found), evidence, _owns(profiles, holds))
 
 
 def maps(mapped: Mapped, bits: int | None) -> Condition:
@@ -86,30 +103,28 @@ def maps(mapped: Mapped, bits: int | None) -> Condition:
             pdos.c.sm,
         )
         fits = _entry_fits(tested(pdo_entries.c.entry_index), mapped, bits)
-        # From the devices to their PDOs to the entries: a planner that takes entries for few would begin with all.
-        of_pdo = pdo_entries.c.pdo_id == tested(pdos.c.id)
         own = (
             sa.select(pdos.c.device_id, sa.null(), *columns)
-            .join(pdo_entries, of_pdo)
+            .join(pdo_entries, _OF_PDO)
             .where(*fits, pdos.c.device_id.in_(ids))
         )
         modular = (
             sa.select(_LINKS.device_id, modules.module_ident, *columns)
             .join(pdos, pdos.c.module_id == _LINKS.module_id)
             .join(schema.modules, modules.id == _LINKS.module_id)
-            .join(pdo_entries, of_pdo)
+            .join(pdo_entries, _OF_PDO)
             .where(*fits, _LINKS.device_id.in_(ids))
         )
         for number, module, *facts in connection.execute(own.union_all(modular)):
             found.setdefault(number, []).append(_mapping_words(module, *facts))
         return {number: sorted(set(texts)) for number, texts in found.items()}
 
-    return Condition(among(_mapping_devices(mapped, bits)), evidence)
+    return Condition(among(_mapping_devices(mapped, bits)), evidence, _maps(mapped, bits))
 
 
 def not_maps(mapped: Mapped) -> Condition:
     """Devices of which no PDO maps an entry, not even one of a reachable module."""
-    return Condition(sa.not_(among(_mapping_devices(mapped, None))))
+    return Condition(sa.not_(among(_mapping_devices(mapped, None))), of_one=sa.not_(_maps(mapped, None)))
 
 
 def _entry_fits(entry_index: sa.ColumnElement[int], mapped: Mapped, bits: int | None) -> list[Any]:
@@ -125,6 +140,11 @@ def _entry_fits(entry_index: sa.ColumnElement[int], mapped: Mapped, bits: int | 
 def _mapping_devices(mapped: Mapped, bits: int | None) -> sa.Select[Any]:
     mapping = sa.select(pdo_entries.c.pdo_id).where(*_entry_fits(pdo_entries.c.entry_index, mapped, bits))
     return _owning_devices(pdos).where(pdos.c.id.in_(mapping))
+
+
+def _maps(mapped: Mapped, bits: int | None) -> sa.ColumnElement[bool]:
+    fits = _entry_fits(tested(pdo_entries.c.entry_index), mapped, bits)
+    return _owns(pdos, sa.select(pdo_entries.c.id).where(_OF_PDO, *fits).exists())
 
 
 def _mapping_words(

@@ -8,11 +8,17 @@ import sqlalchemy as sa
 from esicatalog.catalog.conditions import Condition
 from esicatalog.catalog.device_filter import MODES, SYNC_SIGNALS, DeviceFilter
 from esicatalog.catalog.schema import device_facts, devices, drive_modes, mailboxes, profiles, vendors
-from esicatalog.catalog.search import matching_ids
+from esicatalog.catalog.search import fulfilled, matching_ids
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.words import MAILBOX_PROTOCOLS, protocol_name
 
 _MOST_VENDORS, _MOST_PROFILES = 30, 20
+_PROPERTIES: dict[tuple[str, str], tuple[str, Any]] = {
+    **{("sync", name): (name.upper(), device_facts.c[f"supports_{name}"] == sa.true()) for name in SYNC_SIGNALS},
+    **{("protocol", name): (protocol_name(name), mailboxes.c[name] == sa.true()) for name in MAILBOX_PROTOCOLS},
+    ("protocol", "fsoe"): ("FSoE (evidence)", device_facts.c.fsoe.is_not(None)),
+}
+"""What tables with one row a device tell: filter and word, label and condition."""
 
 
 class FacetValue(NamedTuple):
@@ -23,32 +29,58 @@ class FacetValue(NamedTuple):
     device_count: int
 
 
-def facets(
-    connection: sa.Connection, found: Sequence[Condition], wanted: DeviceFilter
-) -> dict[str, tuple[FacetValue, ...]]:
-    """Counts by filter: vendor, mode, sync, protocol and profile. One query a filter, whatever is found."""
-    ids = matching_ids(found, wanted)
-    return {
-        "vendor": _vendors(connection, ids),
-        "mode": _modes(connection, ids, wanted.strict),
-        "sync": _flags(connection, ids, device_facts, {name: f"supports_{name}" for name in SYNC_SIGNALS}),
-        "protocol": (
-            *_flags(connection, ids, mailboxes, {name: name for name in MAILBOX_PROTOCOLS}),
-            *_fsoe(connection, ids),
-        ),
-        "profile": _profiles(connection, ids),
-    }
+class Counts(NamedTuple):
+    """How many devices there are, and by filter how many of them have what."""
+
+    total: int
+    facets: dict[str, tuple[FacetValue, ...]]
 
 
-def _vendors(connection: sa.Connection, ids: Any) -> tuple[FacetValue, ...]:
-    count = sa.func.count()
-    query = (
-        sa.select(devices.c.vendor_id, vendors.c.name, count)
-        .outerjoin(vendors, vendors.c.vendor_id == devices.c.vendor_id)
-        .where(devices.c.id.in_(ids), devices.c.vendor_id.is_not(None))
-        .group_by(devices.c.vendor_id, vendors.c.name)
+def counts(connection: sa.Connection, found: Sequence[Condition], wanted: DeviceFilter) -> Counts:
+    """Counts by filter: vendor, mode, sync, protocol and profile. The number of queries is always the same."""
+    fulfil, ids = fulfilled(found, wanted), matching_ids(found, wanted)
+    total, properties = _properties(connection, fulfil)
+    return Counts(
+        total,
+        {
+            "vendor": _vendors(connection, fulfil),
+            "mode": _modes(connection, ids, wanted.strict),
+            **properties,
+            "profile": _profiles(connection, ids),
+        },
+    )
+
+
+def _properties(connection: sa.Connection, fulfil: list[Any]) -> tuple[int, dict[str, tuple[FacetValue, ...]]]:
+    """The number of devices, and how many of them have each property: all in one pass."""
+    columns = [sa.func.count(sa.case((condition, 1))) for _, condition in _PROPERTIES.values()]
+    tables = devices.outerjoin(device_facts, device_facts.c.device_id == devices.c.id).outerjoin(
+        mailboxes, mailboxes.c.device_id == devices.c.id
+    )
+    query = sa.select(sa.func.count(), *columns).select_from(tables).where(*fulfil)
+    total, *numbers = connection.execute(query).one()
+    facets: dict[str, tuple[FacetValue, ...]] = {name: () for name, _ in _PROPERTIES}
+    for ((name, word), (label, _)), number in zip(_PROPERTIES.items(), numbers, strict=True):
+        if number:
+            facets[name] += (FacetValue(word, label, number),)
+    return total, facets
+
+
+def _vendors(connection: sa.Connection, fulfil: list[Any]) -> tuple[FacetValue, ...]:
+    """Counted before their names are looked up: the index by which devices are listed has them in order."""
+    count = sa.func.count().label("device_count")
+    counted = (
+        sa.select(devices.c.vendor_id, count)
+        .where(*fulfil, devices.c.vendor_id.is_not(None))
+        .group_by(devices.c.vendor_id)
         .order_by(count.desc(), devices.c.vendor_id)
         .limit(_MOST_VENDORS)
+        .subquery()
+    )
+    query = (
+        sa.select(counted.c.vendor_id, vendors.c.name, counted.c.device_count)
+        .outerjoin(vendors, vendors.c.vendor_id == counted.c.vendor_id)
+        .order_by(counted.c.device_count.desc(), counted.c.vendor_id)
     )
     return tuple(FacetValue(f"0x{v:x}", name or f"0x{v:08x}", n) for v, name, n in connection.execute(query))
 
@@ -63,20 +95,6 @@ def _modes(connection: sa.Connection, ids: Any, strict: bool) -> tuple[FacetValu
     )
     counted = {row[0]: row[1] for row in connection.execute(query)}
     return tuple(FacetValue(mode, mode, counted[mode]) for mode in MODES if mode in counted)
-
-
-def _flags(connection: sa.Connection, ids: Any, table: sa.Table, columns: dict[str, str]) -> tuple[FacetValue, ...]:
-    counts = [sa.func.sum(sa.case((table.c[column] == sa.true(), 1), else_=0)) for column in columns.values()]
-    row = connection.execute(sa.select(*counts).where(table.c.device_id.in_(ids))).one()
-    labels = {name: name.upper() if name.startswith("sync") else protocol_name(name) for name in columns}
-    return tuple(FacetValue(name, labels[name], n) for name, n in zip(columns, row, strict=True) if n)
-
-
-def _fsoe(connection: sa.Connection, ids: Any) -> tuple[FacetValue, ...]:
-    facts = device_facts.c
-    query = sa.select(sa.func.count()).where(facts.device_id.in_(ids), facts.fsoe.is_not(None))
-    count = connection.execute(query).scalar_one()
-    return (FacetValue("fsoe", "FSoE (evidence)", count),) if count else ()
 
 
 def _profiles(connection: sa.Connection, ids: Any) -> tuple[FacetValue, ...]:

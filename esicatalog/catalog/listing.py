@@ -2,13 +2,15 @@
 
 from typing import NamedTuple
 
+import msgspec
 import sqlalchemy as sa
 
+from esicatalog.catalog.conditions import tested
 from esicatalog.catalog.device_filter import DeviceFilter
-from esicatalog.catalog.facets import FacetValue, facets
+from esicatalog.catalog.facets import FacetValue, counts
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import device_facts, devices, drive_modes
-from esicatalog.catalog.search import conditions, device_query, found_devices, matching_ids
+from esicatalog.catalog.search import conditions, device_query, found_devices
 from esicatalog.model.cia402 import CIA402
 
 _SHOWN_VERDICTS = ("yes", "likely")
@@ -39,17 +41,10 @@ def list_devices(connection: sa.Connection, wanted: DeviceFilter, offset: int) -
     """Find devices for a page; the number of queries does not depend on how many there are."""
     held = list(conditions(connection, wanted))
     found = found_devices(connection, held, wanted, offset)
-    total = connection.execute(
-        sa.select(sa.func.count()).select_from(matching_ids(held, wanted).subquery())
-    ).scalar_one()
-    literal = device_query(held, wanted).limit(None).compile(connection, compile_kwargs={"literal_binds": True})
-    return Listing(
-        _listed(connection, found),
-        total,
-        offset,
-        facets(connection, held, wanted),
-        str(literal),
-    )
+    whole = msgspec.structs.replace(wanted, limit=None)
+    literal = device_query(held, whole).compile(connection, compile_kwargs={"literal_binds": True})
+    total, facets = counts(connection, held, wanted)
+    return Listing(_listed(connection, found), total, offset, facets, str(literal))
 
 
 def _listed(connection: sa.Connection, found: list[tuple[int, FoundDevice]]) -> tuple[ListedDevice, ...]:
@@ -64,7 +59,7 @@ def _listed(connection: sa.Connection, found: list[tuple[int, FoundDevice]]) -> 
     verdicts: dict[int, dict[str, str]] = {}
     for number, mode, verdict in connection.execute(
         sa.select(modes.device_id, modes.mode, modes.verdict)
-        .where(modes.device_id.in_(numbers), modes.kind == CIA402, modes.verdict.in_(_SHOWN_VERDICTS))
+        .where(modes.device_id.in_(numbers), tested(modes.kind) == CIA402, modes.verdict.in_(_SHOWN_VERDICTS))
         .order_by(modes.device_id, modes.position)
     ):
         verdicts.setdefault(number, {}).setdefault(mode, verdict)
