@@ -22,7 +22,7 @@ _LOCK_MS = 500
 def drop_keys(connection: sa.Connection) -> None:
     """Drop all foreign keys if the catalog is empty, and if nobody who reads it or owns its tables is in the way."""
     take_turn(connection)
-    if is_empty(connection):
+    if is_empty(connection) and not are_keys_pending(connection):
         try:
             connection.exec_driver_sql(f"SET LOCAL lock_timeout = {_LOCK_MS}")
             for key in _foreign_keys():
