@@ -8,7 +8,7 @@
 
 import contextlib
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
@@ -75,11 +75,11 @@ class Catalog:
         if self._opened is not None:
             self._opened.dispose()
 
-    def _open(self, create: bool) -> "sa.Engine":
+    def _open(self, create: bool, when_new: Callable[[], object] = lambda: None) -> "sa.Engine":
         from esicatalog.catalog.database import open_catalog
 
         if self._opened is None:
-            self._opened = open_catalog(self._target, create, self._read_only)
+            self._opened = open_catalog(self._target, create, self._read_only, when_new)
         return self._opened
 
     def __enter__(self) -> Self:
@@ -111,9 +111,15 @@ class Catalog:
                 reading.start(make_plan(given))
             elif self._opened is None:
                 reading.hash_ahead(given)
+
+            def read_all() -> None:
+                """Begin with what a catalog that is about to be made lacks: everything."""
+                if reading.plan is None:
+                    reading.start(make_plan(given, hashed=reading.hashed()))
+
             from esicatalog.ingest.run import ingest
 
-            return ingest(self._open(create=True), given, reading, prune, progress)
+            return ingest(self._open(create=True, when_new=read_all), given, reading, prune, progress)
 
     def identify(self, vendor_id: int, product_code: int, revision_no: int | None = None) -> "Identification":
         """What the catalog knows about an identity; see :class:`~esicatalog.catalog.results.Identification`."""

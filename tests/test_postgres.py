@@ -174,6 +174,25 @@ def test_what_is_unchanged_gone_or_new_is_told_apart(postgres, tmp_path):
         assert catalog.check().problems == []
 
 
+def test_whoever_makes_the_catalog_is_told_before_there_are_tables(postgres):
+    told: list[list[str]] = []
+    engine = database.make_engine(database.catalog_url(postgres))
+    for _ in range(2):
+        database.open_catalog(
+            postgres, create=True, when_new=lambda: told.append(sa.inspect(engine).get_table_names())
+        ).dispose()
+    assert told == [[]]
+    engine.dispose()
+
+
+def test_nothing_is_made_for_a_path_that_is_missing(postgres, tmp_path):
+    result = words("ingest", tmp_path / "missing", "--db", postgres)
+    assert (result.exit_code, "missing" in result.stderr) == (2, True)
+    engine = database.make_engine(database.catalog_url(postgres))
+    assert sa.inspect(engine).get_table_names() == []
+    engine.dispose()
+
+
 @pytest.mark.parametrize("dump", DUMPS, ids=lambda path: path.stem)
 def test_an_old_catalog_is_brought_up_to_date(postgres, tmp_path, dump):
     """A catalog of an older version, row by row in PostgreSQL, becomes what the same one becomes in SQLite."""

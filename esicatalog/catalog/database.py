@@ -3,6 +3,7 @@
 import os
 import sqlite3
 import threading
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -107,10 +108,16 @@ def reading_connection(engine: sa.Engine) -> sa.Connection:
     return connection.execution_options(isolation_level="REPEATABLE READ", postgresql_readonly=True)
 
 
-def open_catalog(target: str | os.PathLike[str], create: bool = False, read_only: bool = False) -> sa.Engine:
+def open_catalog(
+    target: str | os.PathLike[str],
+    create: bool = False,
+    read_only: bool = False,
+    when_new: Callable[[], object] = lambda: None,
+) -> sa.Engine:
     """Open a catalog of the current schema version, creating it through the migrations when asked.
 
-    Raises :class:`CatalogError` with what to do when there is none, or when it is older, newer or no catalog.
+    ``when_new`` is called before one is made, which takes a second on a server. Raises :class:`CatalogError` with what
+    to do when there is none, or when it is older, newer or no catalog.
     """
     path = sqlite_path(catalog_url(target))
     if create and path is not None and not path.exists() and not path.parent.is_dir():
@@ -118,6 +125,7 @@ def open_catalog(target: str | os.PathLike[str], create: bool = False, read_only
     engine, version = _connected(target, create, read_only)
     try:
         if version is None:
+            when_new()
             version = _create(engine)
         if version != SCHEMA_VERSION:
             raise CatalogError(_version_message(shown_target(target), version))

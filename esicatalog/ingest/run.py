@@ -54,6 +54,7 @@ def ingest(
         with only_writer(sqlite_path(engine.url)), engine.connect() as connection, without_cycle_search():
             try:
                 held = _read_held(connection)
+                connection.commit()  # Planning may take long; who wants to change tables need not wait for it.
                 plan = reading.plan or reading.start(make_plan(paths, held, prune, reading.hashed()))
                 prepare_load(connection)
                 lines = _write(connection, plan, reading.outcomes, held, progress, stages)
