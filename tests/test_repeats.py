@@ -92,27 +92,6 @@ def test_pdos_and_their_entries_are_known_again(monkeypatch):
     assert read == plain(content, monkeypatch)
 
 
-def test_mailboxes_and_eeproms_are_known_again_and_timeouts_of_mailboxes_are_no_mailbox(monkeypatch):
-    timeouts = "<Info><Mailbox>\n<Timeout><RequestTimeout>100</RequestTimeout></Timeout></Mailbox></Info>"
-    command = "<InitCmd><Transition>PS</Transition><Index>#x1C12</Index><SubIndex>0</SubIndex><Data>00</Data></InitCmd>"
-    mailbox = f'<Mailbox DataLinkLayer="1"><CoE SdoInfo="1">{command}</CoE></Mailbox>'
-    eeprom = "<Eeprom><ByteSize>2048</ByteSize><ConfigData>050E03EE1027</ConfigData></Eeprom>"
-    content = esi(
-        device(f"{timeouts}{mailbox}\n{eeprom}")
-        + device(f"{timeouts}<Mailbox><FoE/></Mailbox>{eeprom}", revision="#x2")
-        + device(f"{timeouts}{mailbox}\n<Eeprom/>", revision="#x3")
-    ).encode()
-    reader = Reader()
-    for _ in range(2):
-        read = reader.read(content)
-        first, second, third = read.document.infos[0].devices
-        assert [held.mailbox_request_timeout_ms for held in (first, second, third)] == [100, 100, 100]
-        assert first.mailbox is third.mailbox and first.eeprom is second.eeprom
-        assert first.mailbox.coe_init_cmds[0].object_index == 0x1C12 and second.mailbox.foe and not second.mailbox.coe
-        assert (first.eeprom.byte_size, third.eeprom.byte_size) == (2048, None)
-        assert read == plain(content, monkeypatch)
-
-
 def test_what_follows_in_another_encoding_is_looked_up_anew():
     """The same bytes behind the same part, as UTF-8 after Latin-1: known words, unknown meaning."""
     text = '<?xml version="1.0" encoding="{}"?>' + twice(TYPE, OBJECT + OBJECT.replace("Type<", "\u00c3\u00a4<"))
@@ -252,8 +231,7 @@ def _small_reader(self: Reader) -> None:
 
 PIECES = st.sampled_from(
     [TYPE, OBJECT, BROKEN, RECORD, values("#x1018", "03", "04"), FLAGS, "<SubItem>", "</SubItem>", "<SubItem a='1'/>",
-     "<RxPdo Sm='2'><Index>#x1600</Index><Name/></RxPdo>", "<Mailbox><FoE/></Mailbox>", "<Mailbox><Timeout/></Mailbox>",
-     "</Mailbox>", "<Eeprom/>",
+     "<RxPdo Sm='2'><Index>#x1600</Index><Name/></RxPdo>",
      "\n", " ", "<!--", "-->", "<![CDATA[", "]]>", "</Object>", "<Object>", "<DataTypes>",
      "</DataTypes>", "<Objects>", "</Objects>", "</Dictionary>", "<Object/>", "<Object a='1'>", "&amp;", "&x;", "<?p?>"]
 )  # fmt: skip

@@ -16,7 +16,7 @@ from esicatalog.esi.layouts import Layouts
 from esicatalog.esi.lines import Lines
 from esicatalog.esi.notes import Finding, Notes
 from esicatalog.esi.records.dc import OpMode
-from esicatalog.esi.records.device import Device, Eeprom
+from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import DiagMessage, Diagnostics
 from esicatalog.esi.records.dictionary import DataType, Dictionary, InfoSubItem, Object, SubItem
 from esicatalog.esi.records.document import (
@@ -28,7 +28,6 @@ from esicatalog.esi.records.document import (
     ModuleInfo,
     Reference,
 )
-from esicatalog.esi.records.mailbox import Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.records.profile import Profile
@@ -39,7 +38,7 @@ from esicatalog.esi.tree import DocumentTree
 OWNERS: frozenset[type] = frozenset({Device, Module})
 """Records that keep the unmapped values found below them."""
 
-_REPEATED = (DataType, SubItem, Object, InfoSubItem, Pdo, Entry, OpMode, DiagMessage, Mailbox, Eeprom)
+_REPEATED = (DataType, SubItem, Object, InfoSubItem, Pdo, Entry, OpMode, DiagMessage)
 """Records of parts that repeat from device to device and from revision to revision."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
 _MAX_STANDALONE = 1_000

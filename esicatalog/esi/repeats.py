@@ -1,10 +1,9 @@
 """Parts of documents that repeat word for word: recognised before the document is parsed, and read once.
 
 Data types, objects and PDOs are most of the bytes of ESI documents, and four fifths of those bytes stood in an earlier
-device of the same vendor in the very same words; mailboxes and EEPROM contents are few bytes, but as often the same. A
-run of such parts is cut out of the document and a single marked element left in its place; reading it gives the records
-that the same words gave before. A part that is new is looked through for parts of its own, sub-items and entries, and
-read at once if it is laid out like others.
+device of the same vendor in the very same words. A run of such parts is cut out of the document and a single marked
+element left in its place; reading it gives the records that the same words gave before. A part that is new is looked
+through for parts of its own, sub-items and entries, and read at once if it is laid out like others.
 
 Cutting is a guess about the layout of the text, made without parsing; three things keep it honest. Only words are
 recognised that were parsed before as a whole element of a well-formed document in the same encoding, or that
@@ -70,13 +69,9 @@ _OTHERS = {
     b"TxPdo": _Kind("TxPdo", "Pdo", _ENTRIES),
     b"SafetyParaMapping": _Kind("SafetyParaMapping", "Pdo", _ENTRIES),
     b"DiagMessage": _Kind("DiagMessage", "DiagMessage"),
-    b"Mailbox": _Kind("Mailbox", "Mailbox"),
-    b"Eeprom": _Kind("Eeprom", "Eeprom"),
 }
 """What may be cut out anywhere, by its own tag."""
-_OTHERWISE = rb"Mailbox>\s*<Timeout"
-"""Begins an element of such a tag that is something else: Info/Mailbox holds timeouts."""
-_STARTS = re.compile(rb"<(?!%b)(?:(%b)>|(%b)[ >])" % (_OTHERWISE, b"|".join(_LISTS), b"|".join(_OTHERS)))
+_STARTS = re.compile(rb"<(?:(%b)>|(%b)[ >])" % (b"|".join(_LISTS), b"|".join(_OTHERS)))
 
 _Read = Callable[[type, bytes, Sequence[tuple[Any, ...]]], Any]
 
