@@ -3,6 +3,7 @@
 import shutil
 import sqlite3
 import zipfile
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
@@ -17,6 +18,9 @@ from esicatalog.esi import containers
 
 KEPT = {"catalog_state", "alembic_version"}
 CONTENT_TABLES = [table.name for table in schema.metadata.sorted_tables if table.name not in KEPT]
+
+
+SETTINGS = ("cache_size", "foreign_keys", "synchronous")
 
 
 def ingest(db: Path, *paths: Path, jobs: int = 1, prune: bool = False):
@@ -150,6 +154,22 @@ def test_a_finished_ingest_is_one_file(tmp_path, library):
         assert [path.name for path in (tmp_path / "db").iterdir()] == ["c.db"]
         assert one(tmp_path / "db" / "c.db", "PRAGMA journal_mode") == "delete"
         write(library, {"new.xml": FULL.replace("#x10", "#x13")})
+
+
+def test_an_ingest_leaves_nothing_on_the_connections_of_a_catalog(tmp_path, library):
+    """Neither temporary tables nor the settings of a load."""
+    with Catalog.open(tmp_path / "catalog.db", create=True) as catalog:
+        for product in ("#x4711", "#x4712"):
+            write(library, {f"{product}.xml": esi(rich(product))})
+            catalog.ingest([library], jobs=1)
+            with ExitStack() as stack:
+                connections = [stack.enter_context(catalog._connection()) for _ in range(5)]
+                states = {
+                    tuple(held.exec_driver_sql(f"PRAGMA {name}").scalar() for name in SETTINGS) for held in connections
+                }
+                tables = [held.exec_driver_sql("SELECT name FROM sqlite_temp_master").all() for held in connections]
+            assert tables == [[]] * 5
+            assert states == {(-2000, 1, 2)}  # of SQLite itself, but for the foreign keys
 
 
 def test_any_order_and_any_number_of_workers_give_the_same_catalog(tmp_path, library):

@@ -29,7 +29,7 @@ class CopyInserts:
         Raises :class:`sqlalchemy.exc.DBAPIError`, as any other statement does.
         """
         statement = f"COPY {table.name} ({', '.join(column.name for column in table.columns)}) FROM STDIN"
-        driver: Any = self._connection.connection.driver_connection
+        driver: Any = self._connection.connection.dbapi_connection
         dbapi: Any = self._connection.dialect.loaded_dbapi
         try:
             with driver.cursor() as cursor, cursor.copy(statement) as copy:

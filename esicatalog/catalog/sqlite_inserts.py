@@ -51,8 +51,6 @@ class SqliteInserts:
         if kept not in self._kept_tables:
             self._kept_tables.add(kept)
             names = ", ".join(column.name for column in columns)
-            # A connection that comes from a pool may have one of an earlier load.
-            self._connection.exec_driver_sql(f"DROP TABLE IF EXISTS {kept}")
             self._connection.exec_driver_sql(f"CREATE TEMPORARY TABLE {kept[5:]} (id INTEGER PRIMARY KEY, {names})")
         first = self._base(maker) + self._held[kept, maker]
         self._held[kept, maker] += len(rows)

@@ -52,6 +52,8 @@ def ingest(
     stages = Stages()
     try:
         with only_writer(sqlite_path(engine.url)), engine.connect() as connection, without_cycle_search():
+            # What a load leaves on its connection, temporary tables and a large cache, ends with it.
+            connection.detach()
             try:
                 held = _read_held(connection)
                 connection.commit()  # Planning may take long; who wants to change tables need not wait for it.
