@@ -202,6 +202,16 @@ def test_inputs_lie_where_the_driver_reads_them():
     assert read(found, image) == {"flag": 1, "level": 5, "whole": -2, "last": 200}
 
 
+def test_signed_bits_that_the_driver_reads_without_their_sign_are_told():
+    entries = [entry("#x6000", 3, "low", 1, "SINT"), entry("#x6000", 5, "high", 2, "USINT")]
+    inputs = rx("#x1A00", *entries).replace("RxPdo", "TxPdo").replace('Sm="2"', 'Sm="3"')
+    text = ros2_slave(configured(SMS + inputs))
+    assert read(loaded(text), as_little_endian((-1, 3), (31, 5))) == {"low": 7, "high": 31}
+    assert "0x6000:01 low: ethercat_driver_ros2 reads 3 bits without their sign" in text
+    assert "0x6000:02 high: " not in text
+    assert "without their sign" not in ros2_slave(configured(SMS + rx("#x1600", *entries)))
+
+
 def test_floating_point():
     reals = rx("#x1600", entry("#x7000", 32, "a", 1, "REAL"), entry("#x7000", 64, "b", 2, "LREAL"))
     text = ros2_slave(configured(SMS + reals))

@@ -4,7 +4,7 @@ The driver writes every output in every cycle: the command interface, or ``defau
 each output has a default, and each value that the driver cannot place has ``mask: 0``, which leaves its bits alone.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
@@ -105,7 +105,7 @@ def _pdo_list(configuration: Configuration, found: Listed, direction: str, remar
             reached.append(entry)
         else:
             remarks.append(f"{entry.place} {entry.name} has no interface: {PROGRAM} has no type for it at its place")
-    remarks += _version_remarks(reached, side)
+    remarks += _type_remarks(reached, side)
     names = unique_names([_interface(configuration, entry.identifier) for entry in reached])
     interfaces = {entry.identifier: name for entry, name in zip(reached, names, strict=True)}
     modes = {
@@ -125,9 +125,13 @@ def _pdo_list(configuration: Configuration, found: Listed, direction: str, remar
     return PdoList(side, tuple(pdos))
 
 
-def _version_remarks(entries: Iterable[MappedEntry], side: Side) -> Iterator[str]:
-    """What older versions do otherwise."""
+def _type_remarks(entries: Sequence[MappedEntry], side: Side) -> Iterator[str]:
+    """What the driver, or an older version of it, makes of some types."""
     values = [_value(entry, side) for entry in entries]
+    if side.key == "tpdo":
+        for entry, value in zip(entries, values, strict=True):
+            if entry.value.kind == "int" and value.startswith("type: bit"):
+                yield f"{entry.place} {entry.name}: {PROGRAM} reads {entry.bit_length} bits without their sign"
     if any(value.startswith("type: real") for value in values):
         yield f"real32 and real64 need a version of {PROGRAM} that knows these types"
     if side.key == "rpdo" and any(value.startswith("type: bit") for value in values):

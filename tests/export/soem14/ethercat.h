@@ -22,8 +22,10 @@ typedef struct {
    uint32 eep_man;
    uint32 eep_id;
    uint32 eep_rev;
+   uint32 Obytes;
    uint8 *outputs;
    uint8 Ostartbit;
+   uint32 Ibytes;
    uint8 *inputs;
    uint8 Istartbit;
    int (*PO2SOconfig)(uint16 slave);

@@ -27,8 +27,10 @@ typedef struct {
    uint32 eep_man;
    uint32 eep_id;
    uint32 eep_rev;
+   uint32 Obytes;
    uint8 *outputs;
    uint8 Ostartbit;
+   uint32 Ibytes;
    uint8 *inputs;
    uint8 Istartbit;
    int (*PO2SOconfig)(ecx_contextt *context, uint16 slave);
