@@ -184,6 +184,20 @@ def test_long_names_fit_the_names_of_hal():
     assert [pin[-3:] for pin in pins] == ["-lo", "-hi"] * 3
 
 
+def test_long_names_keep_the_word_that_tells_them_apart():
+    """HAL has 47 characters, ``lcec.0.a-prefix-that-i.`` takes 23 of them: 24 are left."""
+    entries = [entry("#x7000", 16, f"Modes of operation display, axis {axis}", axis) for axis in (2, 1, 3)]
+    text = linuxcnc_configuration(configured(SMS + rx("#x1600", *entries), name="a_prefix_that_is_long_itself"))
+    assert [pin for pin, _, _ in pins_of(slave_in(text))] == [
+        "modes-of-operation-dis-2",
+        "modes-of-operation-dis-1",
+        "modes-of-operation-dis-3",
+    ]
+    whole = entry("#x7000", 16, "One" + "word" * 11, 1)
+    text = linuxcnc_configuration(configured(SMS + rx("#x1600", whole), name="a_prefix_that_is_long_itself"))
+    assert pins_of(slave_in(text))[0][0] == "onewordwordwordwordwordw"
+
+
 def test_more_entries_than_pins():
     slave = slave_of(
         SMS

@@ -106,13 +106,22 @@ class _Pins:
             return ()
         self._free -= len(wanted)
         plain, room = identifier.strip("_").replace("_", "-"), self._limit - max(len(suffix) for suffix, _, _ in wanted)
-        name, number = plain[:room].rstrip("-"), 0
+        name, number = _shortened(plain, room), 0
         while any(f"{name}{suffix}" in self._taken for suffix, _, _ in wanted):
             number += 1
-            name = f"{plain[: room - len(str(number)) - 1].rstrip('-')}-{number}"
+            name = f"{_shortened(plain, room - len(str(number)) - 1)}-{number}"
         pins = tuple(Pin(f"{name}{suffix}", kind, length) for suffix, kind, length in wanted)
         self._taken.update(pin.name for pin in pins)
         return pins
+
+
+def _shortened(name: str, room: int) -> str:
+    """A name without its middle: what tells it from others, an axis for example, is its last word."""
+    if len(name) <= room:
+        return name
+    begin, _, last = name.rpartition("-")
+    begin = begin[: max(0, room - len(last) - 1)].rstrip("-")
+    return f"{begin}-{last}" if begin else name[:room].rstrip("-")
 
 
 def linuxcnc_configuration(configuration: Configuration) -> str:
