@@ -3,6 +3,7 @@
 import pytest
 from snippets import device, dictionary, esi, pdo
 
+from esicatalog.esi import lines
 from esicatalog.esi.documents import parse_document
 from esicatalog.esi.notes import Notes
 from esicatalog.esi.reader import Reader
@@ -84,9 +85,8 @@ def test_lines_beyond_what_libxml2_counts():
         "\n" * 65_530 + device(f"<Fmmu/>\n<Sm/>\n{mailbox}", revision="#x1") + "<!-- <Sm/>\n -->"
         + "\n" * 70_000 + device(f"<Fmmu/>\n<Sm/>\n{mailbox}", revision="#x2")
     ).encode()  # fmt: skip
-    lines = content.decode().split("\n")
     expected = {
-        field: [number for number, line in enumerate(lines, 1) if words in line]
+        field: [number for number, line in enumerate(content.decode().split("\n"), 1) if words in line]
         for field, words in {"fmmus": "<Fmmu/>", "mailbox": "<Mailbox>", "coe_sdo_info": "<CoE "}.items()
     }
     assert expected["coe_sdo_info"] == [65_534, 135_541]
@@ -107,6 +107,14 @@ def test_lines_beyond_what_libxml2_counts():
 def test_findings_of_reading_know_lines_beyond_what_libxml2_counts():
     content = esi("\n" * 70_000 + device("\n<Sm Junk='1'/>\n<Junk/>")).encode()
     assert [finding.line for finding in Reader().read(content).findings] == [70_002, 70_003]
+
+
+def test_lines_are_counted_for_some_tags_only(monkeypatch):
+    """Somebody may invent a tag for every element; who would count each looks through the document again and again."""
+    content = esi("\n" * 70_000 + device("".join(f"\n<Junk{number}/>" for number in range(200)))).encode()
+    monkeypatch.setattr(lines, "_MOST_BYTES", 50 * len(content))
+    found = [finding.line for finding in Reader().read(content).findings]
+    assert found == [*range(70_002, 70_052), *[65_535] * 150]  # which is all that the parser knows
 
 
 def test_the_elements_are_asked_for_once():

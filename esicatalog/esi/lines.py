@@ -8,6 +8,8 @@ from typing import NamedTuple
 from lxml import etree
 
 _LAST_COUNTED = 65_535
+_MOST_BYTES = 1_000_000_000
+"""That are looked through for one tree, once a tag: some seconds. Elements of further tags keep the parser's line."""
 
 
 class Lines:
@@ -16,6 +18,7 @@ class Lines:
     def __init__(self, content: bytes) -> None:
         self._content = content
         self._counted: dict[str, Mapping[etree._Element, int]] = {}
+        self._most_tags = _MOST_BYTES // max(1, len(content))
 
     def of(self, element: etree._Element) -> int:
         """The line on which the start tag of an element ends, 0 = unknown.
@@ -26,9 +29,9 @@ class Lines:
         if line < _LAST_COUNTED:
             return line
         tag = str(element.tag)
-        if tag not in self._counted:
+        if tag not in self._counted and len(self._counted) < self._most_tags:
             self._counted[tag] = self._count(tag, element.getroottree())
-        return self._counted[tag].get(element, line)
+        return self._counted.get(tag, {}).get(element, line)
 
     def _count(self, tag: str, tree: "etree._ElementTree") -> Mapping[etree._Element, int]:
         """Lines of all elements of a tag; none where the bytes do not show as many of them as there are."""
@@ -55,6 +58,10 @@ class Located(NamedTuple):
         return line and self.lines_before + line
 
 
-_START_TAG = rb"""<(?:!--.*?-->|!\[CDATA\[.*?\]\]>|\?.*?\?>|(?P<found>TAG(?=[\s/>])(?:"[^"]*"|'[^']*'|[^>"'])*>))"""
+_START_TAG = (
+    rb"""<(?:!--.*?(?:-->|\Z)|!\[CDATA\[.*?(?:\]\]>|\Z)|\?.*?(?:\?>|\Z)"""
+    rb"""|(?P<found>TAG(?=[\s/>])(?:"[^"]*"|'[^']*'|[^>"'])*+>))"""
+)
 """What could hold the text of a start tag goes by as a whole. The common ``<`` stands before the alternatives: so the
-search jumps from one to the next, ten times as fast."""
+search jumps from one to the next, ten times as fast. What is not closed goes to the end, so that nothing is looked
+through twice."""
