@@ -10,6 +10,7 @@ import pytest
 from esicatalog.errors import EsiCatalogError
 from esicatalog.esi.containers import Archive
 from esicatalog.esi.documents import parse_document
+from esicatalog.esi.lines import Lines
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.tree import DocumentTree
@@ -42,7 +43,7 @@ def linted(archives: list[Path], schema: SchemaFolder) -> Iterator[Linted]:
                 read, tree = reader.read_tree(content, name.partition("!")[2], container)
             except EsiCatalogError:
                 continue
-            plain = DocumentTree(parse_document(content).root, content)
+            plain = DocumentTree(parse_document(content).root, Lines(content))
             findings = linter.document(read, tree, lambda _: True)
             # What was recognised before it was parsed is told with the same place and line.
             assert findings == linter.document(read, lambda plain=plain: plain, lambda _: True), name

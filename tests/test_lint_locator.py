@@ -5,6 +5,7 @@ from snippets import device, dictionary, esi, pdo
 
 from esicatalog.esi import lines
 from esicatalog.esi.documents import parse_document
+from esicatalog.esi.lines import Lines
 from esicatalog.esi.notes import Notes
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.tree import DocumentTree
@@ -22,7 +23,7 @@ DEVICES = "EtherCATInfo/Descriptions/Devices"
 
 def locator(text: str) -> Locator:
     content = text.encode()
-    return Locator(Reader().read(content).document, lambda: DocumentTree(parse_document(content).root, content))
+    return Locator(Reader().read(content).document, lambda: DocumentTree(parse_document(content).root, Lines(content)))
 
 
 @pytest.mark.parametrize(
@@ -94,7 +95,7 @@ def test_lines_beyond_what_libxml2_counts():
     expected["eeprom"] = [line + 3 for line in expected["coe_sdo_info"]]  # where its start tag ends
     reader = Reader()
     trees = [reader.read_tree(content) for _ in range(2)]
-    trees.append((trees[0][0], lambda: DocumentTree(parse_document(content).root, content)))
+    trees.append((trees[0][0], lambda: DocumentTree(parse_document(content).root, Lines(content))))
     for read, tree in trees:
         locator = Locator(read.document, tree)
         for number in range(2):
@@ -123,7 +124,7 @@ def test_the_elements_are_asked_for_once():
 
     def tree():
         asked.append(1)
-        return DocumentTree(parse_document(content).root, content)
+        return DocumentTree(parse_document(content).root, Lines(content))
 
     found = Locator(Reader().read(content).document, tree)
     for number in range(2):

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from esicatalog.errors import DocumentError
 from esicatalog.esi.documents import parse_document
+from esicatalog.esi.lines import Lines
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.tree import DocumentTree
@@ -24,7 +25,9 @@ SEEDS = [TESTS / "maximal.xml", *sorted((TESTS.parent / "data").glob("*.xml")), 
 def check(content: bytes, linter: Linter) -> list[Finding]:
     """Findings of a document; every one is fit to be stored and printed."""
     read = Reader().read(content)
-    findings = linter.document(read, lambda: DocumentTree(parse_document(content).root, content), lambda _: False)
+    findings = linter.document(
+        read, lambda: DocumentTree(parse_document(content).root, Lines(content)), lambda _: False
+    )
     facts = list(device_facts(read, "a.xml", lambda device, modules, vendor_id: repr(device.type).encode()))
     findings += [item.finding for item in lint_library([*facts, *facts], ALL_RULES)]
     lines = content.count(b"\n") + 1

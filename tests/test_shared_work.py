@@ -6,6 +6,7 @@ from snippets import device, dictionary, esi, pdo, read, write
 import esicatalog.esi.reader as reader_module
 from esicatalog.esi.containers import Folder
 from esicatalog.esi.documents import parse_document
+from esicatalog.esi.lines import Lines
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.tree import DocumentTree
 from esicatalog.lint.dictionaries import ObjectValues, ValuesOfType
@@ -188,7 +189,7 @@ def test_lines_in_parts_that_were_cut_out_are_those_of_the_document(before):
     content = esi("\n" * before + device("\n" + part) + "\n" + device("\n" + part, revision="#x2")).encode()
     document, tree = reader.read_tree(content)
     assert tree().cut is not None
-    plain = DocumentTree(parse_document(content).root, content)
+    plain = DocumentTree(parse_document(content).root, Lines(content))
     lines = [item.line for item in Linter().document(document, tree) if item.rule == "L33"]
     assert lines == [item.line for item in Linter().document(document, lambda: plain) if item.rule == "L33"]
     expected = [n for n, line in enumerate(content.decode().splitlines(), 1) if line == parts[3]]

@@ -97,18 +97,19 @@ class Reader:
             cut = self._repeats.cut(content)
             parsed = parse_as_it_is(cut.content) if cut is not None else None
         if cut is not None and parsed is not None:
-            read = self._read(parsed, cut.content, cut, member, container)
+            lines = Lines(cut.content)
+            read = self._read(parsed, lines, cut, member, container)
             if cut.is_complete:
-                return read, DocumentTree(parsed.root, cut.content, cut).itself
+                return read, DocumentTree(parsed.root, lines, cut).itself
         with self._stages("parse"):
             parsed = parse_document(content)
-        read = self._read(parsed, content, None, member, container)
-        return read, DocumentTree(parsed.root, content).itself
+        lines = Lines(content)
+        read = self._read(parsed, lines, None, member, container)
+        return read, DocumentTree(parsed.root, lines).itself
 
     def _read(
-        self, parsed: ParsedDocument, content: bytes, cut: Cut | None, member: str, container: Container | None
+        self, parsed: ParsedDocument, lines: Lines, cut: Cut | None, member: str, container: Container | None
     ) -> ReadDocument:
-        lines = Lines(content)
         notes = Notes(OWNERS, cut, lines.of)
         if parsed.recovered:
             notes.findings.append(Finding("L01", "E", parsed.recovered, parsed.error_line))

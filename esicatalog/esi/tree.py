@@ -10,12 +10,12 @@ from esicatalog.esi.repeats import Cut
 
 
 class DocumentTree:
-    """Root element of a document, the bytes that it was parsed from, and what was cut out of them before."""
+    """Root element of a document, the lines of its elements, and what was cut out of it while reading."""
 
-    def __init__(self, root: etree._Element, content: bytes, cut: Cut | None = None) -> None:
+    def __init__(self, root: etree._Element, lines: Lines, cut: Cut | None = None) -> None:
         self.root = root
         self.cut = cut
-        self._lines = Lines(content)
+        self._lines = lines
         self._families: dict[tuple[etree._Element, str], tuple[list[etree._Element], list[int]]] = {}
 
     def itself(self) -> "DocumentTree":
