@@ -364,3 +364,17 @@ def test_a_load_that_left_broken_references_is_not_finished(tmp_path):
     assert one(db, "SELECT value FROM catalog_state WHERE key = 'indexes_pending'") == "1"
     assert one(db, "SELECT count(*) FROM sqlite_master WHERE name = 'ix_pdo_entries_pdo_id'") == 0
     assert one(db, "PRAGMA journal_mode") == "delete"
+
+
+def test_a_new_catalog_is_indexed_before_the_last_documents_come(tmp_path):
+    """These are still being read then; what comes after the last one is done by one core alone."""
+    db, pending = tmp_path / "c.db", []
+
+    def look(*_):
+        pending.append(one(db, "SELECT count(*) FROM catalog_state WHERE key = 'indexes_pending'"))
+
+    folder = write(tmp_path / "in", {f"{number}.xml": esi(rich(f"#x{number}")) for number in range(20)})
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([folder], jobs=1, progress=look)
+    assert pending == [1] * 18 + [0] * 2
+    assert one(db, "SELECT count(*) FROM sqlite_master WHERE name = 'ix_objects_object_index'") == 1

@@ -1,4 +1,4 @@
-"""Loading many documents: indexes are built after a load into an empty catalog; a killed load is repaired.
+"""Loading many documents: indexes are built late in a load into an empty catalog; a killed load is repaired.
 
 A server keeps its indexes, which cost it less than they spare several that load at once, and checks foreign keys last.
 
@@ -34,7 +34,7 @@ _KEPT_WHILE_LOADING = frozenset(
         ("sub_items", "data_type_id"),
     }
 )
-"""Indexes of a new catalog that are not left for the end of its load: table and first column."""
+"""Indexes of a new catalog that are not put off while it is filled: table and first column."""
 
 
 def prepare_load(connection: sa.Connection) -> None:
@@ -53,7 +53,7 @@ def _prepare_file(connection: sa.Connection, fills_empty: bool) -> None:
     connection.exec_driver_sql(f"PRAGMA synchronous = {'OFF' if fills_empty else 'NORMAL'}")
     connection.exec_driver_sql(f"PRAGMA cache_size = -{_CACHE_KB}")
     connection.commit()
-    _finish_indexes(connection)
+    finish_indexes(connection)
     if fills_empty:
         write_state(connection, _INDEXES_PENDING, "1")
         for index in secondary_indexes():
@@ -69,9 +69,27 @@ def is_unfinished(connection: sa.Connection) -> bool:
     return read_state(connection, _INDEXES_PENDING) is not None or are_keys_pending(connection)
 
 
+def finish_indexes(connection: sa.Connection) -> None:
+    """Build the indexes that a load into an empty SQLite file has put off, if it has; nothing may be left to commit.
+
+    Foreign keys are checked meanwhile, and enforced from then on. Raises :class:`~esicatalog.errors.CatalogError`.
+    """
+    is_pending = read_state(connection, _INDEXES_PENDING)
+    connection.commit()
+    if not is_pending:
+        return
+    with _foreign_keys_checked(connection.engine):
+        # Changing a row begins a transaction, which making an index does not; Python's driver commits each by itself.
+        write_state(connection, _INDEXES_PENDING, None)
+        for index in secondary_indexes():
+            connection.execute(sa.schema.CreateIndex(index, if_not_exists=True))
+    connection.commit()
+    _enforce_foreign_keys(connection, True)
+
+
 def finish_load(connection: sa.Connection, changed: bool) -> None:
     """Do what was put off, store the content hash."""
-    _finish_indexes(connection)
+    finish_indexes(connection)
     restore_keys(connection)
     connection.commit()
     if connection.dialect.name == "sqlite":
@@ -96,27 +114,15 @@ def end_load(connection: sa.Connection) -> None:
 
 
 def _enforce_foreign_keys(connection: sa.Connection, enforce: bool) -> None:
-    """A load into an empty catalog checks all keys once at its end, in a tenth of the time."""
+    """A load into an empty catalog checks all keys at once, in a tenth of the time."""
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql(f"PRAGMA foreign_keys = {'ON' if enforce else 'OFF'}")
         connection.commit()
 
 
-def _finish_indexes(connection: sa.Connection) -> None:
-    """Build the indexes that a load into an empty SQLite file has left for its end."""
-    if not read_state(connection, _INDEXES_PENDING):
-        return
-    with _foreign_keys_checked(connection.engine):
-        # Changing a row begins a transaction, which making an index does not; Python's driver commits each by itself.
-        write_state(connection, _INDEXES_PENDING, None)
-        for index in secondary_indexes():
-            connection.execute(sa.schema.CreateIndex(index, if_not_exists=True))
-    connection.commit()
-
-
 @contextmanager
 def _foreign_keys_checked(engine: sa.Engine) -> Iterator[None]:
-    """Check what is committed beside what is done meanwhile: at the end of a load a core is idle.
+    """Check what is committed beside what is done meanwhile.
 
     Raises :class:`~esicatalog.errors.CatalogError` at its end; nothing may be committed before.
     """

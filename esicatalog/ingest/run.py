@@ -4,13 +4,13 @@ import os
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from itertools import chain, islice
+from itertools import islice
 
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.database import database_error, sqlite_path
-from esicatalog.catalog.load import end_load, finish_load, prepare_load
+from esicatalog.catalog.load import end_load, finish_indexes, finish_load, prepare_load
 from esicatalog.catalog.lock import only_writer
 from esicatalog.catalog.writer import SourceRow, Writer
 from esicatalog.esi.stages import Stages
@@ -28,8 +28,10 @@ _COMMIT_SECONDS = 2.0
 """Between commits: what a killed ingest has to read again."""
 _COMMIT_SHARE = 10
 """A commit puts all vendors and devices that were met in order: the larger the catalog, the rarer it is worth that."""
-_LAST_OUTCOMES = 40
-"""What came before these is committed while workers are still busy with them: afterwards one core does it alone."""
+_MOST_LAST_OUTCOMES = 40
+_LAST_SHARE = 10
+"""What came before the last outcomes, at most a tenth of all, is committed and indexed while workers are still busy
+with these: afterwards one core does it alone."""
 _MOST_GATHERED_BYTES = 16_000_000
 """Documents that wait to be written together: they wait as rows, which take a multiple of their size."""
 
@@ -100,22 +102,25 @@ def _write(
     incomplete: set[str] = set()
     pace = _Pace()
     batches = _file_batches if connection.dialect.name == "sqlite" else _server_batches
-    first_outcomes = islice(outcomes, max(0, len(plan.todo) - _LAST_OUTCOMES))
-    for batch in chain(batches(first_outcomes, pace), batches(outcomes, pace)):
-        for outcome in batch:
-            stages.add(outcome.seconds)
-            item = plan.todo[outcome.number]
-            if outcome.status == "failed" and outcome.sha256 is None and item.problem is None:
-                incomplete.add(item.root)
-            if outcome.status == "unchanged":
-                tell(held.documents[item.location].unchanged_line())
-            else:
-                archive = item.root if item.is_archive else None
-                with stages("write"):
-                    line = _store(writer, item.location, item.member, archive, outcome)
-                tell(line)
-        with pace.measured():
-            writer.commit()
+    last_count = min(_MOST_LAST_OUTCOMES, len(plan.todo) // _LAST_SHARE)
+    for part in (islice(outcomes, len(plan.todo) - last_count), outcomes):
+        for batch in batches(part, pace):
+            for outcome in batch:
+                stages.add(outcome.seconds)
+                item = plan.todo[outcome.number]
+                if outcome.status == "failed" and outcome.sha256 is None and item.problem is None:
+                    incomplete.add(item.root)
+                if outcome.status == "unchanged":
+                    tell(held.documents[item.location].unchanged_line())
+                else:
+                    archive = item.root if item.is_archive else None
+                    with stages("write"):
+                        line = _store(writer, item.location, item.member, archive, outcome)
+                    tell(line)
+            with pace.measured():
+                writer.commit()
+        with stages("index"):
+            finish_indexes(connection)
     for location, sha256 in plan.archives.items():
         # A document that could not be read, because its process was killed for instance, is tried again next time.
         if location not in incomplete:
