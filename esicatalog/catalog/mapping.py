@@ -5,7 +5,7 @@ Every record type has a :class:`Codec`: scalar fields are columns of the same na
 and lists that have a table of their own are listed in :data:`CHILDREN`. No SQLAlchemy in here.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Annotated, Any, NamedTuple, get_args, get_origin, get_type_hints
 
@@ -241,7 +241,7 @@ def codec(record_type: type[Record]) -> Codec:
     return found
 
 
-def _fields(record_type: type[Record]) -> list[Field]:
+def _fields(record_type: type[Record]) -> Sequence[Field]:
     """Bound fields, with nested Flags spread out, and documented fields of derived records."""
     return fields_of(record_type) or _documented(record_type)
 

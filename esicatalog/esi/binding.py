@@ -86,7 +86,8 @@ _SCHEMA_INSTANCE = "{http://www.w3.org/2001/XMLSchema-instance}"
 R = TypeVar("R", bound=Record)
 
 
-def fields_of(record_type: type[Record]) -> list[Field]:
+@cache
+def fields_of(record_type: type[Record]) -> tuple[Field, ...]:
     """The bound fields of a record type in declaration order (fields without an :class:`Xml` are left out)."""
     found = []
     for name, hint in get_type_hints(record_type, include_extras=True).items():
@@ -99,7 +100,7 @@ def fields_of(record_type: type[Record]) -> list[Field]:
         many = get_origin(declared) is tuple
         item = get_args(declared)[0] if many or isinstance(declared, types.UnionType) else declared
         found.append(Field(name, xml, many, item))
-    return found
+    return tuple(found)
 
 
 def fields_in_order(record_type: type[Record]) -> list[Field]:

@@ -12,7 +12,6 @@ A part with any other text, or one that brings a finding, is left to the parser.
 import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
-from functools import cache
 from operator import itemgetter
 from typing import Any, ClassVar
 
@@ -41,7 +40,6 @@ _NUMBERS = re.compile(rf"0?{int(_NUMBER)}(\d{{3}})")
 _MAX_TEXTS = 1_000
 _NESTS_DEEP = etree.XPath(f"boolean(/*{'/*' * 50})")
 """The parser allows 256 elements within each other, among them those around a part."""
-_fields = cache(fields_of)
 
 
 class Layouts:
@@ -181,7 +179,7 @@ class _Layout:
         """Fields of several texts each."""
         self._parts: list[tuple[str, _Part]] = []
         self._lists: list[tuple[str, _Part]] = []
-        for field in _fields(type(record)):
+        for field in fields_of(type(record)):
             value: Any = getattr(record, field.name)
             if isinstance(value, tuple) and value and is_record(field.item):
                 parts = [_part(item, places, known) for item in value]
