@@ -4,6 +4,8 @@ import io
 import zipfile
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from snippets import device, esi, write
 
 from esicatalog.errors import BrokenDocument, InputError
@@ -160,4 +162,33 @@ def test_damaged_members_are_broken_documents():
     start = content.find(b"a.xml") + 5
     content[start + 10 : start + 60] = b"\xff" * 50
     with pytest.raises(BrokenDocument):
+        Archive(bytes(content)).read("a.xml")
+
+
+@given(st.binary(max_size=5000), st.integers(1, 50), st.sampled_from([zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED]))
+def test_every_member_is_what_was_packed(content, times, method):
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", method) as archive:
+        archive.writestr("before.xml", b"before")
+        archive.writestr("a.xml", content * times)
+    assert Archive(stream.getvalue()).read("a.xml") == content * times
+
+
+@pytest.mark.parametrize("method", [zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED])
+def test_a_member_with_another_checksum_is_a_broken_document(method):
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", method) as archive:
+        archive.writestr("a.xml", b"<EtherCATInfo/>")
+    content = bytearray(stream.getvalue())
+    content[content.find(b"PK\x01\x02") + 16] ^= 1
+    with pytest.raises(BrokenDocument, match="cannot be unpacked"):
+        Archive(bytes(content)).read("a.xml")
+
+
+def test_a_member_that_ends_too_early_is_a_broken_document():
+    content = bytearray(zipped(a_dot_xml=bytes(range(256)) * 4))
+    directory = content.find(b"PK\x01\x02")
+    packed_size = int.from_bytes(content[directory + 20 : directory + 24], "little")
+    content[directory + 20 : directory + 24] = (packed_size - 20).to_bytes(4, "little")
+    with pytest.raises(BrokenDocument, match="cannot be unpacked"):
         Archive(bytes(content)).read("a.xml")

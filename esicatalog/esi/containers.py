@@ -4,6 +4,7 @@ A reference in an ESI file (``DictionaryFile``, ``DiagFile``, ``InfoReference``)
 with Windows separators and another letter case than on disk. Member names are relative paths with ``/``.
 """
 
+import copy
 import io
 import os
 import posixpath
@@ -12,6 +13,8 @@ import zipfile
 from collections import Counter
 from pathlib import Path, PurePosixPath
 from typing import Protocol
+
+from zlib_ng import zlib_ng
 
 from esicatalog.errors import BrokenDocument, InputError
 
@@ -161,12 +164,27 @@ class Archive:
         if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
             raise BrokenDocument("packed by another method than deflate; pack it anew")
         try:
-            with self._zip.open(info) as stream:
-                content = stream.read(info.file_size + 1)
-        except Exception as error:  # zlib.error, RuntimeError (encrypted) and OSError share no base but Exception
+            content = self._expanded(info)
+        except Exception as error:  # zlib's, RuntimeError (encrypted) and OSError share no base but Exception
             raise BrokenDocument(f"cannot be unpacked: {error}") from error
         if len(content) > info.file_size:
             raise BrokenDocument("expands to more than its header announces")
+        return content
+
+    def _expanded(self, info: zipfile.ZipInfo) -> bytes:
+        """What a member holds, at most one byte more than its header announces."""
+        if info.compress_type == zipfile.ZIP_STORED:
+            with self._zip.open(info) as stream:
+                return stream.read(info.file_size + 1)
+        # zlib-ng takes less than half the time of the library that zipfile uses: that only hands out the packed bytes.
+        packed = copy.copy(info)
+        packed.compress_type, packed.file_size = zipfile.ZIP_STORED, info.compress_size
+        del packed.CRC
+        with self._zip.open(packed) as stream:
+            inflater = zlib_ng.decompressobj(-zlib_ng.MAX_WBITS)
+            content: bytes = inflater.decompress(stream.read(), info.file_size + 1)
+        if zlib_ng.crc32(content) != info.CRC:
+            raise zipfile.BadZipFile("its checksum is another")
         return content
 
     def find(self, member: str) -> str | None:
