@@ -15,6 +15,7 @@ from snippets import device, dictionary, esi, pdo, rows, write
 from test_identify import client
 
 from esicatalog import Catalog
+from esicatalog.catalog import identity
 from esicatalog.catalog.device_filter import IDENTIFICATIONS, MODES, PROTOCOLS, SYNC_SIGNALS, DeviceFilter
 from esicatalog.catalog.search import conditions, device_query, find_devices
 from esicatalog.identity import Bounds, Identity
@@ -163,6 +164,13 @@ def test_a_page_of_a_long_list_is_read_in_its_order(engine):
             plan = connection.exec_driver_sql("EXPLAIN QUERY PLAN " + statements[-1][0], statements[-1][1]).all()
         assert "SCAN devices USING INDEX ix_devices_listed" in [row[3] for row in plan]
         assert not [row[3] for row in plan if "TEMP B-TREE" in row[3]]
+
+
+def test_revisions_of_a_product_are_read_in_their_order(engine):
+    with engine.connect() as connection:
+        plan = connection.exec_driver_sql(f"EXPLAIN QUERY PLAN {identity._OF_PRODUCT}", (2, 1)).all()
+    assert "SEARCH d USING INDEX ix_devices_listed (vendor_id=? AND product_code=?)" in [row[3] for row in plan]
+    assert not [row[3] for row in plan if "TEMP B-TREE" in row[3]]
 
 
 @contextmanager

@@ -20,8 +20,9 @@ _COLUMNS = "d.id, d.vendor_id, d.product_code, d.revision_no, d.variant, v.name,
 _OF_PRODUCT = (
     f"SELECT {_COLUMNS}, d.check_revision_no, f.image_signature FROM devices d "
     "LEFT JOIN vendors v ON v.vendor_id = d.vendor_id JOIN device_facts f ON f.device_id = d.id "
-    "WHERE d.vendor_id = ? AND d.product_code = ? ORDER BY d.revision_no NULLS FIRST, d.variant, d.type NULLS FIRST"
+    "WHERE d.vendor_id = ? AND d.product_code = ? ORDER BY d.revision_no NULLS FIRST, d.type NULLS FIRST, d.variant"
 )
+"""In the order of the index ``ix_devices_listed``: sorting would take a quarter of the time."""
 _SOURCES = (
     "SELECT s.member, s.location, x.line, x.group_type, y.file_version, s.status FROM device_sources x "
     "JOIN sources s ON s.id = x.source_id "
@@ -87,6 +88,7 @@ class IdentityLookup:
             )
         else:
             match, reason, chosen, others = _nearest(rows, revision_no)
+        chosen.sort(key=lambda row: row.device.variant)
         variants = tuple(IdentifiedDevice(row.device, self.sources(row.id)) for row in chosen)
         candidates = tuple(row.device for row in others[:NEAREST])
         return Identification(
