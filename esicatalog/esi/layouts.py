@@ -23,7 +23,7 @@ from esicatalog.esi.notes import Notes
 from esicatalog.esi.numbers import TEXT
 from esicatalog.esi.repeats import MARK
 
-_TAGS = re.compile(r"(<[^!][^>]*>(?:\s*<[^!][^>]*>)*)")
+_TAGS = re.compile(r"(<[^!][^>]*+>(?:\s*+<[^!][^>]*+>)*+)")
 _COMMENTS = re.compile(r">(?:\s*<!--(?:[\t\n\r -,.-~]|-[\t\n\r -,.-~])*-->)+")
 _WORTH_LEARNING = 4
 """How often a layout has to be met: learning it takes as long as parsing some parts."""
