@@ -6,7 +6,11 @@ from itertools import accumulate
 from lxml import etree
 
 from esicatalog.esi.lines import Lines, Located
-from esicatalog.esi.repeats import Cut
+from esicatalog.esi.repeats import MARK, Cut
+
+_Family = tuple[list[etree._Element], list[int] | None]
+"""The elements at a path below another and, if something was cut out there, the number of the first that each of them
+stands for, with the number of all behind."""
 
 
 class DocumentTree:
@@ -16,7 +20,7 @@ class DocumentTree:
         self.root = root
         self.cut = cut
         self._lines = lines
-        self._families: dict[tuple[etree._Element, str], tuple[list[etree._Element], list[int]]] = {}
+        self._families: dict[tuple[etree._Element, str], _Family] = {}
 
     def itself(self) -> "DocumentTree":
         """The tree: what gives it when it needs no work."""
@@ -28,18 +32,22 @@ class DocumentTree:
 
     def element(self, around: Located, path: str, number: int) -> Located | None:
         """Element ``number`` from 0 at a path below another; one that was cut out stands alone."""
-        family = self._families.get((around.element, path))
-        if family is None:
-            inside = around.element
-            elements = inside.findall(path) if "/" in path else list(inside.iterchildren(path))
-            counts = [self.cut.count(element) for element in elements] if self.cut is not None else [1] * len(elements)
-            family = self._families[inside, path] = (elements, list(accumulate(counts, initial=0)))
-        elements, firsts = family
+        elements, firsts = self._families.get((around.element, path)) or self._family(around.element, path)
+        if self.cut is None or firsts is None:
+            return Located(elements[number], around.lines, around.lines_before) if number < len(elements) else None
         if number >= firsts[-1]:
             return None
         at = bisect_right(firsts, number) - 1
-        alone = self.cut.standing_alone(elements[at], number - firsts[at]) if self.cut is not None else None
-        return alone or around._replace(element=elements[at])
+        alone = self.cut.standing_alone(elements[at], number - firsts[at])
+        return alone or Located(elements[at], around.lines, around.lines_before)
+
+    def _family(self, inside: etree._Element, path: str) -> _Family:
+        elements = inside.findall(path) if "/" in path else list(inside.iterchildren(path))
+        firsts = None
+        if self.cut is not None and any(element.get(MARK) for element in elements):
+            firsts = list(accumulate(map(self.cut.count, elements), initial=0))
+        family = self._families[inside, path] = (elements, firsts)
+        return family
 
     def whole(self) -> etree._Element:
         """The root, with everything below it as the document has it."""
