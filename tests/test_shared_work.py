@@ -159,7 +159,8 @@ def test_objects_are_resolved_only_where_their_values_could_be_wrong(text, is_re
 
     resolver = Watched()
     types = resolver.types(found)
-    of_type = ValuesOfType(types.by_name[found.objects[0].type], types)
+    sub_items = types.by_name[found.objects[0].type].sub_items
+    of_type = ValuesOfType(sub_items, types) if sub_items else None
     values = ObjectValues(found.objects[0], of_type, types, resolver)
     assert values.is_sound is not is_resolved
     assert isinstance(values.with_values, list)
@@ -171,7 +172,7 @@ def test_values_of_no_sub_item_are_not_sound_even_if_they_say_nothing():
     (held,) = read(esi(device(dictionary(UINT + RECORD, text)))).document.infos[0].devices
     found, resolver = held.profiles[0].dictionary, Resolver()
     types = resolver.types(found)
-    of_type = ValuesOfType(types.by_name[found.objects[0].type], types)
+    of_type = ValuesOfType(types.by_name[found.objects[0].type].sub_items, types)
     values = ObjectValues(found.objects[0], of_type, types, resolver)
     assert not values.is_paired
     assert not values.is_sound

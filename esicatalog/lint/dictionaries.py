@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from functools import cached_property
+from itertools import starmap
 from operator import attrgetter
 from typing import NamedTuple
 
@@ -24,30 +25,32 @@ class ObjectSubject(NamedTuple):
 
 
 class ValuesOfType:
-    """What the values of all objects of a data type are held against."""
+    """What the values of all objects of a data type with SubItems are held against."""
 
-    def __init__(self, data_type: DataType | None, types: TypeSet) -> None:
-        self.sub_items: Sequence[SubItem] = data_type.sub_items if data_type is not None else ()
-        self.names = list(map(_name, self.sub_items))
-        self.sizes = [sub_item.bit_size for sub_item in self.sub_items]
-        self.are_silent = _NO_VALUES.issuperset(map(_values_of_sub_item, self.sub_items))
+    def __init__(self, sub_items: Sequence[SubItem], types: TypeSet) -> None:
+        self.names = list(map(_name, sub_items))
+        self.sizes = [sub_item.bit_size for sub_item in sub_items]
+        self.are_silent = _NO_VALUES.issuperset(map(_values_of_sub_item, sub_items))
         """Whether the SubItems have no values of their own, as it should be."""
-        used = [types.by_name.get(sub_item.type or "") for sub_item in self.sub_items]
+        used = [types.by_name.get(sub_item.type or "") for sub_item in sub_items]
         self.may_be_expanded = any(data_type is not None and data_type.array_infos for data_type in used)
         """Whether a SubItem may stand for all elements of an array."""
 
 
 class ObjectValues:
-    """What an object of a dictionary declares about its values."""
+    """What an object of a dictionary declares about its values; ``of_type`` is None where its type has no SubItems."""
 
-    def __init__(self, declared: Object, of_type: ValuesOfType, types: TypeSet, resolver: Resolver) -> None:
+    def __init__(self, declared: Object, of_type: ValuesOfType | None, types: TypeSet, resolver: Resolver) -> None:
         self.declared = declared
-        self._of_type = of_type
         self._types = types
         self._resolver = resolver
         infos = declared.info_sub_items
-        self._pairs: _Pairs | None = (self._paired() if of_type.sub_items else None) if infos else ()
-        self._are_harmless = self._values_are_harmless() if of_type.sub_items else self._own_are_harmless()
+        self._pairs: _Pairs | None = () if not infos else _paired(infos, of_type) if of_type is not None else None
+        self._are_harmless = (
+            not infos and _is_harmless(declared, declared.bit_size)
+            if of_type is None
+            else of_type.are_silent and self._infos_are_harmless()
+        )
 
     @property
     def is_paired(self) -> bool:
@@ -74,30 +77,24 @@ class ObjectValues:
         entries = () if self._are_harmless else self.resolved.entries
         return [entry for entry in entries if entry.default_raw is not None]
 
-    def _paired(self) -> _Pairs | None:
-        """Values with the sizes of the SubItems that they belong to, where names alone tell it."""
-        infos, of_type = self.declared.info_sub_items, self._of_type
-        in_order = list(map(_name, infos)) == of_type.names
-        if in_order:
-            pairs = list(zip(infos, of_type.sizes, strict=True))
-        else:
-            by_name = dict(zip(of_type.names, of_type.sizes, strict=True))
-            named = [info for info in infos if info.name in by_name]
-            if len({info.name for info in named}) < len(infos) or len(by_name) < len(of_type.names):
-                return None
-            pairs = [(info, by_name[info.name]) for info in named]
-        return None if of_type.may_be_expanded and not (in_order and _fit(pairs)) else pairs
-
-    def _own_are_harmless(self) -> bool:
-        declared = self.declared
-        return not declared.info_sub_items and _is_harmless(declared, declared.bit_size)
-
-    def _values_are_harmless(self) -> bool:
-        if not self._of_type.are_silent:
-            return False
+    def _infos_are_harmless(self) -> bool:
         if self._pairs is None:
             return all(_is_harmless(info, None) for info in self.declared.info_sub_items)
-        return all(_is_harmless(info, bit_size) for info, bit_size in self._pairs)
+        return all(starmap(_is_harmless, self._pairs))
+
+
+def _paired(infos: Sequence[InfoSubItem], of_type: ValuesOfType) -> _Pairs | None:
+    """Values with the sizes of the SubItems that they belong to, where names alone tell it."""
+    in_order = list(map(_name, infos)) == of_type.names
+    if in_order:
+        pairs = list(zip(infos, of_type.sizes, strict=True))
+    else:
+        by_name = dict(zip(of_type.names, of_type.sizes, strict=True))
+        named = [info for info in infos if info.name in by_name]
+        if len({info.name for info in named}) < len(infos) or len(by_name) < len(of_type.names):
+            return None
+        pairs = [(info, by_name[info.name]) for info in named]
+    return None if of_type.may_be_expanded and not (in_order and _fit(pairs)) else pairs
 
 
 def _fit(pairs: _Pairs) -> bool:

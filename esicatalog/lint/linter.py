@@ -203,7 +203,8 @@ class Linter:
         data_type = types.by_name.get(declared.type) if declared.type else None
         if data_type is None or data_type.bit_size != declared.bit_size:
             hits += self._check(ObjectSubject(declared, data_type), ObjectSubject)
-        of_type = self._values_of_type.get(closure, types, ValuesOfType, data_type, types)
+        sub_items = data_type.sub_items if data_type is not None else ()
+        of_type = self._values_of_type.get(closure, types, ValuesOfType, sub_items, types) if sub_items else None
         values = ObjectValues(declared, of_type, types, self._deriver.resolver)
         if not values.is_sound:
             hits += self._check(values, ObjectValues)
