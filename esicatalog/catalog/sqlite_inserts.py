@@ -91,12 +91,14 @@ class SqliteInserts:
 
 
 def _mark(column: sa.Column[Any], number: int) -> str:
-    """What takes the value of a column; a real number may equal the one that stands for NULL."""
+    """What takes the value of a column; a real number may equal the one that stands for NULL.
+
+    No NULLIF: SQLite calls it, and it copies texts.
+    """
     if not column.nullable:
         return f"?{number}"
-    if isinstance(column.type, sa.Double):
-        return f"CASE typeof(?{number}) WHEN 'integer' THEN NULLIF(?{number}, {_NULL}) ELSE ?{number} END"
-    return f"NULLIF(?{number}, {_NULL})"
+    real = f" OR typeof(?{number}) = 'real'" if isinstance(column.type, sa.Double) else ""
+    return f"CASE WHEN ?{number} IS NOT {_NULL}{real} THEN ?{number} END"
 
 
 def _kept(table: sa.Table) -> str:
