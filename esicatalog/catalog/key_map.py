@@ -39,7 +39,8 @@ class KeyMap:
     def require_all(self, keys: Sequence[bytes | str]) -> list[int]:
         """:meth:`require` of many."""
         self.load(keys)
-        return [self.require(key) for key in keys]
+        known = self._known
+        return [known[key] if key in known else self.require(key) for key in keys]
 
     def load(self, keys: Sequence[bytes | str]) -> None:
         """Look up many digests at once."""
