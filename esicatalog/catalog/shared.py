@@ -23,7 +23,7 @@ Numbers = str
 
 NO_NUMBERS: Numbers = "[]"
 
-_MOST_HELD = 60_000
+_MOST_HELD = 100_000
 """Rows and digests with a number: both sides remember them, so numbering starts anew some time."""
 
 _MOST_LISTS = 5_000
