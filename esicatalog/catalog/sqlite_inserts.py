@@ -4,6 +4,7 @@ Python's driver spends most of its time on values: on None several times that of
 NULL, shared rows are kept in temporary tables and put in place by SQLite itself, and lists travel as JSON.
 """
 
+import sqlite3
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from typing import Any, ClassVar
@@ -20,6 +21,10 @@ _NULL = -MAX_STORED - 1
 """Stands for NULL: no whole number that is stored is so low."""
 _MAKER_BITS = 32
 """A shared row's key: the ordinal of its maker above these bits, its number below."""
+
+# What the driver would bind anyway: without these it looks for adapters in vain, which takes longer than binding.
+sqlite3.register_adapter(bool, int)
+sqlite3.register_adapter(bytes, bytes)
 
 
 class SqliteInserts:

@@ -50,8 +50,6 @@ class _Kind:
         self.openings = (self.start + b">", self.start + b" ")
         self.closing = f"</{tag}>".encode()
         self.end = re.compile(self.closing + rb"\s*")
-        self.expected = (*self.openings, b"</")
-        """What comes behind such an element, unless that is a comment."""
         self.inner = inner
         self.run = f'<{tag} {MARK}="{record_name}">.</{tag}>'.encode()
         """Stands for a run where numbers do not matter."""
@@ -153,8 +151,14 @@ class Cut:
                     at = end
                     continue
             else:
-                begin = at if text.startswith(kind.expected, at) else _LEADING.match(text, at).end()  # type: ignore[union-attr]
-                if not text.startswith(kind.openings, begin) or kind in self._unclosed:
+                begin = at
+                if not text.startswith(kind.openings, at):
+                    if text.startswith(b"</", at):
+                        break
+                    begin = _LEADING.match(text, at).end()  # type: ignore[union-attr]
+                    if not text.startswith(kind.openings, begin):
+                        break
+                if kind in self._unclosed:
                     break
                 closed = kind.end.search(text, begin)
                 if closed is None:
