@@ -29,6 +29,7 @@ from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.drive_evidence import ModeEvidence
 from esicatalog.model.drive_modes import DriveModeVerdict
+from esicatalog.model.memo import IdentityMemo
 from esicatalog.model.pdo_facts import entry_facts, pdo_facts
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import sync_signals
@@ -287,13 +288,26 @@ def _columns(field: Field) -> tuple[tuple[Column, ...], str]:
     return (Column(field.name, _KINDS[field.item], doc),), _TAKEN
 
 
+_MAX_FLAGS = 1_000
+_of_flags: IdentityMemo[tuple[Any, ...]] = IdentityMemo(_MAX_FLAGS)
+
+
 def _flags_values(flags: Flags | None) -> tuple[Any, ...]:
+    """Few flags serve most objects and sub-items."""
+    return _of_flags.of(flags, _encode_flags)
+
+
+def _encode_flags(flags: Flags | None) -> tuple[Any, ...]:
     own = codec(Flags)
     return (True, *own.encode(flags)) if flags is not None else (None,) * (1 + len(own.columns))
 
 
 def _names_values(names: tuple[Name, ...]) -> tuple[str | None, str | None]:
-    return display_text(names), _names_json(names)
+    if not names:
+        return None, None
+    if len(names) == 1 and names[0].lcid is None and names[0].spelling is None:
+        return names[0].text, None
+    return display_text(names), to_json(names)
 
 
 def _decoder(field: Field) -> Callable[[Any, int], Any]:
@@ -313,12 +327,6 @@ def _decoder(field: Field) -> Callable[[Any, int], Any]:
     if field.item is bool:
         return lambda values, at: None if values[at] is None else bool(values[at])
     return lambda values, at: values[at]
-
-
-def _names_json(names: tuple[Name, ...]) -> str | None:
-    if not names or (len(names) == 1 and names[0].lcid is None and names[0].spelling is None):
-        return None
-    return to_json(names)
 
 
 _decode_name_list = msgspec.json.Decoder(tuple[Name, ...]).decode
