@@ -192,3 +192,28 @@ def test_a_member_that_ends_too_early_is_a_broken_document():
     content[directory + 20 : directory + 24] = (packed_size - 20).to_bytes(4, "little")
     with pytest.raises(BrokenDocument, match="cannot be unpacked"):
         Archive(bytes(content)).read("a.xml")
+
+
+def test_a_member_that_announces_more_packed_bytes_than_any_document_has():
+    """Nothing of that size is allocated to read it."""
+    content = bytearray(zipped(a_dot_xml=b"<EtherCATInfo/>"))
+    for offset in (content.find(b"PK\x03\x04") + 18, content.find(b"PK\x01\x02") + 20):
+        content[offset : offset + 4] = (0xFFFF_FFFE).to_bytes(4, "little")
+    with pytest.raises(BrokenDocument, match="larger than 256 MB"):
+        Archive(bytes(content)).read("a.xml")
+
+
+def test_a_member_whose_sizes_stand_behind_it():
+    """As archives are written into a pipe."""
+
+    class Pipe(io.BytesIO):
+        def seekable(self) -> bool:
+            return False
+
+        def tell(self) -> int:
+            raise OSError
+
+    stream = Pipe()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("a.xml", b"content" * 50)
+    assert Archive(stream.getvalue()).read("a.xml") == b"content" * 50

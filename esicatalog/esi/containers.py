@@ -157,7 +157,7 @@ class Archive:
         info = self._infos.get(member)
         if info is None:
             raise BrokenDocument("the archive holds it no longer: it was changed while it was read; ingest again")
-        if info.file_size > MAX_DOCUMENT_BYTES:
+        if max(info.file_size, info.compress_size) > MAX_DOCUMENT_BYTES:
             raise BrokenDocument(TOO_LARGE)
         if info.file_size > max(_SMALL_BYTES, MAX_RATIO * info.compress_size):
             raise BrokenDocument(f"expands to more than {MAX_RATIO} times its packed size; no ESI document does")
