@@ -28,9 +28,9 @@ _COMMIT_SECONDS = 2.0
 """Between commits: what a killed ingest has to read again."""
 _COMMIT_SHARE = 10
 """A commit puts all vendors and devices that were met in order: the larger the catalog, the rarer it is worth that."""
-_MOST_LAST_OUTCOMES = 40
-_LAST_SHARE = 10
-"""What came before the last outcomes, at most a tenth of all, is committed and indexed while workers are still busy
+_MOST_LAST_OUTCOMES = 100
+_LAST_SHARE = 5
+"""What came before the last outcomes, at most a fifth of all, is committed and indexed while workers are still busy
 with these: afterwards one core does it alone."""
 _MOST_GATHERED_BYTES = 16_000_000
 """Documents that wait to be written together: they wait as rows, which take a multiple of their size."""
