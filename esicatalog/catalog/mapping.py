@@ -6,7 +6,7 @@ and lists that have a table of their own are listed in :data:`CHILDREN`. No SQLA
 """
 
 from collections.abc import Callable, Sequence
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Annotated, Any, NamedTuple, get_args, get_origin, get_type_hints
 
 import msgspec
@@ -29,7 +29,6 @@ from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.drive_evidence import ModeEvidence
 from esicatalog.model.drive_modes import DriveModeVerdict
-from esicatalog.model.memo import IdentityMemo
 from esicatalog.model.pdo_facts import entry_facts, pdo_facts
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import sync_signals
@@ -288,18 +287,13 @@ def _columns(field: Field) -> tuple[tuple[Column, ...], str]:
     return (Column(field.name, _KINDS[field.item], doc),), _TAKEN
 
 
-_MAX_FLAGS = 1_000
-_of_flags: IdentityMemo[tuple[Any, ...]] = IdentityMemo(_MAX_FLAGS)
+@cache
+def _no_flags() -> tuple[None, ...]:
+    return (None,) * (1 + len(codec(Flags).columns))
 
 
 def _flags_values(flags: Flags | None) -> tuple[Any, ...]:
-    """Few flags serve most objects and sub-items."""
-    return _of_flags.of(flags, _encode_flags)
-
-
-def _encode_flags(flags: Flags | None) -> tuple[Any, ...]:
-    own = codec(Flags)
-    return (True, *own.encode(flags)) if flags is not None else (None,) * (1 + len(own.columns))
+    return (True, *codec(Flags).encode(flags)) if flags is not None else _no_flags()
 
 
 def _names_values(names: tuple[Name, ...]) -> tuple[str | None, str | None]:
