@@ -11,7 +11,7 @@ from typing import Any
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
-from esicatalog.catalog.bulk import chunks
+from esicatalog.catalog.bulk import RowBuffer, chunks
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, codec
 from esicatalog.catalog.schema import device_sources, devices, source_vendors, sources, vendor_names, vendors
@@ -65,19 +65,17 @@ def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> set[int]
             if vendor.image_data:
                 images[vendor.vendor_id].add(vendor.image_data)
         connection.execute(sa.delete(vendor_names).where(vendor_names.c.vendor_id.in_(part)))
+    buffer = RowBuffer(connection)
     for vendor_id in sorted(vendor_ids):
         counted = spellings[vendor_id]
-        rows = [
-            {"vendor_id": vendor_id, "lcid": lcid, "name": name, "document_count": count}
-            for (lcid, name), count in sorted(counted.items(), key=lambda item: (-item[1], str(item[0])))
-        ]
-        if rows:
-            connection.execute(sa.insert(vendor_names), rows)
+        ranked = sorted(counted.items(), key=lambda item: (-item[1], str(item[0])))
+        buffer.add_numbered("vendor_names", [(vendor_id, lcid, name, count) for (lcid, name), count in ranked])
         connection.execute(
             sa.update(vendors)
             .where(vendors.c.vendor_id == vendor_id)
             .values(name=_shown_name(counted), image_sha256=min(images[vendor_id], default=None))
         )
+    buffer.flush()
     return {vendor_id for vendor_id, name in shown.items() if name != _shown_name(spellings[vendor_id])}
 
 
