@@ -38,7 +38,7 @@ _KEPT_WHILE_LOADING = frozenset(
 
 
 def prepare_load(connection: sa.Connection) -> None:
-    """Get ready to write: repair what a killed load left, put off what a load into an empty catalog does at its end."""
+    """Get ready to write: repair what a killed load left, put off what a load into an empty catalog does late."""
     fills_empty = is_empty(connection)
     connection.commit()
     if connection.dialect.name == "sqlite":

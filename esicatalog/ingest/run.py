@@ -100,23 +100,27 @@ def _write(
         writer.archive_begun(location)
     writer.commit()
     incomplete: set[str] = set()
+
+    def keep(outcome: Outcome) -> None:
+        stages.add(outcome.seconds)
+        item = plan.todo[outcome.number]
+        if outcome.status == "failed" and outcome.sha256 is None and item.problem is None:
+            incomplete.add(item.root)
+        if outcome.status == "unchanged":
+            tell(held.documents[item.location].unchanged_line())
+            return
+        archive = item.root if item.is_archive else None
+        with stages("write"):
+            line = _store(writer, item.location, item.member, archive, outcome)
+        tell(line)
+
     pace = _Pace()
     batches = _file_batches if connection.dialect.name == "sqlite" else _server_batches
     last_count = min(_MOST_LAST_OUTCOMES, len(plan.todo) // _LAST_SHARE)
     for part in (islice(outcomes, len(plan.todo) - last_count), outcomes):
         for batch in batches(part, pace):
             for outcome in batch:
-                stages.add(outcome.seconds)
-                item = plan.todo[outcome.number]
-                if outcome.status == "failed" and outcome.sha256 is None and item.problem is None:
-                    incomplete.add(item.root)
-                if outcome.status == "unchanged":
-                    tell(held.documents[item.location].unchanged_line())
-                else:
-                    archive = item.root if item.is_archive else None
-                    with stages("write"):
-                        line = _store(writer, item.location, item.member, archive, outcome)
-                    tell(line)
+                keep(outcome)
             with pace.measured():
                 writer.commit()
         with stages("index"):
