@@ -50,8 +50,17 @@ Query = Callable[[str, tuple[Any, ...]], Iterable[tuple[Any, ...]]]
 
 
 class _Row(NamedTuple):
+    """A row of ``_OF_PRODUCT``; its device is made only if it goes into the answer."""
+
     id: int
-    device: FoundDevice
+    vendor_id: int | None
+    product_code: int | None
+    revision_no: int | None
+    variant: int
+    vendor: str | None
+    type: str | None
+    name: str | None
+    hidden: int
     check_revision_no: str | None
     image_signature: str | None
 
@@ -73,24 +82,22 @@ class IdentityLookup:
 
     def identify(self, vendor_id: int, product_code: int, revision_no: int | None) -> Identification:
         """The descriptions of an identity, preferred first, or the nearest ones; see :func:`rank` for the order."""
-        rows = [
-            _Row(row[0], _device(row), row[9], row[10]) for row in self._query(_OF_PRODUCT, (vendor_id, product_code))
-        ]
+        rows = list(map(_Row._make, self._query(_OF_PRODUCT, (vendor_id, product_code))))
         query = (vendor_id, product_code, revision_no)
         if not rows:
             return self._unknown_product(query)
-        exact = [row for row in rows if row.device.revision_no == revision_no] if revision_no is not None else []
+        exact = [row for row in rows if row.revision_no == revision_no] if revision_no is not None else []
         if exact:
             match, reason, chosen = EXACT, "the catalog describes exactly this revision", exact
             others = sorted(
-                (row for row in rows if row.device.revision_no != revision_no and row.device.variant == 1),
-                key=lambda row: (row.device.hidden, abs((row.device.revision_no or 0) - (revision_no or 0))),
+                (row for row in rows if row.revision_no != revision_no and row.variant == 1),
+                key=lambda row: (row.hidden, abs((row.revision_no or 0) - (revision_no or 0))),
             )
         else:
             match, reason, chosen, others = _nearest(rows, revision_no)
-        chosen.sort(key=lambda row: row.device.variant)
-        variants = tuple(IdentifiedDevice(row.device, self.sources(row.id)) for row in chosen)
-        candidates = tuple(row.device for row in others[:NEAREST])
+        chosen.sort(key=lambda row: row.variant)
+        variants = tuple([IdentifiedDevice(_device(row), self.sources(row.id)) for row in chosen])
+        candidates = tuple(map(_device, others[:NEAREST]))
         return Identification(
             *query, match, reason, variants[0], variants, candidates, self._warnings(chosen[0], others)
         )
@@ -132,7 +139,7 @@ class IdentityLookup:
         words = self._difference(chosen.image_signature, nearest.image_signature, chosen.id, nearest.id)
         return (
             f"default process image differs in {len(differing)} of {len(others)} other revisions; "
-            f"{hex32(nearest.device.revision_no)} for example: {words}",
+            f"{hex32(nearest.revision_no)} for example: {words}",
         )
 
     def _layout_difference(self, _: str | None, __: str | None, here: int, there: int) -> str:
@@ -166,11 +173,11 @@ def _distance(device: FoundDevice, product_code: int) -> tuple[int, int, bool, i
 
 def _nearest(rows: list[_Row], revision_no: int | None) -> tuple[str, str, list[_Row], list[_Row]]:
     """Match, reason, the chosen descriptions and the others, best first."""
-    preferred = [row for row in rows if row.device.variant == 1]
+    preferred = [row for row in rows if row.variant == 1]
     ranked = rank(
         revision_no,
-        [Described(row.device.revision_no, row.check_revision_no, row.device.hidden) for row in preferred],
+        [Described(row.revision_no, row.check_revision_no, bool(row.hidden)) for row in preferred],
     )
     best = preferred[ranked[0].position]
-    chosen = [row for row in rows if row.device.revision_no == best.device.revision_no]
+    chosen = [row for row in rows if row.revision_no == best.revision_no]
     return ranked[0].match, ranked[0].reason, chosen, [preferred[item.position] for item in ranked[1:]]
