@@ -13,6 +13,7 @@ from esicatalog.catalog.database import database_error, sqlite_path
 from esicatalog.catalog.load import end_load, finish_indexes, finish_load, prepare_load
 from esicatalog.catalog.lock import only_writer
 from esicatalog.catalog.writer import SourceRow, Writer
+from esicatalog.errors import CatalogError
 from esicatalog.esi.stages import Stages
 from esicatalog.ingest.plan import Held, HeldDocument, Plan, make_plan
 from esicatalog.ingest.process import without_cycle_search
@@ -68,6 +69,11 @@ def ingest(
                 end_load(connection)
     except sa.exc.DBAPIError as error:
         raise database_error(str(engine.url.database), error) from error
+    except OverflowError as error:  # from the driver, which has many documents at once and does not say which
+        raise CatalogError(
+            f"{engine.url.database}: a document brings a number that no database takes; please report it with the "
+            "documents since the last commit, and ingest the others without them"
+        ) from error
     lines.sort(key=lambda line: line.path)
     return IngestReport(lines, time.monotonic() - started, stages.seconds)
 

@@ -13,7 +13,8 @@ from esicatalog.model.safety import FsoeEvidence
 
 SYNC_PARAMETERS = (0x1C32, 0x1C33)
 _SYNC_TYPES, _MINIMUM_CYCLE = 4, 5
-_MIN_CYCLE_ATTRIBUTE = re.compile(r'MinCycleTime="(\d+)"')
+_MIN_CYCLE_ATTRIBUTE = re.compile(r'MinCycleTime="(\d{1,18})"')
+"""Thirty years and more are no cycle."""
 
 
 class DeviceFacts(Record):

@@ -6,6 +6,7 @@ from functools import cached_property
 from operator import attrgetter
 from typing import NamedTuple
 
+from esicatalog.esi.numbers import MAX_STORED
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.dictionary import DataType, DeclaredValues, Flags, InfoSubItem, SubItem
 from esicatalog.model.base_types import BaseType
@@ -50,7 +51,7 @@ class Members:
         is_pair = len(data_type.sub_items) == 2
         expanded = 0
         for sub_item in data_type.sub_items:
-            following = members[-1].subindex + 1 if members else 0
+            following = min(members[-1].subindex + 1, MAX_STORED) if members else 0
             array = types.get(sub_item.type) if sub_item.type and members else None
             places = _element_places(sub_item, array, following) if array is not None else None
             if array is not None and places is not None:
@@ -197,7 +198,6 @@ class _Elements(NamedTuple):
 
 
 def _element_members(plan: _Elements, flags: Flags | None, fallback: SubItem | None) -> tuple[Member, ...]:
-    size, offset = plan.bit_size, plan.bit_offset
     return tuple(
         Member(
             subindex,
@@ -205,10 +205,18 @@ def _element_members(plan: _Elements, flags: Flags | None, fallback: SubItem | N
             (),
             plan.type,
             plan.base,
-            size,
-            offset + k * size if offset is not None and size is not None else None,
+            plan.bit_size,
+            _offset(plan, k),
             flags,
             fallback,
         )
         for k, subindex in enumerate(plan.places)
     )
+
+
+def _offset(plan: _Elements, number: int) -> int | None:
+    """Offset of an element in the complete-access image; None for one that no database takes."""
+    if plan.bit_offset is None or plan.bit_size is None:
+        return None
+    offset = plan.bit_offset + number * plan.bit_size
+    return offset if abs(offset) <= MAX_STORED else None

@@ -209,9 +209,11 @@ class _Shift:
         )
 
     def _checked(self, what: str, index: int, moved: int) -> int:
-        if moved <= MAX_INDEX:
+        if 0 <= moved <= MAX_INDEX:
             return moved
         self.problems.append(
-            f"{what} 0x{index:04X} would become 0x{moved:X} in slot {self._slot_number}; left unshifted"
+            f"{what} 0x{index:04X} would become {moved:#X} in slot {self._slot_number}; left unshifted".replace(
+                "0X", "0x"
+            )
         )
         return index
