@@ -238,6 +238,26 @@ def test_other_names_of_equal_count_are_paired_by_position_with_a_remark():
     assert [rule for rule, _ in resolved.remarks] == ["L46"]
 
 
+def test_an_unmatched_name_moves_no_value_that_has_its_name():
+    """One value too many and one missing, so the list is as long as the type: all went to their neighbours."""
+    named = info(("SubIndex 000", "05"), ("Two", "0200"), ("Five", "0500"), ("Six", "0600"))
+    resolved = resolve(RECORD, "DT2000", 96, named)
+    assert defaults(resolved) == [5, None, 2, 5]
+    assert resolved.remarks == (("L46", "Info sub-items 'Six' match no sub-item of the data type; left unpaired"),)
+
+
+def test_the_position_says_nothing_among_values_in_another_order():
+    named = info(("SubIndex 000", "05"), ("Five", "0500"), ("One", "0100"), ("Zwei", "0200"))
+    assert defaults(resolve(RECORD, "DT2000", 96, named)) == [5, 1, None, 5]
+
+
+def test_a_misspelt_name_among_matching_ones_goes_by_its_position():
+    named = info(("SubIndex 000", "05"), ("One", "0100"), ("Tow", "0200"), ("Five", "0500"))
+    resolved = resolve(RECORD, "DT2000", 96, named)
+    assert defaults(resolved) == [5, 1, 2, 5]
+    assert resolved.remarks == (("L46", "Info sub-items 'Tow' match no sub-item of the data type; paired by position"),)
+
+
 def flags(access: str = "", **more: str) -> str:
     head = f"<Access>{access}</Access>" if access else ""
     return f"<Flags>{head}{''.join(f'<{k}>{v}</{k}>' for k, v in more.items())}</Flags>"
