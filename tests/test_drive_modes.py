@@ -73,6 +73,28 @@ def test_a_short_default_claims_nothing_absent():
     assert verdicts(found) == {"CSV": "likely"}
 
 
+def test_bits_of_a_signed_0x6502_count_up_to_its_sign():
+    # 0xC00101A0: bits 5, 7, 8 of the profile and 16, 30, 31 of the manufacturer; as a DINT a negative number.
+    signed = supported_modes("A00101C0").replace("UDINT", "DINT")
+    found = verdicts(one_drive(dictionary(signed)))
+    assert {mode for mode, word in found.items() if word == "yes"} == {"HM", "CSP", "CSV"}
+    assert {mode for mode, word in found.items() if word == "no"} == {"PP", "VL", "PV", "TQ", "IP", "CST", "CSTCA"}
+
+
+def test_a_sign_is_no_bit_beyond_the_type():
+    # 0xA1 in a byte: bits 0, 5 and 7, the sign. Bits 8 to 10 are not there.
+    narrow = supported_modes("A1").replace("UDINT", "SINT").replace("<BitSize>32", "<BitSize>8")
+    found = verdicts(one_drive(dictionary(narrow)))
+    assert {mode for mode, word in found.items() if word == "yes"} == {"PP", "HM", "CSP"}
+
+
+def test_a_negative_number_of_an_unsigned_0x6502_says_nothing():
+    negative = (
+        supported_modes("0").replace("DefaultData>0<", "DefaultValue>-1<").replace("/DefaultData", "/DefaultValue")
+    )
+    assert verdicts(one_drive(dictionary(negative))) == {}
+
+
 def test_encoder_claims_no_mode():
     assert one_drive(dictionary(supported_modes("FFFF0000")), profile="406").verdicts == ()
 

@@ -14,6 +14,7 @@ from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import Profile
+from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.model.cia402 import (
     AXIS_STEP,
     CONTROLWORD,
@@ -190,9 +191,9 @@ def _supported_modes(part: Part) -> Iterator[ModeEvidence]:
     """Default of 0x6502: bit b declares mode b + 1. Absent and zero say nothing."""
     index = part.at(SUPPORTED_DRIVE_MODES)
     entry = _value(part, index)
-    if entry is None or not entry.default_int or entry.default_int < 0:
+    if entry is None or not (value := _bits(entry)):
         return
-    value, rank, doubt = entry.default_int, "A+", ""
+    rank, doubt = "A+", ""
     data = decode_hex_binary(entry.default_raw) if entry.default_kind == "data" else None
     width = (entry.bit_size or 32) // 8
     if data is not None and len(data) < width:
@@ -211,6 +212,18 @@ def _supported_modes(part: Part) -> Iterator[ModeEvidence]:
         elif rank == "A+":
             text = f"declared in ESI: {text} clear; read 0x6502 on the drive"
             yield _finding(part, mode, "A-", text, polarity=NO, object_index=index)
+
+
+def _bits(entry: ObjectEntry) -> int:
+    """The default as bits: a signed type has them in as many as it is wide, in others a negative number means nothing.
+
+    0x6502 is an UNSIGNED32, but vendors declare it as DINT.
+    """
+    number = entry.default_int or 0
+    if number >= 0:
+        return number
+    base = BASE_TYPES[entry.base_type] if entry.base_type is not None else None
+    return number & ((1 << base.bit_size) - 1) if base is not None and base.signed and base.bit_size else 0
 
 
 def _enumerated(part: Part) -> Iterator[ModeEvidence]:
