@@ -284,6 +284,11 @@ def test_the_position_says_nothing_among_values_in_another_order():
     assert defaults(resolve(RECORD, "DT2000", 96, named)) == [5, 1, None, 5]
 
 
+def test_a_name_too_many_leaves_the_value_that_has_it_in_its_place():
+    named = info(("SubIndex 000", "05"), ("Two", "0100"), ("Two", "0200"), ("Five", "0500"))
+    assert defaults(resolve(RECORD, "DT2000", 96, named)) == [5, 1, 2, 5]
+
+
 def test_a_misspelt_name_among_matching_ones_goes_by_its_position():
     named = info(("SubIndex 000", "05"), ("One", "0100"), ("Tow", "0200"), ("Five", "0500"))
     resolved = resolve(RECORD, "DT2000", 96, named)

@@ -90,8 +90,11 @@ class Members:
         if is_complete and (self.is_array or [info.name for info in infos] == self._names):
             return infos
         paired: dict[int, InfoSubItem] = {}
+        if is_complete:  # real lists repeat a name that the type has once, in the place of another one
+            named = enumerate(zip(infos, self._names, strict=True))
+            paired = {place: info for place, (info, name) in named if info.name == name}
         unmatched: dict[int, InfoSubItem] = {}
-        for place, info in enumerate(infos):
+        for place, info in [(place, info) for place, info in enumerate(infos) if place not in paired]:
             places = self._by_name.get((info.name or "").strip(), ())
             free = next((position for position in places if position not in paired), None)
             if free is not None:
