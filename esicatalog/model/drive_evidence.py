@@ -33,7 +33,8 @@ from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 
 MAX_AXES = 8
-_CONTROLWORDS = tuple(CONTROLWORD + axis * AXIS_STEP for axis in range(MAX_AXES))
+_CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES)}
+"""Axes by their controlword."""
 YES, NO = "yes", "no"
 
 RANKS: dict[str, tuple[str, float]] = {
@@ -77,6 +78,8 @@ class Part(NamedTuple):
     """What is looked at together: the device's own description or one module, for one axis."""
 
     axis: int
+    slot_number: int | None
+    """Slot that a module is in."""
     module_ident: int | None
     name: str
     """Names of a module: type and name."""
@@ -85,10 +88,11 @@ class Part(NamedTuple):
     rx_pdos: tuple[Pdo, ...]
     init_cmds: tuple[InitCmd, ...]
     profiles: tuple[Profile, ...]
+    """Those that speak for this axis."""
     sync0: bool
     """Whether an OpMode that it can run in generates SYNC0."""
     axis_shift: int
-    """Distance of the axis's objects in this part: 0 in modules, whose objects move with the slot."""
+    """How far the axis's objects lie above those of the first axis."""
     dc_op_mode_name: str | None = None
     """OpMode that a module asks for."""
 
@@ -112,7 +116,7 @@ def has_cia402(part: Part) -> bool:
 
     On modular I/O 0x6040 is just an input channel, so the controlword has to look like one.
     """
-    if part.axis == 0 and any(_is_cia402(profile) for profile in part.profiles):
+    if any(_is_cia402(profile) for profile in part.profiles):
         return True
     control = part.at(CONTROLWORD)
     mapped = any(
@@ -128,13 +132,12 @@ def _words(view: DictionaryView) -> frozenset[int | None]:
     return frozenset([declared.object_index for declared in view.dictionary.objects if declared.bit_size == 16])
 
 
-def may_be_drive(owner: Device | Module, axis_count: int, views: DictionaryViews) -> bool:
-    """Whether a device or module can be a CiA 402 drive of up to so many axes: a cheap look before a close one."""
-    controlwords = frozenset(_CONTROLWORDS[:axis_count])
+def may_be_drive(owner: Device | Module, views: DictionaryViews) -> bool:
+    """Whether a device or module can be a CiA 402 drive: a cheap look before a close one."""
     return (
         any(map(_is_cia402, owner.profiles))
-        or any(not view.by_index.keys().isdisjoint(controlwords) for view in views.of(owner.profiles))
-        or any(entry.entry_index in controlwords for pdo in owner.rx_pdos for entry in pdo.entries)
+        or any(not view.by_index.keys().isdisjoint(_CONTROLWORDS) for view in views.of(owner.profiles))
+        or any(entry.entry_index in _CONTROLWORDS for pdo in owner.rx_pdos for entry in pdo.entries)
     )
 
 
@@ -346,10 +349,10 @@ def pdo_words(pdo: Pdo) -> str:
 
 
 def axes_of(views: Sequence[DictionaryView], rx_pdos: Iterable[Pdo]) -> list[int]:
-    """Axes above the first whose controlword stands literally in the device's own description."""
+    """Axes above the first whose controlword stands literally in a description."""
     mapped = {entry.entry_index for pdo in rx_pdos for entry in pdo.entries}
     return [
         axis
-        for axis, control in enumerate(_CONTROLWORDS)
+        for control, axis in _CONTROLWORDS.items()
         if axis and (control in mapped or any(control in view.by_index for view in views))
     ]
