@@ -78,3 +78,45 @@ def test_fsoe_needs_more_than_a_name():
     high = facts(pdo("RxPdo", "#x1600", 8, attributes="SafetyPdoType='FSoESlave'"))
     assert (high.fsoe, high.fsoe_evidence.endswith("not a safety statement")) == ("high", True)
     assert facts(pdo("RxPdo", "#x1600", 8).replace("RxPdo #x1600", "Safety outputs")).fsoe is None
+
+
+def named_pdo(name: str, *entries: str, attributes: str = "") -> str:
+    rows = "".join(
+        f"<Entry><Index>#x7000</Index><SubIndex>{n}</SubIndex><BitLen>16</BitLen><Name>{entry}</Name></Entry>"
+        for n, entry in enumerate(entries, 1)
+    )
+    return f"<RxPdo {attributes}><Index>#x1600</Index><Name>{name}</Name>{rows}</RxPdo>"
+
+
+@pytest.mark.parametrize(
+    ("name", "entries", "words"),
+    [
+        ("FSoE Master Message", ["CMD"], "PDO 0x1600 has the name 'FSoE Master Message'"),
+        ("FSOE_RxPDO", ["CMD"], "PDO 0x1600 has the name 'FSOE_RxPDO'"),
+        ("FSoEMaster", ["CMD"], "PDO 0x1600 has the name 'FSoEMaster'"),
+        ("Outputs", ["Command", "FSOE_ConnID"], "PDO 0x1600 has the name 'FSOE_ConnID'"),
+        ("Outputs", ["ConnID", "CRC_0"], "PDO 0x1600 has the names of an FSoE frame, ConnID and CRC_0"),
+        (
+            "Outputs",
+            ["TSC__Master CRC_0", "TSC__Master ConnID"],
+            "PDO 0x1600 has the names of an FSoE frame, ConnID and CRC_0",
+        ),
+        ("Outputs", ["Master_Conn_ID", "Master_CRC0"], "PDO 0x1600 has the names of an FSoE frame, ConnID and CRC_0"),
+    ],
+)
+def test_fsoe_by_the_names_of_process_data(name, entries, words):
+    """An underscore beside FSoE or CRC_0 hid it, and FSoE counted only with CRC_0."""
+    found = facts(named_pdo(name, *entries))
+    assert (found.fsoe, found.fsoe_evidence) == ("medium", f"{words}; not a safety statement")
+
+
+@pytest.mark.parametrize(
+    "entries", [["ConnID"], ["CRC_0"], ["ConnID", "CRC_01"], ["OffsOEnable"], ["Connidle", "CRC_0"]]
+)
+def test_names_that_are_not_of_fsoe(entries):
+    assert facts(named_pdo("Outputs", *entries)).fsoe is None
+
+
+def test_fsoe_by_the_number_of_the_safety_connection():
+    found = facts(named_pdo("Outputs", "CMD", attributes="SafetyConnNumber='1'"))
+    assert (found.fsoe, found.fsoe_evidence) == ("high", "PDO 0x1600 has SafetyConnNumber 1; not a safety statement")

@@ -137,6 +137,39 @@ def test_default_data_of_floats(type_name, layout, number):
     assert entry.default_int is None
 
 
+@pytest.mark.parametrize(
+    ("type_name", "bits", "data", "number"),
+    [
+        ("INT", 16, "FF", 0x00FF),
+        ("DINT", 32, "FFFF", 0x0000FFFF),
+        ("LINT", 64, "FFFFFFFF", 0x00000000FFFFFFFF),
+        ("INT", 16, "FFFF0000", -1),
+        ("INT", 16, "0080FFFF", -0x8000),
+        ("SINT", 8, "7FFF", 0x7F),
+        ("USINT", 8, "02000000", 2),
+        ("UDINT", 32, "010203040506", 0x04030201),
+        ("DINT", 16, "FFFF", -1),
+        ("DINT", 16, "FFFFFFFF", -1),
+        ("DINT", 16, "FF", 0xFF),
+        ("INT", 0, "FFFF00", -1),
+    ],
+)
+def test_numbers_with_too_few_or_too_many_bytes(type_name, bits, data, number):
+    """Missing bytes were filled with the sign, and all bytes counted whatever the type can hold."""
+    entry = simple(type_name, f"<DefaultData>{data}</DefaultData>", bits)
+    assert (entry.default_raw, entry.default_int) == (data, number)
+
+
+def test_limits_with_too_few_or_too_many_bytes():
+    entry = simple("INT", "<MinData>80</MinData><MaxData>FFFF0000</MaxData>", 16)
+    assert (entry.min_int, entry.max_int) == (0x80, -1)
+
+
+def test_a_float_with_too_many_bytes():
+    data = struct.pack("<f", 0.5).hex() + "FFFFFFFF"
+    assert simple("REAL", f"<DefaultData>{data}</DefaultData>", 32).default_real == 0.5
+
+
 def test_default_data_that_is_no_number():
     assert simple("REAL", "<DefaultData>0000C07F</DefaultData>").default_real is None  # a NaN
     assert simple("UDINT", "<DefaultData>123</DefaultData>").default_int is None
@@ -236,6 +269,31 @@ def test_other_names_of_equal_count_are_paired_by_position_with_a_remark():
     resolved = resolve(RECORD, "DT2000", 96, named)
     assert defaults(resolved) == [5, 1, 2, 5]
     assert [rule for rule, _ in resolved.remarks] == ["L46"]
+
+
+def test_an_unmatched_name_moves_no_value_that_has_its_name():
+    """One value too many and one missing, so the list is as long as the type: all went to their neighbours."""
+    named = info(("SubIndex 000", "05"), ("Two", "0200"), ("Five", "0500"), ("Six", "0600"))
+    resolved = resolve(RECORD, "DT2000", 96, named)
+    assert defaults(resolved) == [5, None, 2, 5]
+    assert resolved.remarks == (("L46", "Info sub-items 'Six' match no sub-item of the data type; left unpaired"),)
+
+
+def test_the_position_says_nothing_among_values_in_another_order():
+    named = info(("SubIndex 000", "05"), ("Five", "0500"), ("One", "0100"), ("Zwei", "0200"))
+    assert defaults(resolve(RECORD, "DT2000", 96, named)) == [5, 1, None, 5]
+
+
+def test_a_name_too_many_leaves_the_value_that_has_it_in_its_place():
+    named = info(("SubIndex 000", "05"), ("Two", "0100"), ("Two", "0200"), ("Five", "0500"))
+    assert defaults(resolve(RECORD, "DT2000", 96, named)) == [5, 1, 2, 5]
+
+
+def test_a_misspelt_name_among_matching_ones_goes_by_its_position():
+    named = info(("SubIndex 000", "05"), ("One", "0100"), ("Tow", "0200"), ("Five", "0500"))
+    resolved = resolve(RECORD, "DT2000", 96, named)
+    assert defaults(resolved) == [5, 1, 2, 5]
+    assert resolved.remarks == (("L46", "Info sub-items 'Tow' match no sub-item of the data type; paired by position"),)
 
 
 def flags(access: str = "", **more: str) -> str:

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+import snippets
 
 from esicatalog.esi.containers import Archive
 from esicatalog.esi.reader import Reader, read_esi
@@ -71,6 +72,28 @@ def test_swapped_bytes_are_likely_and_named():
 def test_a_short_default_claims_nothing_absent():
     found = one_drive(dictionary(supported_modes("0001")))
     assert verdicts(found) == {"CSV": "likely"}
+
+
+def test_bits_of_a_signed_0x6502_count_up_to_its_sign():
+    # 0xC00101A0: bits 5, 7, 8 of the profile and 16, 30, 31 of the manufacturer; as a DINT a negative number.
+    signed = supported_modes("A00101C0").replace("UDINT", "DINT")
+    found = verdicts(one_drive(dictionary(signed)))
+    assert {mode for mode, word in found.items() if word == "yes"} == {"HM", "CSP", "CSV"}
+    assert {mode for mode, word in found.items() if word == "no"} == {"PP", "VL", "PV", "TQ", "IP", "CST", "CSTCA"}
+
+
+def test_a_sign_is_no_bit_beyond_the_type():
+    # 0xA1 in a byte: bits 0, 5 and 7, the sign. Bits 8 to 10 are not there.
+    narrow = supported_modes("A1").replace("UDINT", "SINT").replace("<BitSize>32", "<BitSize>8")
+    found = verdicts(one_drive(dictionary(narrow)))
+    assert {mode for mode, word in found.items() if word == "yes"} == {"PP", "HM", "CSP"}
+
+
+def test_a_negative_number_of_an_unsigned_0x6502_says_nothing():
+    negative = (
+        supported_modes("0").replace("DefaultData>0<", "DefaultValue>-1<").replace("/DefaultData", "/DefaultValue")
+    )
+    assert verdicts(one_drive(dictionary(negative))) == {}
 
 
 def test_encoder_claims_no_mode():
@@ -165,6 +188,93 @@ def test_two_slots_are_two_axes():
     second = next(item for item in found.verdicts if item.axis == 1 and item.mode == "CSV")
     assert second.rx_pdo_index == 0x1701 + 64
     assert "0x6860" in (second.evidence or "")
+
+
+def drive_module(ident: int, *entries: str, name: str = "csv", moves: bool = True) -> str:
+    """A module of profile 402 whose RxPDO maps these words and names a mode."""
+    attribute = ' DependOnSlot="1"' if moves else ""
+    rows = "".join(
+        f"<Entry><Index{attribute}>#x{index}</Index><SubIndex>0</SubIndex><BitLen>16</BitLen></Entry>"
+        for index in entries
+    )
+    return (
+        f'<Module><Type ModuleIdent="{ident}">M{ident}</Type><Name>Module</Name><RxPdo Sm="2">'
+        f"<Index{attribute}>#x1600</Index><Name>{name}</Name>{rows}</RxPdo>"
+        "<Profile><ProfileNo>402</ProfileNo></Profile></Module>"
+    )
+
+
+def slot(ident: int, instances: int = 1, *, is_default: bool = False) -> str:
+    return (
+        f'<Slot MinInstances="{int(is_default)}" MaxInstances="{instances}"><Name>S</Name>'
+        f'<ModuleIdent Default="{int(is_default)}">{ident}</ModuleIdent></Slot>'
+    )
+
+
+def modular_drive(slots: str, modules: str, *, profile: str = "", increment: str = "#x800") -> DriveModes:
+    content = f'{profile}<Slots SlotIndexIncrement="{increment}" SlotPdoIncrement="16">{slots}</Slots>'
+    info = Reader().read(snippets.esi(snippets.device(content), modules).encode()).document.infos[0]
+    return drive_modes(info.devices[0], reachable_modules(info.devices[0], info.modules))
+
+
+IO_MODULE = '<Module><Type ModuleIdent="1">IO</Type><Name>I/O</Name></Module>'
+
+
+def test_a_drive_behind_eight_slots_of_inputs_is_found():
+    """The number of the slot was taken for an axis, of which there are eight."""
+    found = modular_drive(slot(1, 8) + slot(2, is_default=True), IO_MODULE + drive_module(2, "6040", "60FF"))
+    assert [(item.axis, item.mode, item.verdict) for item in found.verdicts if item.verdict == "yes"] == [
+        (8, "CSV", "yes")
+    ]
+    (csv,) = [item for item in found.verdicts if item.mode == "CSV"]
+    assert csv.recipe.startswith("plug module 0x2 into slot 8 (default); RxPDO 0x1680 maps the setpoint")
+    assert "0xA060" in csv.recipe  # 0x6060 + 8 * 0x800
+
+
+def test_objects_that_do_not_depend_on_the_slot_belong_to_the_first_axis():
+    """A drive in slot 1 was axis 1, and 0x6502 of the device, which has CSP only, did not speak against its CSV."""
+    profile = f"<Profile><ProfileNo>402</ProfileNo>{dictionary(supported_modes('80000000'))}"
+    modules = IO_MODULE + drive_module(2, "6040", "60FF", moves=False)
+    found = modular_drive(slot(1) + slot(2, is_default=True), modules, profile=profile)
+    assert {item.axis for item in found.verdicts} == {0}
+    (csv,) = [item for item in found.verdicts if item.mode == "CSV"]
+    assert (csv.verdict, csv.conflict) == ("no", True)
+    assert verdicts(found)["CSP"] == "yes"
+
+
+def test_objects_that_stay_where_the_increment_is_zero_belong_to_the_first_axis():
+    modules = IO_MODULE + drive_module(2, "6040", "60FF")
+    found = modular_drive(slot(1) + slot(2, is_default=True), modules, increment="0")
+    assert verdicts(found, axis=0)["CSV"] == "yes"
+    assert verdicts(found, axis=1) == {}
+
+
+def test_a_module_with_the_objects_of_the_second_axis_is_that_axis():
+    modules = IO_MODULE + drive_module(2, "6840", "68FF", moves=False)
+    found = modular_drive(slot(1) + slot(2, is_default=True), modules)
+    assert (verdicts(found, axis=0), verdicts(found, axis=1)["CSV"]) == ({}, "yes")
+
+
+def test_a_drive_in_every_slot_is_an_axis_in_every_slot():
+    found = modular_drive(slot(2, 3), drive_module(2, "6040", "60FF"))
+    assert [(item.axis, item.rx_pdo_index) for item in found.verdicts if item.mode == "CSV"] == [
+        (0, 0x1600),
+        (1, 0x1610),
+        (2, 0x1620),
+    ]
+
+
+def test_a_recipe_names_the_slot_that_has_the_module_by_default():
+    modules = drive_module(2, "6040", "60FF", moves=False)
+    found = modular_drive(slot(2, 2) + slot(2, is_default=True), modules)
+    (csv,) = [item for item in found.verdicts if item.mode == "CSV"]
+    assert csv.recipe.startswith("plug module 0x2 into slot 2 (default)")
+
+
+def test_profile_402_of_a_module_counts_in_every_slot():
+    """Without a controlword the module in the second slot was no drive, the one in the first slot was."""
+    found = modular_drive(slot(2, 2), drive_module(2, "60FF"))
+    assert [item.axis for item in found.verdicts if item.mode == "CSV"] == [0, 1]
 
 
 def corpus_devices(corpus: Path, archive: str, member_part: str):

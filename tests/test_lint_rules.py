@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from snippets import device, dictionary, esi, write
 
 from esicatalog.cli.lint import command
 from esicatalog.lint.registry import SEVERITY_WORDS
@@ -74,3 +75,24 @@ def test_a_finding_says_what_and_where_in_one_line(rule_id):
         assert item["message"]
         assert "\n" not in item["message"]
         assert item["path"] or item["rule"] in ("L01", "L02", "L60")
+
+
+@pytest.mark.parametrize(
+    ("type_name", "bits", "data", "words"),
+    [
+        ("INT", 16, "FF", "1 bytes; INT has 2, and the missing ones are read as 0"),
+        ("INT", 16, "FFFF0000", "4 bytes; INT has 2, and the first 2 are read"),
+        ("REAL", 32, "0000003F00000000", "8 bytes; REAL has 4, and the first 4 are read"),
+        ("DINT", 16, "FFFFFFFF", "4 bytes; DINT has 2"),  # as many as a DINT has: all are read
+        ("STRING(2)", 16, "414243", "3 bytes; STRING(2) has 2"),
+    ],
+)
+def test_what_is_read_of_default_data_of_another_length(tmp_path, type_name, bits, data, words):
+    data_type = f"<DataType><Name>{type_name}</Name><BitSize>{bits}</BitSize></DataType>"
+    declared = (
+        f"<Object><Index>#x2000</Index><Name>O</Name><Type>{type_name}</Type><BitSize>{bits}</BitSize>"
+        f"<Info><DefaultData>{data}</DefaultData></Info></Object>"
+    )
+    write(tmp_path, {"a.xml": esi(device(dictionary(data_type, declared)))})
+    (found,) = [item for item in findings(tmp_path / "a.xml") if item["rule"] == "L45"]
+    assert found["message"].endswith(f"0x2000:00 has DefaultData of {words}")

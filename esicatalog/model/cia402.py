@@ -9,6 +9,8 @@ from typing import NamedTuple
 
 AXIS_STEP = 0x800
 """Index distance between two axes of one device."""
+PROFILE_AREA = 0x6000
+"""Where the objects of the first axis begin."""
 CONTROLWORD, STATUSWORD = 0x6040, 0x6041
 MODES_OF_OPERATION, MODES_DISPLAY = 0x6060, 0x6061
 SUPPORTED_DRIVE_MODES = 0x6502

@@ -225,9 +225,9 @@ def _entry(member: Member, values: DeclaredValues | None, traits: _Traits) -> Ob
     subindex, name, display_names, data_type, base, bit_size, bit_offset, _, fallback = member
     declared, unit = _NO_VALUES, None
     if values is not None:
-        declared, unit = _declared(values, base), values.unit
+        declared, unit = _declared(values, base, bit_size), values.unit
         display_names = values.display_names or display_names
-    default, minimum, maximum = declared if fallback is None else _with_obsolete(declared, fallback, base)
+    default, minimum, maximum = declared if fallback is None else _with_obsolete(declared, fallback, base, bit_size)
     return ObjectEntry(  # in the order of its fields: names would cost more than all the rest
         subindex,
         name,
@@ -254,31 +254,31 @@ _Values = tuple[Value, Value, Value]
 _NO_VALUES: _Values = (_NO_VALUE, _NO_VALUE, _NO_VALUE)
 
 
-def _declared(values: DeclaredValues, base: BaseType | None) -> _Values:
+def _declared(values: DeclaredValues, base: BaseType | None, bit_size: int | None) -> _Values:
     """Those of Info."""
     minimum = maximum = _NO_VALUE
     if values.min_data or values.min_value is not None:
-        minimum = _bound(values, values.min_data, "min_value", base)
+        minimum = _bound(values, values.min_data, "min_value", base, bit_size)
     if values.max_data or values.max_value is not None:
-        maximum = _bound(values, values.max_data, "max_value", base)
-    return _default(values, base), minimum, maximum
+        maximum = _bound(values, values.max_data, "max_value", base, bit_size)
+    return _default(values, base, bit_size), minimum, maximum
 
 
-def _with_obsolete(declared: _Values, sub_item: SubItem, base: BaseType | None) -> _Values:
+def _with_obsolete(declared: _Values, sub_item: SubItem, base: BaseType | None, bit_size: int | None) -> _Values:
     """Where Info has none, the obsolete ones of the data type's sub-item."""
     default, minimum, maximum = declared
     if default is _NO_VALUE:
-        default = _default(sub_item, base)
+        default = _default(sub_item, base, bit_size)
     if minimum is _NO_VALUE and sub_item.min_value is not None:
-        minimum = _bound(sub_item, None, "min_value", base)
+        minimum = _bound(sub_item, None, "min_value", base, bit_size)
     if maximum is _NO_VALUE and sub_item.max_value is not None:
-        maximum = _bound(sub_item, None, "max_value", base)
+        maximum = _bound(sub_item, None, "max_value", base, bit_size)
     return default, minimum, maximum
 
 
-def _default(source: DeclaredValues | SubItem, base: BaseType | None) -> Value:
+def _default(source: DeclaredValues | SubItem, base: BaseType | None, bit_size: int | None) -> Value:
     if source.default_data:
-        return decode_data(source.default_data, base)
+        return decode_data(source.default_data, base, bit_size)
     if source.default_value is not None or (source.spelling and "default_value" in source.spelling):
         return decode_value(source.default_value, _raw(source, "default_value"), base)
     if source.default_string is not None:
@@ -286,9 +286,11 @@ def _default(source: DeclaredValues | SubItem, base: BaseType | None) -> Value:
     return _NO_VALUE
 
 
-def _bound(source: DeclaredValues | SubItem, data: str | None, value_field: str, base: BaseType | None) -> Value:
+def _bound(
+    source: DeclaredValues | SubItem, data: str | None, value_field: str, base: BaseType | None, bit_size: int | None
+) -> Value:
     if data:
-        return decode_data(data, base)
+        return decode_data(data, base, bit_size)
     return decode_value(getattr(source, value_field), _raw(source, value_field), base)
 
 

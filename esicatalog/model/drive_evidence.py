@@ -14,6 +14,7 @@ from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import Profile
+from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.model.cia402 import (
     AXIS_STEP,
     CONTROLWORD,
@@ -32,7 +33,8 @@ from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 
 MAX_AXES = 8
-_CONTROLWORDS = tuple(CONTROLWORD + axis * AXIS_STEP for axis in range(MAX_AXES))
+_CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES)}
+"""Axes by their controlword."""
 YES, NO = "yes", "no"
 
 RANKS: dict[str, tuple[str, float]] = {
@@ -76,6 +78,8 @@ class Part(NamedTuple):
     """What is looked at together: the device's own description or one module, for one axis."""
 
     axis: int
+    slot_number: int | None
+    """Slot that a module is in."""
     module_ident: int | None
     name: str
     """Names of a module: type and name."""
@@ -84,10 +88,11 @@ class Part(NamedTuple):
     rx_pdos: tuple[Pdo, ...]
     init_cmds: tuple[InitCmd, ...]
     profiles: tuple[Profile, ...]
+    """Those that speak for this axis."""
     sync0: bool
     """Whether an OpMode that it can run in generates SYNC0."""
     axis_shift: int
-    """Distance of the axis's objects in this part: 0 in modules, whose objects move with the slot."""
+    """How far the axis's objects lie above those of the first axis."""
     dc_op_mode_name: str | None = None
     """OpMode that a module asks for."""
 
@@ -111,7 +116,7 @@ def has_cia402(part: Part) -> bool:
 
     On modular I/O 0x6040 is just an input channel, so the controlword has to look like one.
     """
-    if part.axis == 0 and any(_is_cia402(profile) for profile in part.profiles):
+    if any(_is_cia402(profile) for profile in part.profiles):
         return True
     control = part.at(CONTROLWORD)
     mapped = any(
@@ -127,13 +132,12 @@ def _words(view: DictionaryView) -> frozenset[int | None]:
     return frozenset([declared.object_index for declared in view.dictionary.objects if declared.bit_size == 16])
 
 
-def may_be_drive(owner: Device | Module, axis_count: int, views: DictionaryViews) -> bool:
-    """Whether a device or module can be a CiA 402 drive of up to so many axes: a cheap look before a close one."""
-    controlwords = frozenset(_CONTROLWORDS[:axis_count])
+def may_be_drive(owner: Device | Module, views: DictionaryViews) -> bool:
+    """Whether a device or module can be a CiA 402 drive: a cheap look before a close one."""
     return (
         any(map(_is_cia402, owner.profiles))
-        or any(not view.by_index.keys().isdisjoint(controlwords) for view in views.of(owner.profiles))
-        or any(entry.entry_index in controlwords for pdo in owner.rx_pdos for entry in pdo.entries)
+        or any(not view.by_index.keys().isdisjoint(_CONTROLWORDS) for view in views.of(owner.profiles))
+        or any(entry.entry_index in _CONTROLWORDS for pdo in owner.rx_pdos for entry in pdo.entries)
     )
 
 
@@ -190,9 +194,9 @@ def _supported_modes(part: Part) -> Iterator[ModeEvidence]:
     """Default of 0x6502: bit b declares mode b + 1. Absent and zero say nothing."""
     index = part.at(SUPPORTED_DRIVE_MODES)
     entry = _value(part, index)
-    if entry is None or not entry.default_int or entry.default_int < 0:
+    if entry is None or not (value := _bits(entry)):
         return
-    value, rank, doubt = entry.default_int, "A+", ""
+    rank, doubt = "A+", ""
     data = decode_hex_binary(entry.default_raw) if entry.default_kind == "data" else None
     width = (entry.bit_size or 32) // 8
     if data is not None and len(data) < width:
@@ -211,6 +215,18 @@ def _supported_modes(part: Part) -> Iterator[ModeEvidence]:
         elif rank == "A+":
             text = f"declared in ESI: {text} clear; read 0x6502 on the drive"
             yield _finding(part, mode, "A-", text, polarity=NO, object_index=index)
+
+
+def _bits(entry: ObjectEntry) -> int:
+    """The default as bits: a signed type has them in as many as it is wide, in others a negative number means nothing.
+
+    0x6502 is an UNSIGNED32, but vendors declare it as DINT.
+    """
+    number = entry.default_int or 0
+    if number >= 0:
+        return number
+    base = BASE_TYPES[entry.base_type] if entry.base_type is not None else None
+    return number & ((1 << base.bit_size) - 1) if base is not None and base.signed and base.bit_size else 0
 
 
 def _enumerated(part: Part) -> Iterator[ModeEvidence]:
@@ -333,10 +349,10 @@ def pdo_words(pdo: Pdo) -> str:
 
 
 def axes_of(views: Sequence[DictionaryView], rx_pdos: Iterable[Pdo]) -> list[int]:
-    """Axes above the first whose controlword stands literally in the device's own description."""
+    """Axes above the first whose controlword stands literally in a description."""
     mapped = {entry.entry_index for pdo in rx_pdos for entry in pdo.entries}
     return [
         axis
-        for axis, control in enumerate(_CONTROLWORDS)
+        for control, axis in _CONTROLWORDS.items()
         if axis and (control in mapped or any(control in view.by_index for view in views))
     ]

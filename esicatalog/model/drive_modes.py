@@ -5,7 +5,7 @@ what any of them can, and the recipe names which one to plug.
 """
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Annotated
 
 import msgspec
@@ -16,10 +16,17 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import DataType
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.cia402 import AXIS_STEP, CIA402, DRIVE_MODES, MODES_OF_OPERATION, DriveMode, named_modes
+from esicatalog.model.cia402 import (
+    AXIS_STEP,
+    CIA402,
+    DRIVE_MODES,
+    MODES_OF_OPERATION,
+    PROFILE_AREA,
+    DriveMode,
+    named_modes,
+)
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.drive_evidence import (
-    MAX_AXES,
     NO,
     RANKS,
     YES,
@@ -34,7 +41,16 @@ from esicatalog.model.drive_evidence import (
     pdo_words,
     written_mode,
 )
-from esicatalog.model.slots import PluggedModule, accepts, default_modules, expand_module, numbered_slots
+from esicatalog.model.slots import (
+    PluggedModule,
+    SlotDependence,
+    accepts,
+    default_modules,
+    expand_module,
+    furthest_move,
+    numbered_slots,
+    slot_dependences,
+)
 from esicatalog.model.sync import default_op_mode, is_superseded, sync_signals
 
 YES_FROM, LIKELY_FROM, POSSIBLE_FROM = 0.8, 0.5, 0.2
@@ -74,13 +90,13 @@ def drive_modes(device: Device, modules: Sequence[Module] = (), views: Dictionar
     ``views`` knows dictionaries that were looked at before.
     """
     views = views or DictionaryViews()
-    drives = [module for module in modules if may_be_drive(module, 1, views)]
-    if not drives and not may_be_drive(device, MAX_AXES, views):
+    drives = [module for module in modules if may_be_drive(module, views)]
+    if not drives and not may_be_drive(device, views):
         return DriveModes(verdicts=tuple(_other_systems(device, views)))
     own = _device_parts(device, views)
     own_axes = {part.axis for part in own if has_cia402(part)}
     plugged = _module_parts(device, modules if own_axes else drives, views)
-    default_idents = {item.module.module_ident for item in default_modules(device, modules)} if plugged else set()
+    defaults = {(item.slot_number, item.module.module_ident) for item in default_modules(device, modules)}
     evidence: list[ModeEvidence] = []
     verdicts: list[DriveModeVerdict] = []
     by_part = {}
@@ -91,7 +107,7 @@ def drive_modes(device: Device, modules: Sequence[Module] = (), views: Dictionar
     groups = _configurations(own, plugged) if evidence else {}
     for axis, configurations in sorted(groups.items()):
         for mode in DRIVE_MODES.values():
-            verdict = _best(device, axis, mode, configurations, by_part, default_idents)
+            verdict = _best(device, axis, mode, configurations, by_part, defaults)
             if verdict is not None:
                 verdicts.append(verdict)
     if not verdicts:
@@ -111,6 +127,7 @@ def _device_parts(device: Device, known: DictionaryViews) -> list[Part]:
         Part(
             axis,
             None,
+            None,
             "",
             views,
             device.rx_pdos,
@@ -124,37 +141,54 @@ def _device_parts(device: Device, known: DictionaryViews) -> list[Part]:
 
 
 def _module_parts(device: Device, modules: Sequence[Module], known: DictionaryViews) -> dict[int, list[Part]]:
-    """Parts of the modules by axis: what fits slot n can drive axis n."""
-    parts: dict[int, list[Part]] = defaultdict(list)
+    """Parts of the modules by the axis that their objects belong to in the slot.
+
+    That is not the number of the slot: I/O may come before the drive, and objects that do not depend on the slot are
+    those of the same axis in each. Of several slots in which a module drives an axis the first one counts.
+    """
+    parts: dict[int, dict[int, Part]] = defaultdict(dict)
+    axes = {id(module): _declared_axes(module, known) for module in modules}
+    for plugged in _plugged(device, modules):
+        for first, dependences in axes[id(plugged.module)]:
+            shift = first + furthest_move(device, plugged, dependences)
+            of_axis = parts[shift // AXIS_STEP]
+            if id(plugged.module) not in of_axis:
+                of_axis[id(plugged.module)] = _module_part(device, plugged, first, shift, known)
+    return {axis: list(of_axis.values()) for axis, of_axis in parts.items()}
+
+
+def _declared_axes(module: Module, known: DictionaryViews) -> list[tuple[int, list[SlotDependence]]]:
+    """Where axes of a module begin outside of any slot, and how their objects follow it."""
+    begins = [axis * AXIS_STEP for axis in (0, *axes_of(known.of(module.profiles), module.rx_pdos))]
+    return [
+        (begin, slot_dependences(module, range(PROFILE_AREA + begin, PROFILE_AREA + begin + AXIS_STEP)))
+        for begin in begins
+    ]
+
+
+def _plugged(device: Device, modules: Sequence[Module]) -> Iterator[PluggedModule]:
+    """Every module in every slot that it fits, those that are there by default first."""
+    yield from default_modules(device, modules)
+    fitting = {id(slot): [module for module in modules if accepts(slot, module)] for slot in device.slots}
     for number, slot, _ in numbered_slots(device):
-        if number >= MAX_AXES:
-            break
-        for module in modules:
-            if accepts(slot, module):
-                parts[number].append(_module_part(device, PluggedModule(number, slot, module), known))
-    return parts
+        for module in fitting[id(slot)]:
+            yield PluggedModule(number, slot, module)
 
 
-def _module_part(device: Device, plugged: PluggedModule, known: DictionaryViews) -> Part:
+def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int, known: DictionaryViews) -> Part:
     module = expand_module(device, plugged).module
-    views = known.of(module.profiles)
     modes = [mode for mode in device.op_modes if module.dc_op_mode_name in (None, mode.name)]
-    increment = plugged.slot.slot_index_increment
-    if increment is None:
-        increment = device.slot_index_increment or 0
-    moves = any(entry.depend_on_slot for pdo in module.rx_pdos for entry in pdo.entries) or any(
-        o.depend_on_slot for view in views for o in view.dictionary.objects
-    )
     return Part(
+        shift // AXIS_STEP,
         plugged.slot_number,
         module.module_ident,
         f"{module.type or ''} / {display_text(module.names) or ''}",
-        views,
+        known.of(module.profiles),
         module.rx_pdos,
         module.mailbox.coe_init_cmds if module.mailbox is not None else (),
-        module.profiles,
+        module.profiles if first == 0 else (),
         any(sync_signals(mode.assign_activate).sync0 for mode in modes),
-        plugged.slot_number * increment if moves else 0,
+        shift,
         module.dc_op_mode_name,
     )
 
@@ -169,27 +203,41 @@ def _configurations(own: list[Part], plugged: dict[int, list[Part]]) -> dict[int
     return found
 
 
+_Judged = tuple[DriveModeVerdict, list[Part], Part | None, bool]
+"""A verdict, the parts it is about, the module among them and whether it is there by default."""
+
+
+def _preference(judged: _Judged) -> tuple[float, bool, bool]:
+    """The best answer first, of equal ones that without a choice; a "no" that something contradicts tells more."""
+    verdict, _, _, is_default = judged
+    is_no = verdict.verdict == NO
+    return 0.0 if is_no else verdict.score, is_default, is_no and verdict.conflict
+
+
 def _best(
     device: Device,
     axis: int,
     mode: DriveMode,
     configurations: list[list[Part]],
     by_part: dict[int, list[ModeEvidence]],
-    default_idents: set[int | None],
+    defaults: set[tuple[int, int | None]],
 ) -> DriveModeVerdict | None:
-    judged: list[tuple[DriveModeVerdict, list[Part], Part | None, bool]] = []
+    judged: list[_Judged] = []
     for parts in configurations:
         findings = [item for part in parts for item in by_part[id(part)] if item.mode == mode.name]
         verdict = _verdict(axis, mode, findings) if findings else None
         if verdict is not None:
             module = next((part for part in reversed(parts) if part.module_ident is not None), None)
-            judged.append((verdict, parts, module, module is None or module.module_ident in default_idents))
+            is_default = module is None or (module.slot_number, module.module_ident) in defaults
+            judged.append((verdict, parts, module, is_default))
     if not judged:
         return None
-    best, parts, module, is_default = max(judged, key=lambda j: (j[0].score if j[0].verdict != NO else 0.0, j[3]))
-    others = [item.module_ident for verdict, _, item, _ in judged if item is not None and verdict.score == best.score]
+    best, parts, module, is_default = max(judged, key=_preference)
     alternatives = [
-        f"0x{ident:X}" for ident in others if module is not None and ident not in (None, module.module_ident)
+        f"0x{item.module_ident:X}"
+        for verdict, _, item, _ in judged
+        if verdict.score == best.score and item is not None and module is not None
+        if item.slot_number == module.slot_number and item.module_ident not in (None, module.module_ident)
     ]
     return _with_recipe(device, best, mode, parts, module, is_default, alternatives)
 
@@ -246,7 +294,7 @@ def _with_recipe(
     steps: list[str] = []
     if module is not None:
         which = ["default" if is_default else "not the default", *(f"or {ident}" for ident in alternatives)]
-        steps.append(f"plug module 0x{module.module_ident:X} into slot {module.axis} ({', '.join(which)})")
+        steps.append(f"plug module 0x{module.module_ident:X} into slot {module.slot_number} ({', '.join(which)})")
     mapped = next(((part, pdo) for part in reversed(parts) if (pdo := mapping_pdo(part, mode)) is not None), None)
     pdo = mapped[1] if mapped is not None else None
     pdo_is_default = None

@@ -1,7 +1,7 @@
 """Members of composite data types, and which declared values belong to which of them (ESI-FACTS sections 6 and 7)."""
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from operator import attrgetter
 from typing import NamedTuple
@@ -79,32 +79,41 @@ class Members:
         return iter(self._members)
 
     def pair(self, infos: tuple[InfoSubItem, ...], remarks: list[tuple[str, str]]) -> Sequence[DeclaredValues | None]:
-        """Declared values of each member; never shifted to a neighbour."""
+        """Declared values of each member; never shifted to a neighbour.
+
+        Names come first (ESI-FACTS section 7.2). Position counts in an array with a value for each member, and in a
+        record with as many values as members for what no name matches, if no name claims a member at such a position:
+        a list that lacks one member and has one value too many is as long as the type, too.
+        """
         if not infos:
             return [None] * len(self._members)
         is_complete = len(infos) == len(self._members)
         if is_complete and (self.is_array or [info.name for info in infos] == self._names):
             return infos
         paired: dict[int, InfoSubItem] = {}
-        unmatched: list[InfoSubItem] = []
-        for info in infos:
+        if is_complete:  # real lists repeat a name that the type has once, in the place of another one
+            named = enumerate(zip(infos, self._names, strict=True))
+            paired = {place: info for place, (info, name) in named if info.name == name}
+        unmatched: dict[int, InfoSubItem] = {}
+        for place, info in [(place, info) for place, info in enumerate(infos) if place not in paired]:
             places = self._by_name.get((info.name or "").strip(), ())
             free = next((position for position in places if position not in paired), None)
             if free is not None:
                 paired[free] = info
             else:
-                unmatched.append(info)
+                unmatched[place] = info
         if unmatched and self.is_array:
-            self._pair_leftovers(unmatched, paired)
-        elif unmatched and is_complete:
-            remarks.append(("L46", "sub-item names of Info differ from those of the data type; paired by position"))
-            return infos
+            self._pair_leftovers(unmatched.values(), paired)
         elif unmatched:
-            names = ", ".join(repr(info.name) for info in unmatched[:3])
-            remarks.append(("L46", f"Info sub-items {names} match no sub-item of the data type; left unpaired"))
+            names = ", ".join(repr(info.name) for info in list(unmatched.values())[:3])
+            outcome = "left unpaired"
+            if is_complete and paired.keys().isdisjoint(unmatched):
+                paired.update(unmatched)
+                outcome = "paired by position"
+            remarks.append(("L46", f"Info sub-items {names} match no sub-item of the data type; {outcome}"))
         return [paired.get(position) for position in range(len(self._members))]
 
-    def _pair_leftovers(self, unmatched: list[InfoSubItem], paired: dict[int, InfoSubItem]) -> None:
+    def _pair_leftovers(self, unmatched: Iterable[InfoSubItem], paired: dict[int, InfoSubItem]) -> None:
         """Values of an array whose names do not match: by the number in the name, else in order from the first."""
         positions = {member.subindex: position for position, member in enumerate(self._members)}
         in_order = []

@@ -24,8 +24,10 @@ _MAX_TYPE_SETS = 2_000
 
 _SAFETY_OBJECTS = frozenset((0xF980, 0xE901, 0xE600, 0xE700))
 _SAFETY_ADD_INFOS = (190, 290, 1904)
-_FSOE = re.compile(r"\bFSoE\b|\bConn?ID\b", re.IGNORECASE)
-_CRC = re.compile(r"\bCRC[_ ]?0\b", re.IGNORECASE)
+# Where words end: vendors write FSOE_ConnID and FSoEMaster as well as FSoE Master.
+_FSOE = re.compile(r"(?<![a-z])FSoE", re.IGNORECASE)
+_CONN_ID = re.compile(r"(?<![a-z])Conn?[_ ]?ID(?![a-z])", re.IGNORECASE)
+_CRC_0 = re.compile(r"(?<![a-z])CRC[_ ]?0(?![a-z0-9])", re.IGNORECASE)
 
 
 class FsoeEvidence(NamedTuple):
@@ -98,16 +100,21 @@ class FsoeSigns:
 
 def _pdo_signs(pdo: Pdo) -> _Signs:
     high = medium = None
-    name = f"PDO 0x{pdo.pdo_index or 0:04X}"
+    words = f"PDO 0x{pdo.pdo_index or 0:04X}"
     if pdo.safety_pdo_type:
-        high = f"{name} has SafetyPdoType {pdo.safety_pdo_type}"
+        high = f"{words} has SafetyPdoType {pdo.safety_pdo_type}"
+    elif pdo.safety_conn_number is not None:
+        high = f"{words} has SafetyConnNumber {pdo.safety_conn_number}"
     elif any(entry.safety_conn_number is not None for entry in pdo.entries):
-        high = f"{name} has entries with SafetyConnNumber"
-    texts = [display_text(pdo.names) or "", *[display_text(entry.names) or "" for entry in pdo.entries]]
-    text = "\n".join(texts)
-    # Few names have a CRC, and that is told fastest without an expression.
-    if "crc" in text.lower() and _CRC.search(text) and _FSOE.search(text):
-        medium = f"{name} has the names of an FSoE frame"
+        high = f"{words} has entries with SafetyConnNumber"
+    names = [display_text(pdo.names) or "", *[display_text(entry.names) or "" for entry in pdo.entries]]
+    text = "\n".join(names)
+    lowered = text.lower()
+    # Few names have such words, and that is told fastest without an expression.
+    if "fsoe" in lowered and _FSOE.search(text):
+        medium = f"{words} has the name {next(filter(_FSOE.search, names))!r}"
+    elif "crc" in lowered and _CRC_0.search(text) and _CONN_ID.search(text):
+        medium = f"{words} has the names of an FSoE frame, ConnID and CRC_0"
     return _Signs(high, medium)
 
 

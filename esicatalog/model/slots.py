@@ -140,6 +140,36 @@ def _indices(module: Module) -> list[int]:
     return [index for index in found if index is not None]
 
 
+class SlotDependence(NamedTuple):
+    """How some objects of a module follow the slot: by its number, by its group; and the highest of their indices."""
+
+    by_slot: bool
+    by_group: bool
+    highest: int
+
+
+def slot_dependences(module: Module, indices: range) -> list[SlotDependence]:
+    """The ways in which objects in a range follow the slot, be they declared, mapped or written by InitCmds."""
+    commands = module.mailbox.coe_init_cmds if module.mailbox is not None else ()
+    items: list[tuple[int | None, Entry | InitCmd | Object]] = [(command.object_index, command) for command in commands]
+    items += [(entry.entry_index, entry) for pdo in (*module.rx_pdos, *module.tx_pdos) for entry in pdo.entries]
+    for profile in module.profiles:
+        items += [(item.object_index, item) for item in profile.dictionary.objects] if profile.dictionary else ()
+    highest: dict[tuple[bool, bool], int] = {}
+    for index, item in items:
+        if index is not None and index in indices:
+            way = (bool(item.depend_on_slot), bool(item.depend_on_slot_group))
+            highest[way] = max(index, highest.get(way, 0))
+    return [SlotDependence(*way, index) for way, index in highest.items()]
+
+
+def furthest_move(device: Device, plugged: PluggedModule, dependences: Iterable[SlotDependence]) -> int:
+    """How far the objects move that move furthest up in the slot."""
+    shift = _Shift(device, plugged.slot, plugged.slot_number)
+    moves = [shift.object_index(index, by_slot, by_group) - index for by_slot, by_group, index in dependences]
+    return max((0, *moves))
+
+
 def _profile_in_slot(profile: Any, shift: "_Shift") -> Any:
     dictionary = profile.dictionary
     if dictionary is None or not any(o.depend_on_slot or o.depend_on_slot_group for o in dictionary.objects):

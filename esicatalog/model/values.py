@@ -20,20 +20,35 @@ class Value(NamedTuple):
     text: str | None = None
 
 
-def decode_data(raw: str, base: BaseType | None) -> Value:
-    """A value given as bytes: little-endian, two's complement, IEEE 754; texts without trailing NUL."""
-    return _decode_short(raw, base) if len(raw) <= _SHORT else _decode_data(raw, base)
+def decode_data(raw: str, base: BaseType | None, bit_size: int | None) -> Value:
+    """A value given as bytes: little-endian, two's complement, IEEE 754; texts without trailing NUL.
+
+    Of more bytes than a number has, the first ones in the order on the wire are the value; fewer are the low ones of an
+    integer, whose others are zero.
+    """
+    return _decode_short(raw, base, bit_size) if len(raw) <= _SHORT else _decode_data(raw, base, bit_size)
 
 
-def _decode_data(raw: str, base: BaseType | None) -> Value:
+def number_size(given: int, base: BaseType, bit_size: int | None) -> int:
+    """Bytes of a number of which so many are given.
+
+    The declared width decides, not the name of the type (ESI-FACTS section 6.3); where the two differ, bytes that fill
+    the type are a whole number, too.
+    """
+    own = ((base.bit_size or 0) + 7) // 8
+    return own if given == own or bit_size is None or bit_size <= 0 else (bit_size + 7) // 8
+
+
+def _decode_data(raw: str, base: BaseType | None, bit_size: int | None) -> Value:
     data = decode_hex_binary(raw)
     if data is None or base is None:
         return Value(raw, "data")
+    size = number_size(len(data), base, bit_size)
     if base.integral:
-        number = int.from_bytes(data, "little", signed=base.signed)
+        number = int.from_bytes(data[:size], "little", signed=base.signed and len(data) >= size)
         return Value(raw, "data", number=number if -MAX_STORED <= number <= MAX_STORED else None)
-    if base.kind == "real" and len(data) in (4, 8):
-        (real,) = struct.unpack("<f" if len(data) == 4 else "<d", data)
+    if base.kind == "real" and (layout := _REALS.get(len(data[:size]))) is not None:
+        (real,) = struct.unpack(layout, data[:size])
         return Value(raw, "data", real=real if real == real and abs(real) != float("inf") else None)
     if base.kind == "string":
         return Value(raw, "data", text=_readable(data.rstrip(b"\0").decode("latin-1")))
@@ -42,6 +57,8 @@ def _decode_data(raw: str, base: BaseType | None) -> Value:
     return Value(raw, "data")
 
 
+_REALS = {4: "<f", 8: "<d"}
+"""Layout of floating point numbers by their bytes."""
 _SHORT = 16
 """Digits of the widest number: few such texts, written in many places."""
 _decode_short = functools.lru_cache(16_384)(_decode_data)

@@ -5,8 +5,9 @@ from collections.abc import Iterator
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.lint.dictionaries import ObjectValues
 from esicatalog.lint.registry import WARNING, Found, listed, rule
-from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.model.base_types import BASE_TYPES, BaseType
 from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
+from esicatalog.model.values import number_size
 
 _FIXED_WIDTH = frozenset({"bool", "int", "uint", "bits", "real", "time", "guid"})
 
@@ -34,10 +35,21 @@ def _length_problem(entry: ObjectEntry) -> str | None:
     wanted = (entry.bit_size + 7) // 8
     if data is None or len(data) == wanted:
         return None
+    base = BASE_TYPES[entry.base_type]
     # Texts may be shorter than their type: the rest is filled up.
-    if len(data) < wanted and BASE_TYPES[entry.base_type].kind not in _FIXED_WIDTH:
+    if len(data) < wanted and base.kind not in _FIXED_WIDTH:
         return None
-    return f"has DefaultData of {len(data)} bytes; {entry.data_type} has {wanted}"
+    return f"has DefaultData of {len(data)} bytes; {entry.data_type} has {wanted}{_reading(len(data), entry, base)}"
+
+
+def _reading(given: int, entry: ObjectEntry, base: BaseType) -> str:
+    """What is made of a number with too many or too few bytes."""
+    if not base.integral and base.kind != "real":
+        return ""
+    size = number_size(given, base, entry.bit_size)
+    if given > size:
+        return f", and the first {size} are read"
+    return ", and the missing ones are read as 0" if given < size and base.integral else ""
 
 
 def _range_problem(entry: ObjectEntry) -> str | None:
