@@ -105,7 +105,7 @@ def chosen_modules(device: Device, modules: Sequence[Module], choice: Mapping[in
 
 def expand_module(device: Device, plugged: PluggedModule) -> ExpandedModule:
     """The module with its PDOs, entries, objects and InitCmds at the indices they have in the slot."""
-    shift = _Shift(device, plugged.slot, plugged.slot_number)
+    shift = SlotShift(device, plugged.slot, plugged.slot_number)
     module = plugged.module
     mailbox = module.mailbox
     if mailbox is not None and mailbox.coe_init_cmds:
@@ -123,7 +123,7 @@ def expand_module(device: Device, plugged: PluggedModule) -> ExpandedModule:
 
 def shift_problems(device: Device, plugged: PluggedModule) -> tuple[str, ...]:
     """The problems of :func:`expand_module`; nearly always a look at the highest index shows that there are none."""
-    highest = max(_indices(plugged.module), default=0) + _Shift(device, plugged.slot, plugged.slot_number).largest
+    highest = max(_indices(plugged.module), default=0) + SlotShift(device, plugged.slot, plugged.slot_number).largest
     return expand_module(device, plugged).problems if highest > MAX_INDEX else ()
 
 
@@ -140,7 +140,7 @@ def _indices(module: Module) -> list[int]:
     return [index for index in found if index is not None]
 
 
-def _profile_in_slot(profile: Any, shift: "_Shift") -> Any:
+def _profile_in_slot(profile: Any, shift: "SlotShift") -> Any:
     dictionary = profile.dictionary
     if dictionary is None or not any(o.depend_on_slot or o.depend_on_slot_group for o in dictionary.objects):
         return profile
@@ -156,7 +156,7 @@ def _in_slot(item: Shifted, field: str, move: Any) -> Shifted:
     return item if moved == index else msgspec.structs.replace(item, **{field: moved})
 
 
-class _Shift:
+class SlotShift:
     """By how much indices move in one slot; what would leave 16 bits stays and is named."""
 
     def __init__(self, device: Device, slot: Slot, slot_number: int) -> None:
