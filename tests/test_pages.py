@@ -77,6 +77,9 @@ async def test_devices_json_is_that_of_the_command(data_db):
     web = await client(data_db)
     found = (await web.get("/-/esi/devices.json?mode=CSV&strict=1")).json()
     assert [item["type"] for item in found] == ["ECX-A202", "EYOU_ServoModule_V143", "L6N"]
+    assert (await web.get("/-/esi/devices.json?limit=100000")).status_code == 200
+    too_many = await web.get("/-/esi/devices.json?limit=100001")
+    assert (too_many.status_code, "give 0 to 100000" in too_many.json()["error"]) == (400, True)
     refused = await web.get("/-/esi/devices.json?mode=XYZ")
     assert (refused.status_code, "say one of" in refused.json()["error"]) == (400, True)
 
