@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from lxml import html
 from snippets import device, esi, pdo, read, rows
+from test_cli import run
 from test_identify import SLAVES, client
 from test_search import catalog_of
 
@@ -167,6 +168,17 @@ async def test_scan_pasted_and_dropped(data_db):
 )
 async def test_what_is_not_there(data_db, path, status):
     assert (await (await client(data_db)).get(path)).status_code == status
+
+
+async def test_virtual_sync_managers_are_named_so(tmp_path):
+    """ESI-FACTS 8, Sm/@Virtual: not a real SyncManager; in the sheet too."""
+    content = '<Sm ControlByte="#x64">Outputs</Sm><Sm ControlByte="#x64" Virtual="1">Outputs</Sm>'
+    db = catalog_of(tmp_path, esi(device(content)))
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    usages = texts(tree, "[aria-label='Sync managers'] tbody td:nth-child(2)")
+    assert usages == ["Outputs", "Outputs (virtual)"]
+    sheet = run("show", "0xe5c:1:1", db=db).stdout.splitlines()
+    assert ["virtual" in line for line in sheet if line.startswith(("  SM0", "  SM1"))] == [False, True]
 
 
 async def test_latest_visible_revision_by_name(data_db):

@@ -139,7 +139,7 @@ def _sync_managers(description: DeviceDescription) -> Iterator[str]:
     rows = []
     for number, sm in enumerate(description.device.sync_managers):
         facts = sm_facts(sm)
-        watchdog = "watchdog" if facts.watchdog_trigger else ""
+        flags = [name for name, on in (("watchdog", facts.watchdog_trigger), ("virtual", sm.virtual)) if on]
         rows.append(
             [
                 f"SM{number}",
@@ -148,14 +148,14 @@ def _sync_managers(description: DeviceDescription) -> Iterator[str]:
                 _hex(sm.control_byte, 2),
                 facts.buffer_mode or "",
                 facts.transfer_direction or "",
-                watchdog,
+                " ".join(flags),
                 _text(sm.min_size),
                 _text(sm.default_size),
                 _text(sm.max_size),
                 _text(sm.enable),
             ]
         )
-    head = ("", "usage", "start", "control", "mode", "direction", "", "min", "default", "max", "enable")
+    head = ("", "usage", "start", "control", "mode", "direction", "flags", "min", "default", "max", "enable")
     yield from _section("Sync managers", head, rows)
 
 
