@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from lxml import html
 from snippets import device, esi, pdo, read, rows
+from test_cli import run
 from test_identify import SLAVES, client
 from test_search import catalog_of
 
@@ -77,6 +78,9 @@ async def test_devices_json_is_that_of_the_command(data_db):
     web = await client(data_db)
     found = (await web.get("/-/esi/devices.json?mode=CSV&strict=1")).json()
     assert [item["type"] for item in found] == ["ECX-A202", "EYOU_ServoModule_V143", "L6N"]
+    assert (await web.get("/-/esi/devices.json?limit=100000")).status_code == 200
+    too_many = await web.get("/-/esi/devices.json?limit=100001")
+    assert (too_many.status_code, "give 0 to 100000" in too_many.json()["error"]) == (400, True)
     refused = await web.get("/-/esi/devices.json?mode=XYZ")
     assert (refused.status_code, "say one of" in refused.json()["error"]) == (400, True)
 
@@ -164,6 +168,17 @@ async def test_scan_pasted_and_dropped(data_db):
 )
 async def test_what_is_not_there(data_db, path, status):
     assert (await (await client(data_db)).get(path)).status_code == status
+
+
+async def test_virtual_sync_managers_are_named_so(tmp_path):
+    """ESI-FACTS 8, Sm/@Virtual: not a real SyncManager; in the sheet too."""
+    content = '<Sm ControlByte="#x64">Outputs</Sm><Sm ControlByte="#x64" Virtual="1">Outputs</Sm>'
+    db = catalog_of(tmp_path, esi(device(content)))
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    usages = texts(tree, "[aria-label='Sync managers'] tbody td:nth-child(2)")
+    assert usages == ["Outputs", "Outputs (virtual)"]
+    sheet = run("show", "0xe5c:1:1", db=db).stdout.splitlines()
+    assert ["virtual" in line for line in sheet if line.startswith(("  SM0", "  SM1"))] == [False, True]
 
 
 async def test_latest_visible_revision_by_name(data_db):

@@ -4,9 +4,13 @@ from pathlib import Path
 
 from snippets import device, dictionary, esi, only_device, pdo, read
 
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.model import scan_compare
 from esicatalog.model.scan_compare import access_text, compare_objects, compare_pdos
 from esicatalog.model.slots import reachable_modules
 from esicatalog.scan.front import read_pdos, read_sdos
+from esicatalog.scan.records import ScannedDictionary, ScannedPdos
 
 SMS = "<Sm>MBoxOut</Sm><Sm>MBoxIn</Sm><Sm>Outputs</Sm><Sm>Inputs</Sm>"
 DESCRIBED = only_device(
@@ -106,3 +110,87 @@ def test_access_words_as_masters_print_them():
     assert access_text(0b000111) == "r-r-r-"
     assert access_text(0b001111) == "rwr-r-"
     assert access_text(0) == "------"
+
+
+MODULAR = (
+    f"{SMS}<Slots SlotPdoIncrement='1' SlotIndexIncrement='#x10'>"
+    "<Slot MinInstances='0' MaxInstances='{}'><ModuleIdent>1</ModuleIdent><ModuleIdent>2</ModuleIdent></Slot></Slots>"
+)
+BY_SLOT = "<Index DependOnSlot='1'>"
+
+
+def module(ident: int, data_type: str, bits: int) -> str:
+    """A module that maps the value of its object 0x7000, moved by its slot."""
+    declared = f"<Name>Out</Name><Type>{data_type}</Type><BitSize>{bits}</BitSize><Flags><Access>rw</Access></Flags>"
+    return (
+        f"<Module><Type ModuleIdent='{ident}'>M</Type><Name>M</Name>"
+        f"<RxPdo Sm='2'>{BY_SLOT}#x1600</Index><Name>R</Name>"
+        f"<Entry>{BY_SLOT}#x7000</Index><SubIndex>0</SubIndex><BitLen>{bits}</BitLen></Entry></RxPdo>"
+        + dictionary(TYPES, f"<Object>{BY_SLOT}#x7000</Index>{declared}</Object>")
+        + "</Module>"
+    )
+
+
+def coupler(slot_count: int) -> tuple[Device, tuple[Module, ...]]:
+    """A coupler whose slots take modules of 16 and of 32 bits."""
+    content = dictionary(TYPES, OBJECTS) + MODULAR.format(slot_count)
+    (info,) = read(esi(device(content), module(1, "UINT", 16) + module(2, "DINT", 32))).document.infos
+    return info.devices[0], info.modules
+
+
+def plugged_pdos(*slots: int) -> ScannedPdos:
+    """What a master prints of 32 bit modules in these slots."""
+    lines = [
+        f'  RxPDO 0x{0x1600 + slot:04x} "R"\n    PDO entry 0x{0x7000 + 16 * slot:04x}:00, 32 bit, "Out"\n'
+        for slot in slots
+    ]
+    (slave,) = read_pdos(HEAD + "".join(lines)).slaves
+    return slave
+
+
+def plugged_objects(*slots: int) -> ScannedDictionary:
+    """The same of objects, those of the coupler before them."""
+    lines = [
+        'SDO 0x6040, "C"\n  0x6040:00, rwrwrw, uint16, 16 bit, "C"\n',
+        'SDO 0x607a, "T"\n  0x607a:00, rwr-r-, int32, 32 bit, "T"\n',
+        *(
+            f'SDO 0x{index:04x}, "Out"\n  0x{index:04x}:00, rwrwrw, int32, 32 bit, "Out"\n'
+            for index in (0x7000 + 16 * slot for slot in slots)
+        ),
+    ]
+    (slave,) = read_sdos("".join(lines)).slaves
+    return slave
+
+
+def test_modules_count_in_every_slot_of_a_coupler():
+    """Slot n has its PDO at 0x1600 + n and its object at 0x7000 + 0x10 n; any module that fits may be there."""
+    unit, modules = coupler(254)
+    assert compare_pdos(unit, modules, plugged_pdos(0, 15, 16, 253)) == [
+        "SM2: assigned are 0x1600, 0x160F, 0x1610, 0x16FD; the default is none"
+    ]
+    assert compare_objects(unit, modules, plugged_objects(0, 15, 16, 253)) == []
+
+
+def test_slots_that_no_coupler_has_are_not_looked_at_and_told():
+    unit, modules = coupler(1_000_000)
+    left_out = "255 of 1000000 slots were looked at: what is not described may be of a module in another"
+    assert compare_pdos(unit, modules, plugged_pdos(254, 255)) == [
+        "RxPDO 0x16FF: not described",
+        "SM2: assigned are 0x16FE, 0x16FF; the default is none",
+        left_out,
+    ]
+    assert compare_objects(unit, modules, plugged_objects(254, 255)) == [
+        "0x7FF0: not described (Out)",
+        left_out,
+    ]
+
+
+def test_the_more_modules_bring_the_fewer_slots_are_looked_at(monkeypatch):
+    """Two modules with a PDO of one entry each make 1 + 2 + 2 * 2 parts: 70 parts are enough for 10 slots."""
+    monkeypatch.setattr(scan_compare, "_MOST_PLACES", 70)
+    unit, modules = coupler(11)
+    assert compare_pdos(unit, modules, plugged_pdos(9, 10)) == [
+        "RxPDO 0x160A: not described",
+        "SM2: assigned are 0x1609, 0x160A; the default is none",
+        "10 of 11 slots were looked at: what is not described may be of a module in another",
+    ]

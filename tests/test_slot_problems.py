@@ -64,3 +64,10 @@ def test_an_index_that_leaves_16_bits_is_named():
     assert shift_problems(Device(), PluggedModule(1, slot, Module(rx_pdos=(pdo,)))) == ()
     problems = shift_problems(Device(), PluggedModule(2, slot, Module(rx_pdos=(pdo,))))
     assert problems == ("object 0xFFFE would become 0x10000 in slot 2; left unshifted",)
+
+
+def test_an_index_that_would_become_negative_is_named():
+    pdo = Pdo(pdo_index=0x1600, entries=(Entry(entry_index=0x10, depend_on_slot=True),))
+    slot = Slot(slot_index_increment=-0x11)
+    problems = shift_problems(Device(), PluggedModule(1, slot, Module(rx_pdos=(pdo,))))
+    assert problems == ("object 0x0010 would become -0x1 in slot 1; left unshifted",)

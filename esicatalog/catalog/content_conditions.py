@@ -12,6 +12,8 @@ from esicatalog.catalog.schema import devices, pdo_entries, pdos, profiles
 _LINKS = schema.device_modules.c
 _OF_PDO = pdo_entries.c.pdo_id == tested(pdos.c.id)
 """From the devices to their PDOs to the entries: a planner that takes entries for few would begin with all."""
+_SM_WITH_MODULE = sa.case((pdos.c.virtual == sa.true(), None), else_=pdos.c.sm)
+"""SyncManager that a PDO of a module goes to with it, as :func:`esicatalog.model.process_image.module_sms` tells it."""
 
 
 def profile(profile_no: int) -> Condition:
@@ -100,16 +102,15 @@ def maps(mapped: Mapped, bits: int | None) -> Condition:
             pdo_entries.c.entry_index,
             sa.func.coalesce(pdo_entries.c.subindex, 0),
             pdo_entries.c.bit_length,
-            pdos.c.sm,
         )
         fits = _entry_fits(tested(pdo_entries.c.entry_index), mapped, bits)
         own = (
-            sa.select(pdos.c.device_id, sa.null(), *columns)
+            sa.select(pdos.c.device_id, sa.null(), *columns, pdos.c.image_sm)
             .join(pdo_entries, _OF_PDO)
             .where(*fits, pdos.c.device_id.in_(ids))
         )
         modular = (
-            sa.select(_LINKS.device_id, modules.module_ident, *columns)
+            sa.select(_LINKS.device_id, modules.module_ident, *columns, _SM_WITH_MODULE)
             .join(pdos, pdos.c.module_id == _LINKS.module_id)
             .join(schema.modules, modules.id == _LINKS.module_id)
             .join(pdo_entries, _OF_PDO)

@@ -11,13 +11,15 @@ PROTOCOLS = (*MAILBOX_PROTOCOLS, "fsoe")
 SYNC_SIGNALS = ("sync0", "sync1")
 MODES = tuple(DRIVE_MODES)
 IDENTIFICATIONS = ("reg134", "ado")
+_MOST_LISTED = 100_000
 
 Mapped = tuple[int, int | None]
 """An object: index and subindex, None for every subindex."""
 
 
 class DeviceFilter(msgspec.Struct, frozen=True, kw_only=True):
-    """What devices have to fulfil; all given conditions together. Raises :class:`InputError` for unknown words.
+    """What devices have to fulfil; all given conditions together. Raises :class:`InputError` for unknown words
+    and for a limit that cannot be.
 
     Sizes, layout and drive modes are those of the default process image and of whatever module can be plugged; an
     answer says on what it rests.
@@ -81,6 +83,8 @@ class DeviceFilter(msgspec.Struct, frozen=True, kw_only=True):
             raise InputError("bits is the length of the entries named by maps; give maps INDEX[:SUBINDEX] too")
         if self.strict and not self.modes:
             raise InputError("strict is about drive modes; give mode too, e.g. CSV")
+        if self.limit is not None and not 0 <= self.limit <= _MOST_LISTED:
+            raise InputError(f"limit cannot be so; give 0 to {_MOST_LISTED}, or none to list all devices")
 
 
 def _one_of(name: str, word: str, allowed: tuple[str, ...]) -> None:

@@ -8,7 +8,6 @@ from esicatalog.errors import InputError
 from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_modes, parse_number
 
 TRUE_WORDS, FALSE_WORDS = ("1", "true", "yes", "on"), ("0", "false", "no", "off")
-_MOST_LISTED = 100_000
 
 
 class Parameter(NamedTuple):
@@ -25,10 +24,6 @@ def parse_flag(text: str) -> bool:
     if text not in (*TRUE_WORDS, *FALSE_WORDS):
         raise InputError(f"{text[:40]!r} is neither 1 nor 0")
     return text in TRUE_WORDS
-
-
-def _limit(text: str) -> int:
-    return parse_number(text, "limit", _MOST_LISTED)
 
 
 def parse_vendor(text: str) -> tuple[int | None, str | None]:
@@ -68,7 +63,7 @@ PARAMETERS: dict[str, Parameter] = {
     "like": Parameter("like", parse_identity),
     "all-variants": Parameter("all_variants", parse_flag),
     "include-hidden": Parameter("include_hidden", parse_flag),
-    "limit": Parameter("limit", _limit),
+    "limit": Parameter("limit", parse_number),
 }
 """All filters but ``vendor``, which is an id or a part of a name."""
 

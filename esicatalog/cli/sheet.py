@@ -7,14 +7,15 @@ from esicatalog.catalog.description import DeviceDescription
 from esicatalog.cli.common import table_lines
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.pdo import Entry
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
-from esicatalog.model.process_image import SmImage, alternative_assignments, byte_bit
+from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import default_op_mode, sync_signals
@@ -40,7 +41,7 @@ def sheet_lines(description: DeviceDescription, choice: Mapping[int, int]) -> It
     yield from _sync_managers(description)
     yield from _process_image(images, "Process image" if choice else "Default process image")
     yield from _assignments(description)
-    yield from _pdos(description.device.rx_pdos, description.device.tx_pdos, "PDOs of the device")
+    yield from _pdos(description.device, assigned_sms(images), "PDOs of the device")
     for module in description.modules:
         yield from _module(module)
     yield from _mailbox(description.device.mailbox)
@@ -138,7 +139,7 @@ def _sync_managers(description: DeviceDescription) -> Iterator[str]:
     rows = []
     for number, sm in enumerate(description.device.sync_managers):
         facts = sm_facts(sm)
-        watchdog = "watchdog" if facts.watchdog_trigger else ""
+        flags = [name for name, on in (("watchdog", facts.watchdog_trigger), ("virtual", sm.virtual)) if on]
         rows.append(
             [
                 f"SM{number}",
@@ -147,14 +148,14 @@ def _sync_managers(description: DeviceDescription) -> Iterator[str]:
                 _hex(sm.control_byte, 2),
                 facts.buffer_mode or "",
                 facts.transfer_direction or "",
-                watchdog,
+                " ".join(flags),
                 _text(sm.min_size),
                 _text(sm.default_size),
                 _text(sm.max_size),
                 _text(sm.enable),
             ]
         )
-    head = ("", "usage", "start", "control", "mode", "direction", "", "min", "default", "max", "enable")
+    head = ("", "usage", "start", "control", "mode", "direction", "flags", "min", "default", "max", "enable")
     yield from _section("Sync managers", head, rows)
 
 
@@ -186,17 +187,19 @@ def _entry_index(entry: Entry) -> str:
     return f"{_hex(entry.entry_index)}:{entry.subindex or 0:02X}" if entry.entry_index else "padding"
 
 
-def _pdos(rx_pdos: tuple[Pdo, ...], tx_pdos: tuple[Pdo, ...], title: str) -> Iterator[str]:
+def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str) -> Iterator[str]:
+    """``sms`` are the SyncManagers of those that are assigned."""
     rows = []
-    for direction, pdos in (("RxPdo", rx_pdos), ("TxPdo", tx_pdos)):
-        for pdo in pdos:
+    for direction, pdos in (("RxPdo", owner.rx_pdos), ("TxPdo", owner.tx_pdos)):
+        for position, pdo in enumerate(pdos):
+            sm = sms.get((direction, position))
             flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
             bits = sum(entry.bit_length or 0 for entry in pdo.entries)
             rows.append(
                 [
                     direction,
                     _hex(pdo.pdo_index),
-                    f"SM{pdo.sm}" if pdo.sm is not None else "optional",
+                    f"SM{sm}" if sm is not None else "no",
                     str(len(pdo.entries)),
                     str(bits),
                     " ".join(flags),
@@ -211,7 +214,7 @@ def _module(module: Module) -> Iterator[str]:
     title = f"Module {_hex(module.module_ident)}  {module.type or ''}  {display_text(module.names) or ''}".rstrip()
     yield ""
     yield title
-    yield from _pdos(module.rx_pdos, module.tx_pdos, "  PDOs of the module")
+    yield from _pdos(module, module_sms(module), "  PDOs of the module")
     if module.mailbox is not None:
         yield from _init_cmds(module.mailbox, "  InitCmds of the module")
 

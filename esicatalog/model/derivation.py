@@ -61,7 +61,7 @@ class Derivation:
     @cached_property
     def modes(self) -> DriveModes:
         """What the description says about drive modes."""
-        return drive_modes(self._device, self._modules, self._views)
+        return drive_modes(self._device, self._modules, self._views, self.images)
 
     @cached_property
     def facts(self) -> DeviceFacts:

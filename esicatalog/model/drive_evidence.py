@@ -86,6 +86,8 @@ class Part(NamedTuple):
     views: tuple[DictionaryView, ...]
     """Its dictionaries."""
     rx_pdos: tuple[Pdo, ...]
+    assigned: tuple[Pdo, ...]
+    """Those of them that are in the default process image; of a module, in the one with it plugged."""
     init_cmds: tuple[InitCmd, ...]
     profiles: tuple[Profile, ...]
     """Those that speak for this axis."""
@@ -334,7 +336,7 @@ def maps_setpoint(part: Part, pdo: Pdo, mode: DriveMode) -> bool:
 def mapping_pdo(part: Part, mode: DriveMode) -> Pdo | None:
     """The RxPDO that maps the setpoint of a mode: one that is assigned by default before others."""
     fitting = [pdo for pdo in part.rx_pdos if maps_setpoint(part, pdo, mode)]
-    return next((pdo for pdo in fitting if pdo.sm is not None), fitting[0] if fitting else None)
+    return next((pdo for pdo in fitting if pdo in part.assigned), fitting[0] if fitting else None)
 
 
 def maps_mode_of_operation(part: Part, pdos: Sequence[Pdo]) -> Pdo | None:

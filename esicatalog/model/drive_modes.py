@@ -41,6 +41,7 @@ from esicatalog.model.drive_evidence import (
     pdo_words,
     written_mode,
 )
+from esicatalog.model.process_image import SmImage, default_process_image, process_image
 from esicatalog.model.slots import (
     PluggedModule,
     SlotDependence,
@@ -84,16 +85,21 @@ class DriveModes(Record):
     verdicts: tuple[DriveModeVerdict, ...] = ()
 
 
-def drive_modes(device: Device, modules: Sequence[Module] = (), views: DictionaryViews | None = None) -> DriveModes:
+def drive_modes(
+    device: Device,
+    modules: Sequence[Module] = (),
+    views: DictionaryViews | None = None,
+    images: Sequence[SmImage] | None = None,
+) -> DriveModes:
     """Findings and verdicts for a device with the modules its slots can reach.
 
-    ``views`` knows dictionaries that were looked at before.
+    ``views`` knows dictionaries that were looked at before, ``images`` is the default process image where it is known.
     """
     views = views or DictionaryViews()
     drives = [module for module in modules if may_be_drive(module, views)]
     if not drives and not may_be_drive(device, views):
         return DriveModes(verdicts=tuple(_other_systems(device, views)))
-    own = _device_parts(device, views)
+    own = _device_parts(device, views, default_process_image(device, modules) if images is None else images)
     own_axes = {part.axis for part in own if has_cia402(part)}
     plugged = _module_parts(device, modules if own_axes else drives, views)
     defaults = {(item.slot_number, item.module.module_ident) for item in default_modules(device, modules)}
@@ -119,8 +125,9 @@ def drive_modes(device: Device, modules: Sequence[Module] = (), views: Dictionar
     return DriveModes(evidence=tuple(evidence), verdicts=tuple(verdicts))
 
 
-def _device_parts(device: Device, known: DictionaryViews) -> list[Part]:
+def _device_parts(device: Device, known: DictionaryViews, images: Sequence[SmImage]) -> list[Part]:
     views = known.of(device.profiles)
+    assigned = _assigned(images, None)
     sync0 = any(sync_signals(mode.assign_activate).sync0 for mode in device.op_modes)
     commands = device.mailbox.coe_init_cmds if device.mailbox is not None else ()
     return [
@@ -131,6 +138,7 @@ def _device_parts(device: Device, known: DictionaryViews) -> list[Part]:
             "",
             views,
             device.rx_pdos,
+            assigned,
             commands,
             device.profiles if axis == 0 else (),
             sync0,
@@ -177,6 +185,8 @@ def _plugged(device: Device, modules: Sequence[Module]) -> Iterator[PluggedModul
 
 def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int, known: DictionaryViews) -> Part:
     module = expand_module(device, plugged).module
+    default = default_op_mode(device.op_modes)
+    op_mode = device.op_modes[default] if default is not None else None
     modes = [mode for mode in device.op_modes if module.dc_op_mode_name in (None, mode.name)]
     return Part(
         shift // AXIS_STEP,
@@ -185,11 +195,22 @@ def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int,
         f"{module.type or ''} / {display_text(module.names) or ''}",
         known.of(module.profiles),
         module.rx_pdos,
+        _assigned(process_image(device, [plugged], op_mode), plugged.slot_number),
         module.mailbox.coe_init_cmds if module.mailbox is not None else (),
         module.profiles if first == 0 else (),
         any(sync_signals(mode.assign_activate).sync0 for mode in modes),
         shift,
         module.dc_op_mode_name,
+    )
+
+
+def _assigned(images: Sequence[SmImage], slot_number: int | None) -> tuple[Pdo, ...]:
+    """RxPDOs of the device itself or of what is in a slot, as far as they are in its process image."""
+    return tuple(
+        placed.pdo
+        for image in images
+        for placed in image.pdos
+        if placed.direction == "RxPdo" and placed.slot_number == slot_number
     )
 
 
@@ -296,10 +317,10 @@ def _with_recipe(
         which = ["default" if is_default else "not the default", *(f"or {ident}" for ident in alternatives)]
         steps.append(f"plug module 0x{module.module_ident:X} into slot {module.slot_number} ({', '.join(which)})")
     mapped = next(((part, pdo) for part in reversed(parts) if (pdo := mapping_pdo(part, mode)) is not None), None)
-    pdo = mapped[1] if mapped is not None else None
-    pdo_is_default = None
-    if pdo is not None:
-        pdo_is_default = pdo.sm is not None
+    pdo, pdo_is_default = None, None
+    if mapped is not None:
+        part, pdo = mapped
+        pdo_is_default = pdo in part.assigned
         steps.append(
             f"{pdo_words(pdo)} maps the setpoint" + ("" if pdo_is_default else "; it is not assigned by default")
         )

@@ -234,6 +234,26 @@ class _ImageBuilder:
         self._group, self._group_start = following, self.bit_size
 
 
+def assigned_sms(images: Iterable[SmImage]) -> dict[tuple[str, int], int]:
+    """SyncManagers of the device's own assigned PDOs, by direction and position."""
+    return {
+        (pdo.direction, pdo.position): image.sm
+        for image in images
+        for pdo in image.pdos
+        if pdo.slot_number is None and pdo.position is not None
+    }
+
+
+def module_sms(module: Module) -> dict[tuple[str, int], int]:
+    """SyncManagers that PDOs of a module go to with it, by direction and position, whatever it is plugged into."""
+    return {
+        (direction, position): pdo.sm
+        for direction, pdos in (("RxPdo", module.rx_pdos), ("TxPdo", module.tx_pdos))
+        for position, pdo in enumerate(pdos)
+        if pdo.sm is not None and not pdo.virtual
+    }
+
+
 def alternative_assignments(device: Device) -> list[NamedAssignment]:
     """The predefined PDO assignments of TwinCAT: Info/VendorSpecific/TwinCAT/AlternativeSmMapping."""
     if device.info_vendor_specific is None or "AlternativeSmMapping" not in device.info_vendor_specific:

@@ -5,18 +5,21 @@ assignment other than the default one is told as such and need not be a fault.
 """
 
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Container, Iterator, Mapping, Sequence
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.base_types import base_type
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
+from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.process_image import default_process_image
-from esicatalog.model.slots import PluggedModule, accepts, expand_module, numbered_slots
+from esicatalog.model.slots import SlotShift, accepts, numbered_slots
 from esicatalog.scan.records import ScannedDictionary, ScannedObjectEntry, ScannedPdo, ScannedPdos
 
-_MOST_SLOTS = 16
+_MOST_PLACES = 2_000_000
+"""How much is looked at of modules in slots, each of their parts in each slot; couplers of 254 slots need a million."""
 _STATES = ("PREOP", "SAFEOP", "OP")
 _READ_BITS, _WRITE_BITS = 0, 3
 """Lowest bits of the CoE access word for reading and writing."""
@@ -30,7 +33,9 @@ _ALIKE = {"uint": "uint", "bits": "uint", "bool": "bool"}
 
 def compare_pdos(device: Device, modules: Sequence[Module], seen: ScannedPdos) -> list[str]:
     """What of the printed PDOs is not as described: unknown PDOs, other mappings, another assignment."""
-    known = _described_pdos(device, modules)
+    slots = _AnySlot(device, modules, sum(1 + len(pdo.entries) for module in modules for _, pdo in _pdos(module)))
+    printed = {pdo.index for sync_manager in seen.sync_managers for pdo in sync_manager.pdos}
+    known = _described_pdos(device, slots, printed)
     assigned = {image.sm: [pdo.pdo.pdo_index for pdo in image.pdos] for image in default_process_image(device, modules)}
     found: list[str] = []
     for sync_manager in seen.sync_managers:
@@ -42,27 +47,59 @@ def compare_pdos(device: Device, modules: Sequence[Module], seen: ScannedPdos) -
             listed = ", ".join(f"0x{index:04X}" for index in default if index is not None) or "none"
             shown = ", ".join(f"0x{index:04X}" for index in now)
             found.append(f"SM{sync_manager.number}: assigned are {shown}; the default is {listed}")
-    return found
+    return [*found, *slots.left_out()]
 
 
-def _described_pdos(device: Device, modules: Sequence[Module]) -> dict[tuple[bool, int], set[_Mapping]]:
-    """Mappings by direction (true = RxPDO) and index: the device's own, and those of modules in any slot."""
-    known: dict[tuple[bool, int], set[_Mapping]] = {}
-    owners: list[Device | Module] = [device, *_expanded_modules(device, modules)]
-    for owner in owners:
-        for is_rx, pdos in ((True, owner.rx_pdos), (False, owner.tx_pdos)):
-            for pdo in pdos:
-                if pdo.pdo_index is not None:
-                    known.setdefault((is_rx, pdo.pdo_index), set()).add(_described_mapping(pdo))
+class _AnySlot:
+    """Modules in every slot that accepts them, for the master does not say what is plugged.
+
+    ``parts`` is what there is to look at in all modules: with it the number of slots is limited.
+    """
+
+    def __init__(self, device: Device, modules: Sequence[Module], parts: int) -> None:
+        self._device = device
+        self._modules = modules
+        self._most = _MOST_PLACES // (1 + len(modules) + parts)
+
+    def __iter__(self) -> Iterator[tuple[Module, SlotShift]]:
+        fitting: dict[int, list[Module]] = {}
+        for number, slot, _ in itertools.islice(numbered_slots(self._device), self._most):
+            if id(slot) not in fitting:
+                fitting[id(slot)] = [module for module in self._modules if accepts(slot, module)]
+            shift = SlotShift(self._device, slot, number)
+            for module in fitting[id(slot)]:
+                yield module, shift
+
+    def left_out(self) -> Iterator[str]:
+        """A sentence when there are more slots than were looked at."""
+        declared = sum(max(slot.max_instances or 1, 1) for slot in self._device.slots)
+        looked_at = min(sum(1 for _ in numbered_slots(self._device)), self._most)
+        if self._modules and looked_at < declared:
+            yield f"{looked_at} of {declared} slots were looked at: what is not described may be of a module in another"
+
+
+def _pdos(owner: Device | Module) -> Iterator[tuple[bool, Pdo]]:
+    """PDOs with their direction (true = RxPDO)."""
+    yield from ((True, pdo) for pdo in owner.rx_pdos)
+    yield from ((False, pdo) for pdo in owner.tx_pdos)
+
+
+def _described_pdos(
+    device: Device, slots: _AnySlot, printed: Container[int]
+) -> Mapping[tuple[bool, int], set[_Mapping]]:
+    """Mappings by direction (true = RxPDO) and index: the device's own, and what modules bring of the printed ones."""
+    known: dict[tuple[bool, int], set[_Mapping]] = defaultdict(set)
+    for is_rx, pdo in _pdos(device):
+        if pdo.pdo_index is not None:
+            known[is_rx, pdo.pdo_index].add(_described_mapping(pdo))
+    for module, shift in slots:
+        for is_rx, pdo in _pdos(module):
+            if pdo.pdo_index is None:
+                continue
+            index = shift.pdo_index(pdo.pdo_index, pdo.depend_on_slot, pdo.depend_on_slot_group)
+            if index in printed:
+                known[is_rx, index].add(_described_mapping(shift.pdo(pdo)))
     return known
-
-
-def _expanded_modules(device: Device, modules: Sequence[Module]) -> Iterator[Module]:
-    """What every fitting module becomes in each of the first slots: the master does not say what is plugged."""
-    for number, slot, _ in itertools.islice(numbered_slots(device), _MOST_SLOTS):
-        for module in modules:
-            if accepts(slot, module):
-                yield expand_module(device, PluggedModule(number, slot, module)).module
 
 
 def _described_mapping(pdo: Pdo) -> _Mapping:
@@ -101,32 +138,59 @@ def compare_objects(device: Device, modules: Sequence[Module], seen: ScannedDict
     own = _described_entries(device)
     if not own:
         return []
-    described = dict(own)
-    for module in _expanded_modules(device, modules):
-        for key, entry in _described_entries(module).items():
-            described.setdefault(key, entry)
+    shown = {item.index for item in seen.objects}
+    dictionaries = [p.dictionary for module in modules for p in module.profiles if p.dictionary is not None]
+    slots = _AnySlot(device, modules, sum(len(dictionary.objects) for dictionary in dictionaries))
+    brought = _brought_objects(slots, shown)
     printed = {(item.index, entry.subindex): entry for item in seen.objects for entry in item.entries}
-    indices = {index for index, _ in described}
+    indices = {index for index, _ in own} | brought.keys()
     found = [
         f"0x{item.index:04X}: not described ({item.name or 'no name'})"
         for item in seen.objects
         if item.index not in indices
     ]
-    shown = {item.index for item in seen.objects}
     for index in dict.fromkeys(index for index, _ in own if index not in shown):
         found.append(f"0x{index:04X}: described, but not on the device")
     for (index, subindex), printed_entry in sorted(printed.items()):
-        known = described.get((index, subindex))
+        known = _known_entries(own, brought, index, subindex)
         where = f"0x{index:04X}:{subindex:02X}"
-        if known is not None:
-            found.extend(f"{where}: {words}" for words in _entry_differences(printed_entry, known))
+        if known:
+            differences = [list(_entry_differences(printed_entry, entry)) for entry in known]
+            found.extend(f"{where}: {words}" for words in min(differences, key=len))
         elif index in indices:
             found.append(f"{where}: not described ({printed_entry.name or 'no name'})")
     for index, subindex in sorted(own):
         if index in shown and (index, subindex) not in printed:
             name = own[index, subindex].name or "no name"
             found.append(f"0x{index:04X}:{subindex:02X}: described ({name}), but not on the device")
+    return [*found, *slots.left_out()]
+
+
+_Brought = Mapping[int, Mapping[tuple[DictionaryView, int], None]]
+"""Objects of modules by the index that they have in a slot: alternatives in order, each by its place unplugged."""
+
+
+def _brought_objects(slots: _AnySlot, shown: Container[int]) -> _Brought:
+    """What modules bring of the printed objects."""
+    views = DictionaryViews()
+    found: dict[int, dict[tuple[DictionaryView, int], None]] = defaultdict(dict)
+    for module, shift in slots:
+        for view in views.of(module.profiles):
+            for base, declared in view.by_index.items():
+                index = shift.object_index(base, declared.depend_on_slot, declared.depend_on_slot_group)
+                if index in shown:
+                    found[index][view, base] = None
     return found
+
+
+def _known_entries(
+    own: Mapping[tuple[int, int], ObjectEntry], brought: _Brought, index: int, subindex: int
+) -> list[ObjectEntry]:
+    """What is described at a place: by the device itself, else by each module that could be plugged."""
+    if (index, subindex) in own:
+        return [own[index, subindex]]
+    found = [(view.entries(base) or {}).get(subindex) for view, base in brought.get(index, ())]
+    return [entry for entry in found if entry is not None]
 
 
 def _described_entries(owner: Device | Module) -> dict[tuple[int, int], ObjectEntry]:

@@ -105,7 +105,7 @@ def chosen_modules(device: Device, modules: Sequence[Module], choice: Mapping[in
 
 def expand_module(device: Device, plugged: PluggedModule) -> ExpandedModule:
     """The module with its PDOs, entries, objects and InitCmds at the indices they have in the slot."""
-    shift = _Shift(device, plugged.slot, plugged.slot_number)
+    shift = SlotShift(device, plugged.slot, plugged.slot_number)
     module = plugged.module
     mailbox = module.mailbox
     if mailbox is not None and mailbox.coe_init_cmds:
@@ -123,8 +123,9 @@ def expand_module(device: Device, plugged: PluggedModule) -> ExpandedModule:
 
 def shift_problems(device: Device, plugged: PluggedModule) -> tuple[str, ...]:
     """The problems of :func:`expand_module`; nearly always a look at the highest index shows that there are none."""
-    highest = max(_indices(plugged.module), default=0) + _Shift(device, plugged.slot, plugged.slot_number).largest
-    return expand_module(device, plugged).problems if highest > MAX_INDEX else ()
+    shift = SlotShift(device, plugged.slot, plugged.slot_number)
+    may_leave = shift.moves_down or max(_indices(plugged.module), default=0) + shift.largest > MAX_INDEX
+    return expand_module(device, plugged).problems if may_leave else ()
 
 
 def _indices(module: Module) -> list[int]:
@@ -165,12 +166,12 @@ def slot_dependences(module: Module, indices: range) -> list[SlotDependence]:
 
 def furthest_move(device: Device, plugged: PluggedModule, dependences: Iterable[SlotDependence]) -> int:
     """How far the objects move that move furthest up in the slot."""
-    shift = _Shift(device, plugged.slot, plugged.slot_number)
+    shift = SlotShift(device, plugged.slot, plugged.slot_number)
     moves = [shift.object_index(index, by_slot, by_group) - index for by_slot, by_group, index in dependences]
     return max((0, *moves))
 
 
-def _profile_in_slot(profile: Any, shift: "_Shift") -> Any:
+def _profile_in_slot(profile: Any, shift: "SlotShift") -> Any:
     dictionary = profile.dictionary
     if dictionary is None or not any(o.depend_on_slot or o.depend_on_slot_group for o in dictionary.objects):
         return profile
@@ -186,7 +187,7 @@ def _in_slot(item: Shifted, field: str, move: Any) -> Shifted:
     return item if moved == index else msgspec.structs.replace(item, **{field: moved})
 
 
-class _Shift:
+class SlotShift:
     """By how much indices move in one slot; what would leave 16 bits stays and is named."""
 
     def __init__(self, device: Device, slot: Slot, slot_number: int) -> None:
@@ -200,6 +201,11 @@ class _Shift:
         self._pdos_of_group = group * increment(slot.slot_group_pdo_increment, device.slot_group_pdo_increment)
         self._slot_number = slot_number
         self.problems: list[str] = []
+
+    @property
+    def moves_down(self) -> bool:
+        """Whether increments are negative, as no real file has them."""
+        return min(self._objects, self._objects_of_group, self._pdos, self._pdos_of_group) < 0
 
     @property
     def largest(self) -> int:

@@ -10,14 +10,15 @@ from esicatalog.catalog.mapping import image_key
 from esicatalog.errors import InputError
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
 from esicatalog.identity import parse_plugged
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.pdo_facts import symmetric_exclusions
-from esicatalog.model.process_image import SmImage, alternative_assignments, byte_bit
+from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import accepts, chosen_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
@@ -88,13 +89,13 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         "slots": _slots(description, choice),
         "sync_managers": [_sync_manager(number, sm) for number, sm in enumerate(device.sync_managers)],
         "memory_map": memory_map_svg(device, images) if device.sync_managers else "",
-        "pdos": _pdos(device.rx_pdos, device.tx_pdos),
+        "pdos": _pdos(device, assigned_sms(derived.images)),
         "assignments": alternative_assignments(device),
         "modules": [
             {
                 "ident": module.module_ident,
                 "name": display_text(module.names) or module.type or "",
-                "pdos": _pdos(module.rx_pdos, module.tx_pdos),
+                "pdos": _pdos(module, module_sms(module)),
                 "commands": _commands(module.mailbox),
             }
             for module in description.modules
@@ -184,14 +185,15 @@ def _sync_manager(number: int, sm: Any) -> dict[str, Any]:
     return {"number": number, "sm": sm, "facts": sm_facts(sm)}
 
 
-def _pdos(rx_pdos: tuple[Pdo, ...], tx_pdos: tuple[Pdo, ...]) -> list[dict[str, Any]]:
-    exclusions = symmetric_exclusions((*rx_pdos, *tx_pdos))
+def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[dict[str, Any]]:
+    """``sms`` are the SyncManagers of those that are assigned."""
+    exclusions = symmetric_exclusions((*owner.rx_pdos, *owner.tx_pdos))
     return [
         {
             "direction": direction,
             "index": pdo.pdo_index,
             "name": display_text(pdo.names) or "",
-            "sm": pdo.sm,
+            "sm": sms.get((direction, position)),
             "bits": sum(entry.bit_length or 0 for entry in pdo.entries),
             "flags": [flag for flag in ("fixed", "mandatory", "virtual") if getattr(pdo, flag)],
             "excludes": exclusions.get(pdo.pdo_index, ()),
@@ -206,8 +208,8 @@ def _pdos(rx_pdos: tuple[Pdo, ...], tx_pdos: tuple[Pdo, ...]) -> list[dict[str, 
                 for entry in pdo.entries
             ],
         }
-        for direction, pdos in (("RxPDO", rx_pdos), ("TxPDO", tx_pdos))
-        for pdo in pdos
+        for direction, pdos in (("RxPdo", owner.rx_pdos), ("TxPdo", owner.tx_pdos))
+        for position, pdo in enumerate(pdos)
     ]
 
 
