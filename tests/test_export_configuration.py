@@ -107,6 +107,33 @@ def test_a_mandatory_pdo_is_assigned_too_and_cannot_be_excluded():
         configured(content, pdos=parse_pdo_choice("0x1601"))
 
 
+BOTH_WAYS = (
+    pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')
+    + pdo("RxPdo", "#x1601", 16, extra="<Exclude>#x1A00</Exclude>")
+    + pdo("TxPdo", "#x1A00", 16, attributes='Sm="3"')
+    + pdo("TxPdo", "#x1A01", 16)
+)
+
+
+def test_a_chosen_pdo_cannot_exclude_the_default_of_another_sync_manager():
+    with pytest.raises(InputError, match="0x1601 and PDO 0x1A00 exclude each other, and 0x1A00 is the default of SM3"):
+        configured(SMS + BOTH_WAYS + COE, pdos=parse_pdo_choice("0x1601"))
+    found = configured(SMS + BOTH_WAYS + COE, pdos=parse_pdo_choice("0x1601,0x1A01"))
+    assert pdos(found) == {2: [0x1601], 3: [0x1A01]}
+
+
+def test_the_list_of_the_op_mode_is_the_default_that_a_chosen_pdo_may_exclude():
+    """With OpMode 0 SM3 has 0x1A01, which nothing excludes; with OpMode 1 0x1A00."""
+    modes = dc(*((name, f'{times("0")}<Sm No="3"><Pdo>{index}</Pdo></Sm>') for name, index in LISTED_INPUTS))
+    content = SMS + BOTH_WAYS + COE + modes
+    assert pdos(configured(content, pdos=parse_pdo_choice("0x1601"))) == {2: [0x1601], 3: [0x1A01]}
+    with pytest.raises(InputError, match="0x1A00 is the default of SM3"):
+        configured(content, pdos=parse_pdo_choice("0x1601"), op_mode="1")
+
+
+LISTED_INPUTS = (("a", "#x1A01"), ("b", "#x1A00"))
+
+
 def test_a_device_that_does_not_declare_pdo_assign_is_named():
     content = SMS + PDOS
     assert configured(content, pdos=parse_pdo_choice("0x1600")).remarks == ()

@@ -133,7 +133,8 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     position, mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
     op_mode = device.op_modes[position] if position is not None else None
     objects = ObjectTable(_dictionaries((device, *(item.module for item in expanded))))
-    chosen = apply_choice(device, plugged, choice.pdos, objects)
+    default = process_image(device, plugged, op_mode)
+    chosen = apply_choice(device, plugged, choice.pdos, objects, default)
     images = process_image(chosen.device, chosen.plugged, op_mode, chosen.assignment)
     found_clocks = clocks(op_mode, choice.cycle_ns)
     commands, command_remarks = start_commands(device, plugged, expanded)
@@ -141,7 +142,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     remarks = [
         *mode_remarks,
         *chosen.remarks,
-        *_assignment_remarks(device, plugged, op_mode, chosen, images),
+        *_assignment_remarks(device, chosen, default, images),
         *(remark for image in images for remark in image.remarks),
         *(found_clocks.remarks if found_clocks is not None else ()),
         *command_remarks,
@@ -183,18 +184,14 @@ def _dictionaries(owners: Iterable[Device | Module]) -> Iterator[Dictionary]:
 
 
 def _assignment_remarks(
-    device: Device,
-    plugged: Sequence[PluggedModule],
-    op_mode: OpMode | None,
-    chosen: ChosenPdos,
-    images: Sequence[SmImage],
+    device: Device, chosen: ChosenPdos, default: Sequence[SmImage], images: Sequence[SmImage]
 ) -> Iterator[str]:
     """What the chosen assignment asks of the device beyond its default one."""
     mailbox = device.mailbox
     if chosen.assignment is None or (mailbox is not None and mailbox.coe_pdo_assign):
         return
-    default = {image.sm: _indices(image) for image in process_image(device, plugged, op_mode)}
-    changed = [f"SM{image.sm}" for image in images if _indices(image) != default.get(image.sm)]
+    kept = {image.sm: _indices(image) for image in default}
+    changed = [f"SM{image.sm}" for image in images if _indices(image) != kept.get(image.sm)]
     if changed:
         yield (
             f"the PDOs of {', '.join(changed)} are not the default ones, and the device does not declare PdoAssign: "
