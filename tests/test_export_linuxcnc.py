@@ -174,6 +174,17 @@ def test_types_of_pins():
     )
 
 
+def test_samples_have_pins_of_their_own():
+    """0x7000:01 in three samples with OSIndexInc 16."""
+    content = SMS + rx("#x1600", entry("#x7000", 16, "value", 1, "INT"), attributes='Sm="2" OSFac="3" OSIndexInc="16"')
+    found = [(e.get("idx"), e.get("subIdx"), e.get("halPin")) for e in slave_of(content).iter("pdoEntry")]
+    assert found == [
+        ("7000", "01", "value-7000-01"),
+        ("7010", "01", "value-7010-01"),
+        ("7020", "01", "value-7020-01"),
+    ]
+
+
 def test_long_names_fit_the_names_of_hal():
     name = "a very long name of an entry that goes on and on"
     entries = [entry("#x7000", 64, name, number, "ULINT") for number in range(1, 4)]

@@ -255,7 +255,7 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
         named = f"{placed.direction} {name or pdo.ref or 'without name'!r}"
         raise InputError(f"{named} is assigned and has no index; its content is not described, take a newer file")
     entries = []
-    for item, entry_identifier in zip(placed.entries, identifiers, strict=True):
+    for number, (item, entry_identifier) in enumerate(zip(placed.entries, identifiers, strict=True)):
         index, subindex, bit_length = item.entry.entry_index or 0, item.entry.subindex or 0, item.entry.bit_length or 0
         if bit_length <= 0:
             continue
@@ -264,7 +264,7 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
         if not 0 <= index <= _MAX_INDEX or not 0 <= subindex <= _MAX_SUBINDEX:
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:X}:{subindex:X}, which is no object")
         text = " ".join((display_text(item.entry.names) or "").split())
-        value = value_type(objects.base_type(item.entry), bit_length)
+        value = value_type(objects.base_type(placed.first_sample(number)), bit_length)
         entries.append(
             MappedEntry(
                 index,

@@ -57,11 +57,10 @@ def apply_choice(
         return ChosenPdos(device, tuple(plugged), None)
     available = _available(device, plugged)
     picked = [(_find(available, item), item) for item in chosen]
-    assignment: dict[int, dict[int, int]] = {}
+    assignment: dict[int, list[int]] = {}
     remarks: list[str] = []
     for found, item in picked:
-        number = _sync_manager(device, found)
-        assignment.setdefault(number, {})[item.pdo_index] = found.pdo.os_fac or 1
+        assignment.setdefault(_sync_manager(device, found), []).append(item.pdo_index)
     _check_exclusions(available, assignment, default)
     for found, item in picked:
         if item.entries:
