@@ -173,6 +173,15 @@ def test_samples_are_named_and_typed_by_the_first_of_them():
     ]
 
 
+def test_what_no_sync_manager_holds_is_not_exported_in_part():
+    with pytest.raises(InputError, match="SM2: PDO 0x1601 of 800000 bits is left out"):
+        configured(
+            SMS
+            + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')
+            + pdo("RxPdo", "#x1601", 16, attributes='Sm="2" OSFac="50000"')
+        )
+
+
 def test_a_device_that_does_not_declare_pdo_assign_is_named():
     content = SMS + PDOS
     assert configured(content, pdos=parse_pdo_choice("0x1600")).remarks == ()

@@ -162,6 +162,43 @@ def test_a_pdo_is_sampled_once_at_least(factor):
     assert images(pdo("RxPdo", "#x1600", 16, attributes=f'Sm="2" OSFac="{factor}"'))[2].bit_size == 16
 
 
+HUGE = 2**63 - 1
+TOO_OFTEN = '<Sm No="2"><Pdo OSFac="40000">#x1600</Pdo><Pdo>#x1601</Pdo></Sm>'
+GROUP = '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>1</ModuleIdent></Slot>{}</Slots>'
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="300000000"'),
+        pdo("RxPdo", "#x1600", 0, attributes='Sm="2" OSFac="300000000"'),
+        pdo("RxPdo", "#x1600", HUGE, HUGE, attributes='Sm="2"'),
+        pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="32768"'),
+        pdo("RxPdo", "#x1600", 16) + f"<Dc>{op_mode(TOO_OFTEN)}</Dc>",
+    ],
+    ids=["factor", "no bits", "bits", "one too many", "OpMode"],
+)
+def test_what_no_sync_manager_holds_is_left_out(content):
+    """A SyncManager has 65535 bytes, 32767 samples of 16 bits. A PDO behind that fits stays."""
+    image = images(content + pdo("RxPdo", "#x1601", 8, attributes='Sm="2"'))[2]
+    assert (indices(image), image.bit_size) == ([0x1601], 8)
+    assert image.overflow in image.remarks and "PDO 0x1600" in image.overflow
+
+
+def test_a_full_sync_manager():
+    image = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="32767"'))[2]
+    assert (image.byte_size, image.overflow) == (65534, None)
+
+
+def test_an_alignment_that_no_sync_manager_holds_is_left_out():
+    group = GROUP.format('<ModulePdoGroup Alignment="65536" RxPdo="#x16FF">g</ModulePdoGroup>')
+    text = device(SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + group)
+    info = read(esi(text.replace("<Type ", '<Type ModulePdoGroup="0" '))).document.infos[0]
+    image = default_process_image(info.devices[0])[0]
+    assert (indices(image), image.bit_size) == ([0x1600], 16)
+    assert image.overflow is not None and "PDO 0x16FF" in image.overflow
+
+
 def test_the_order_of_entries_in_the_io_terminal(data):
     """data/io_terminal_8di_8do.xml: eight bits each way in SM0 and SM1, no mailbox."""
     first = read_esi(data / "io_terminal_8di_8do.xml").document.infos[0].devices[0]

@@ -25,8 +25,6 @@ OUTPUT, INPUT = "output", "input"
 _DIRECTION_OF_USAGE = {"Outputs": OUTPUT, "Inputs": INPUT, "MBoxOut": OUTPUT, "MBoxIn": INPUT}
 _DIRECTION_OF_PDO = {"RxPdo": OUTPUT, "TxPdo": INPUT}
 _MAX_INDEX, _MAX_SUBINDEX, _UINT32_MAX = 0xFFFF, 0xFF, 0xFFFF_FFFF
-_MAX_SM_BITS = 0xFFFF * 8
-"""A SyncManager's length is a 16 bit number of bytes."""
 
 
 class MappedEntry(NamedTuple):
@@ -136,6 +134,9 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     default = process_image(device, plugged, op_mode)
     chosen = apply_choice(device, plugged, choice.pdos, objects, default)
     images = process_image(chosen.device, chosen.plugged, op_mode, chosen.assignment)
+    for image in images:
+        if image.overflow is not None:
+            raise InputError(f"SM{image.sm}: {image.overflow}")
     found_clocks = clocks(op_mode, choice.cycle_ns)
     commands, command_remarks = start_commands(device, plugged, expanded)
     names = entry_names(device, expanded, images, objects)
@@ -259,8 +260,6 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
         index, subindex, bit_length = item.entry.entry_index or 0, item.entry.subindex or 0, item.entry.bit_length or 0
         if bit_length <= 0:
             continue
-        if bit_length > _MAX_SM_BITS:
-            raise InputError(f"PDO 0x{pdo.pdo_index:04X} has an entry of {bit_length} bits; no SyncManager holds that")
         if not 0 <= index <= _MAX_INDEX or not 0 <= subindex <= _MAX_SUBINDEX:
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:X}:{subindex:X}, which is no object")
         text = " ".join((display_text(item.entry.names) or "").split())

@@ -17,9 +17,12 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
-from esicatalog.model.pdo_facts import symmetric_exclusions
+from esicatalog.model.pdo_facts import pdo_bits, symmetric_exclusions
 from esicatalog.model.slots import MAX_INDEX, PluggedModule, default_modules, expand_module
 from esicatalog.model.sync import default_op_mode
+
+MAX_SM_BYTES = 0xFFFF
+"""A SyncManager's length is a 16 bit number of bytes (ESC register 0x0802)."""
 
 Assignment = Mapping[int, Sequence[int]]
 """PDO indices in order, by SyncManager number."""
@@ -55,13 +58,18 @@ class PlacedPdo(NamedTuple):
 
 
 class SmImage(NamedTuple):
-    """Process image of one SyncManager."""
+    """Process image of one SyncManager.
+
+    ``overflow`` says, also among the remarks, what is left out because no SyncManager is that long. Its size is unknown
+    then.
+    """
 
     sm: int
     usage: str | None
     pdos: tuple[PlacedPdo, ...]
     bit_size: int
     remarks: tuple[str, ...]
+    overflow: str | None = None
 
     @property
     def byte_size(self) -> int:
@@ -180,7 +188,7 @@ def _image(
         builder.place(candidate)
     builder.align(None)
     usage = sm.usage if sm is not None else None
-    return SmImage(number, usage, tuple(builder.placed), builder.bit_size, tuple(remarks))
+    return SmImage(number, usage, tuple(builder.placed), builder.bit_size, tuple(remarks), builder.overflow)
 
 
 class _ImageBuilder:
@@ -200,6 +208,7 @@ class _ImageBuilder:
         self._group_start = 0
         self.placed: list[PlacedPdo] = []
         self.bit_size = 0
+        self.overflow: str | None = None
 
     def place(self, candidate: _Candidate) -> None:
         """Add a PDO unless it is virtual or excluded by one that came before or, itself not so, is mandatory."""
@@ -214,6 +223,9 @@ class _ImageBuilder:
             return
         self.align(candidate)
         repeat = self._repeat(pdo)
+        # An entry of no bits counts as one here, else nothing would bound how often it is repeated.
+        if not self._has_room(pdo.pdo_index, repeat * max(pdo_bits(pdo), len(pdo.entries))):
+            return
         entries = []
         for entry in _sampled(pdo, repeat, self._remarks):
             entries.append(PlacedEntry(self.bit_size, entry))
@@ -242,6 +254,16 @@ class _ImageBuilder:
                 )
         return max(factor, 1)
 
+    def _has_room(self, index: int | None, bits: int) -> bool:
+        """Whether so many bits more fit into a SyncManager; what does not is named and left out."""
+        if self.bit_size + bits <= MAX_SM_BYTES * 8:
+            return True
+        self.overflow = (
+            f"PDO {_hex(index)} of {bits} bits is left out: a SyncManager holds {MAX_SM_BYTES} bytes at most"
+        )
+        self._remarks.append(self.overflow)
+        return False
+
     def align(self, following: _Candidate | None) -> None:
         """At the end of a module PDO group, fill up to its alignment with the group's own PDO."""
         ended = self._group
@@ -250,8 +272,8 @@ class _ImageBuilder:
         if ended is not None and ended.pdo_group is not None and 0 <= ended.pdo_group < len(self._groups):
             group = self._groups[ended.pdo_group]
             missing = -(self.bit_size - self._group_start) % (max(group.alignment or 1, 1) * 8)
-            if missing and group.alignment:
-                index = group.rx_pdo if ended.direction == "RxPdo" else group.tx_pdo
+            index = group.rx_pdo if ended.direction == "RxPdo" else group.tx_pdo
+            if missing and group.alignment and self._has_room(index, missing):
                 gap = Entry(entry_index=0, bit_length=missing)
                 filler = Pdo(pdo_index=index, entries=(gap,))
                 entries = (PlacedEntry(self.bit_size, gap),)
