@@ -28,6 +28,12 @@ def test_the_size_of_what_no_sync_manager_holds_is_unknown(attributes):
     assert (found.output_bytes, found.input_bytes, found.image_signature) == (None, 0, None)
 
 
+def test_a_virtual_sync_manager_does_not_count():
+    virtual = OUTPUTS + "<Sm Virtual='1'>Outputs</Sm>"
+    content = pdo("RxPdo", "#x1600", 16, attributes="Sm='0'") + pdo("RxPdo", "#x1610", 32, attributes="Sm='1'")
+    assert facts(virtual + content).output_bytes == 2
+
+
 @pytest.mark.parametrize(
     ("lengths", "size"),
     [((8, 16), 24), ((8, -16), 8), ((2**62, 2**62 - 1), 2**63 - 1), ((2**62, 2**62), None)],

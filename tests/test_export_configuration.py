@@ -173,6 +173,25 @@ def test_samples_are_named_and_typed_by_the_first_of_them():
     ]
 
 
+def test_a_virtual_sync_manager_is_not_configured():
+    content = (
+        SMS
+        + '<Sm ControlByte="#x64" Virtual="1">Outputs</Sm>'
+        + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')
+        + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')
+    )
+    found = configured(content)
+    assert [sm.number for sm in found.sync_managers] == [0, 1, 2, 3]
+    assert found.remarks == ("PDO 0x1610 is described, not transported: SM4 is virtual",)
+    with pytest.raises(InputError, match="SM4 is virtual"):
+        configured(content, pdos=parse_pdo_choice("0x1610"))
+
+
+def test_a_pdo_without_sync_manager_does_not_go_to_a_virtual_one():
+    with pytest.raises(InputError, match="has none for Outputs"):
+        configured('<Sm Virtual="1">Outputs</Sm>' + pdo("RxPdo", "#x1600", 16), pdos=parse_pdo_choice("0x1600"))
+
+
 def test_what_no_sync_manager_holds_is_not_exported_in_part():
     with pytest.raises(InputError, match="SM2: PDO 0x1601 of 800000 bits is left out"):
         configured(

@@ -234,6 +234,12 @@ def test_samples_are_registered_by_their_own_index(tmp_path):
     ]
 
 
+def test_a_virtual_sync_manager_is_not_told_to_the_master():
+    content = SMS + '<Sm Virtual="1">MBoxIn</Sm>' + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')
+    text = header_of(content)
+    assert "SM3" in text and "SM4" not in text
+
+
 @needs_gcc
 def test_start_up_commands(tmp_path):
     soe = (

@@ -185,6 +185,12 @@ def test_samples_have_pins_of_their_own():
     ]
 
 
+def test_a_virtual_sync_manager_is_not_told_to_the_driver():
+    outputs = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')
+    found = slave_of(SMS + '<Sm ControlByte="#x64" Virtual="1">Outputs</Sm>' + outputs)
+    assert [sm.get("idx") for sm in found.iter("syncManager")] == ["0", "1", "2"]
+
+
 def test_long_names_fit_the_names_of_hal():
     name = "a very long name of an entry that goes on and on"
     entries = [entry("#x7000", 64, name, number, "ULINT") for number in range(1, 4)]

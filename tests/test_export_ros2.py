@@ -228,6 +228,12 @@ def test_samples_are_channels_of_their_own():
     ]
 
 
+def test_a_virtual_sync_manager_is_not_told_to_the_driver():
+    outputs = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')
+    found = slave_of(SMS + '<Sm ControlByte="#x64" Virtual="1">Outputs</Sm>' + outputs)
+    assert [sm["index"] for sm in found["sm"]] == [0, 1, 2]
+
+
 def test_floating_point():
     reals = rx("#x1600", entry("#x7000", 32, "a", 1, "REAL"), entry("#x7000", 64, "b", 2, "LREAL"))
     text = ros2_slave(configured(SMS + reals))

@@ -199,6 +199,16 @@ def test_an_alignment_that_no_sync_manager_holds_is_left_out():
     assert image.overflow is not None and "PDO 0x16FF" in image.overflow
 
 
+def test_a_virtual_sync_manager_transports_nothing():
+    virtual = SMS + '<Sm Virtual="1">Outputs</Sm>'
+    content = pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')
+    info = read(esi(device(virtual + content))).document.infos[0]
+    found = {image.sm: image for image in default_process_image(info.devices[0])}
+    assert (indices(found[2]), found[2].bit_size) == ([0x1600], 16)
+    assert (indices(found[4]), found[4].bit_size) == ([], 0)
+    assert found[4].remarks == ("PDO 0x1610 is described, not transported: SM4 is virtual",)
+
+
 def test_the_order_of_entries_in_the_io_terminal(data):
     """data/io_terminal_8di_8do.xml: eight bits each way in SM0 and SM1, no mailbox."""
     first = read_esi(data / "io_terminal_8di_8do.xml").document.infos[0].devices[0]

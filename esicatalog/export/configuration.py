@@ -104,6 +104,7 @@ class Configuration(NamedTuple):
     clocks: Clocks | None
     """None when the OpMode uses no distributed clocks."""
     sync_managers: tuple[SmConfiguration, ...]
+    """All but virtual ones, which only describe."""
     commands: tuple[StartCommand, ...]
     axes: tuple[int, ...]
     """CiA 402 axes, from 0."""
@@ -218,6 +219,8 @@ def _sync_managers(
         placed_pdos = image.pdos if image is not None else ()
         if number < 0:
             raise InputError(f"PDOs are assigned to SM{number}, which cannot be")
+        if described is not None and described.virtual:
+            continue
         if described is None:
             remarks.append(f"PDOs name SM{number}, which the device does not describe")
         pdos = tuple(

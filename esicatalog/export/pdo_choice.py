@@ -110,8 +110,10 @@ def _sync_manager(device: Device, found: _Available) -> int:
     """Its own SyncManager, else the first one for process data of its direction that it may go to."""
     pdo, usage = found.pdo, _USAGE_OF_DIRECTION[found.direction]
     if pdo.sm is not None:
+        if 0 <= pdo.sm < len(device.sync_managers) and device.sync_managers[pdo.sm].virtual:
+            raise InputError(f"PDO 0x{pdo.pdo_index or 0:04X} is described, not transported: SM{pdo.sm} is virtual")
         return pdo.sm
-    numbers = [number for number, sm in enumerate(device.sync_managers) if sm.usage == usage]
+    numbers = [n for n, sm in enumerate(device.sync_managers) if sm.usage == usage and not sm.virtual]
     for number in numbers:
         if number not in pdo.excluded_sms:
             if device.sync_managers[number].fixed_assignment:

@@ -3,7 +3,7 @@
 A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the SyncManager: then that list counts.
 PDOs follow each other bit by bit in document order; a SyncManager is as long as all its bits, rounded up once.
 An oversampled PDO repeats its entries: as often as the OpMode says, else by its own OSFac, each sample OSIndexInc
-further.
+further. What a virtual SyncManager has is described, not transported, like a virtual PDO.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -185,7 +185,10 @@ def _image(
         chosen = [candidate for candidate in candidates if candidate.pdo.sm == number]
     builder = _ImageBuilder(device, chosen, factors, remarks)
     for candidate in chosen:
-        builder.place(candidate)
+        if sm is not None and sm.virtual and not candidate.pdo.virtual:
+            remarks.append(f"PDO {_hex(candidate.pdo.pdo_index)} is described, not transported: SM{number} is virtual")
+        else:
+            builder.place(candidate)
     builder.align(None)
     usage = sm.usage if sm is not None else None
     return SmImage(number, usage, tuple(builder.placed), builder.bit_size, tuple(remarks), builder.overflow)
