@@ -219,6 +219,17 @@ def test_places_in_the_default_image(tmp_path):
     ]
 
 
+def test_lengths_without_end_stop_no_query(tmp_path):
+    """Three entries of 2^63 - 1 bits: their sum is no number of a database. Beside them 3 and 5 bits, -4 take none."""
+    huge = 2**63 - 1
+    content = SM + pdo("RxPdo", "#x1600", huge, huge, huge, attributes='Sm="0"') + pdo("RxPdo", "#x1601", 3, -4, 5)
+    db = catalog_of(tmp_path, esi(device(content)))
+    query = "SELECT pdo_index, bit_offset_in_pdo FROM device_pdo_entries ORDER BY pdo_position, position"
+    assert rows(db, query) == [(0x1600, None)] * 3 + [(0x1601, 0), (0x1601, 3), (0x1601, 3)]
+    assert rows(db, "SELECT bit_size FROM pdos ORDER BY pdo_index") == [(None,), (8,)]
+    assert rows(db, "SELECT output_bytes FROM device_facts") == [(None,)]
+
+
 def test_mode_matrix_counts_visible_drives(data_db):
     counted = dict(rows(data_db, "SELECT vendor_id, csv FROM drive_modes_by_vendor WHERE csv > 0"))
     assert counted == {0xE5C: 1, 0x1097: 1, 0x4321: 1}

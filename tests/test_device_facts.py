@@ -4,6 +4,7 @@ import pytest
 from snippets import device, dictionary, esi, only_device, pdo
 
 from esicatalog.model.derivation import derive
+from esicatalog.model.pdo_facts import pdo_facts
 
 OUTPUTS = "<Sm>Outputs</Sm>"
 
@@ -19,6 +20,27 @@ def op_modes(*words: str) -> str:
 
 def test_bytes_are_rounded_once_a_sync_manager():
     assert facts(OUTPUTS + pdo("RxPdo", "#x1600", 3, 3, 3, attributes="Sm='0'")).output_bytes == 2
+
+
+@pytest.mark.parametrize("attributes", ["Sm='0' OSFac='300000000'", "Sm='0' OSFac='32768'"])
+def test_the_size_of_what_no_sync_manager_holds_is_unknown(attributes):
+    found = facts(OUTPUTS + pdo("RxPdo", "#x1600", 16, attributes=attributes))
+    assert (found.output_bytes, found.input_bytes, found.image_signature) == (None, 0, None)
+
+
+def test_a_virtual_sync_manager_does_not_count():
+    virtual = OUTPUTS + "<Sm Virtual='1'>Outputs</Sm>"
+    content = pdo("RxPdo", "#x1600", 16, attributes="Sm='0'") + pdo("RxPdo", "#x1610", 32, attributes="Sm='1'")
+    assert facts(virtual + content).output_bytes == 2
+
+
+@pytest.mark.parametrize(
+    ("lengths", "size"),
+    [((8, 16), 24), ((8, -16), 8), ((2**62, 2**62 - 1), 2**63 - 1), ((2**62, 2**62), None)],
+)
+def test_a_pdo_of_2_to_the_63_bits_has_no_size(lengths, size):
+    (found,) = only_device(esi(device(pdo("RxPdo", "#x1600", *lengths)))).rx_pdos
+    assert pdo_facts(found).bit_size == size
 
 
 @pytest.mark.parametrize(

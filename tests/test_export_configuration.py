@@ -107,6 +107,100 @@ def test_a_mandatory_pdo_is_assigned_too_and_cannot_be_excluded():
         configured(content, pdos=parse_pdo_choice("0x1601"))
 
 
+BOTH_WAYS = (
+    pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')
+    + pdo("RxPdo", "#x1601", 16, extra="<Exclude>#x1A00</Exclude>")
+    + pdo("TxPdo", "#x1A00", 16, attributes='Sm="3"')
+    + pdo("TxPdo", "#x1A01", 16)
+)
+
+
+def test_a_chosen_pdo_cannot_exclude_the_default_of_another_sync_manager():
+    with pytest.raises(InputError, match="0x1601 and PDO 0x1A00 exclude each other, and 0x1A00 is the default of SM3"):
+        configured(SMS + BOTH_WAYS + COE, pdos=parse_pdo_choice("0x1601"))
+    found = configured(SMS + BOTH_WAYS + COE, pdos=parse_pdo_choice("0x1601,0x1A01"))
+    assert pdos(found) == {2: [0x1601], 3: [0x1A01]}
+
+
+def test_the_list_of_the_op_mode_is_the_default_that_a_chosen_pdo_may_exclude():
+    """With OpMode 0 SM3 has 0x1A01, which nothing excludes; with OpMode 1 0x1A00."""
+    modes = dc(*((name, f'{times("0")}<Sm No="3"><Pdo>{index}</Pdo></Sm>') for name, index in LISTED_INPUTS))
+    content = SMS + BOTH_WAYS + COE + modes
+    assert pdos(configured(content, pdos=parse_pdo_choice("0x1601"))) == {2: [0x1601], 3: [0x1A01]}
+    with pytest.raises(InputError, match="0x1A00 is the default of SM3"):
+        configured(content, pdos=parse_pdo_choice("0x1601"), op_mode="1")
+
+
+LISTED_INPUTS = (("a", "#x1A01"), ("b", "#x1A00"))
+
+
+def test_a_chosen_pdo_is_sampled_as_often_as_sync0_comes():
+    """Like EL4712: counter and samples; OSFac 20, in the OpModes 1 and 2, whose SYNC0 is the cycle and half of it."""
+    content = (
+        SMS
+        + pdo("RxPdo", "#x1680", 16, attributes='Sm="2" Mandatory="1"')
+        + pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="20" OSIndexInc="16"')
+        + dc(
+            *(
+                (f"DcSync{n}", f"{times('#x730', f'Factor={chr(34)}-{n}{chr(34)}>0')}{SAMPLED.format(n)}")
+                for n in (1, 2)
+            )
+        )
+    )
+    for op_mode, samples, sync0_ns in (("0", 1, 1_000_000), ("1", 2, 500_000)):
+        for chosen in ((), parse_pdo_choice("0x1680,0x1600")):
+            found = configured(content, op_mode=op_mode, pdos=chosen)
+            (outputs,) = found.images(OUTPUT)
+            assert outputs.byte_size == 2 + 2 * samples
+            assert found.clocks.sync0_cycle.in_ns(1_000_000) == sync0_ns
+
+
+SAMPLED = '<Sm No="2"><Pdo>#x1680</Pdo><Pdo OSFac="{}">#x1600</Pdo></Sm>'
+
+
+def test_samples_are_named_and_typed_by_the_first_of_them():
+    """Index step 0x24 leads from 0x6040 to 0x6064, which CiA 402 has for another value."""
+    profile = dictionary(
+        "<DataType><Name>INT</Name><BitSize>16</BitSize></DataType>",
+        "<Object><Index>#x6040</Index><Name>Set</Name><Type>INT</Type><BitSize>16</BitSize></Object>",
+    )
+    samples = 'Sm="2" OSFac="2" OSIndexInc="36"'
+    found = configured(profile + SMS + rx("#x1600", entry("#x6040", 16), attributes=samples, name="Fast"))
+    (outputs,) = found.images(OUTPUT)
+    assert [(item.place, item.identifier, item.value.kind) for item in outputs.entries] == [
+        ("0x6040:00", "controlword_6040_00", "int"),
+        ("0x6064:00", "controlword_6064_00", "int"),
+    ]
+
+
+def test_a_virtual_sync_manager_is_not_configured():
+    content = (
+        SMS
+        + '<Sm ControlByte="#x64" Virtual="1">Outputs</Sm>'
+        + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')
+        + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')
+    )
+    found = configured(content)
+    assert [sm.number for sm in found.sync_managers] == [0, 1, 2, 3]
+    assert found.remarks == ("PDO 0x1610 is described, not transported: SM4 is virtual",)
+    with pytest.raises(InputError, match="SM4 is virtual"):
+        configured(content, pdos=parse_pdo_choice("0x1610"))
+
+
+def test_a_pdo_without_sync_manager_does_not_go_to_a_virtual_one():
+    with pytest.raises(InputError, match="has none for Outputs"):
+        configured('<Sm Virtual="1">Outputs</Sm>' + pdo("RxPdo", "#x1600", 16), pdos=parse_pdo_choice("0x1600"))
+
+
+def test_what_no_sync_manager_holds_is_not_exported_in_part():
+    with pytest.raises(InputError, match="SM2: PDO 0x1601 of 800000 bits is left out"):
+        configured(
+            SMS
+            + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')
+            + pdo("RxPdo", "#x1601", 16, attributes='Sm="2" OSFac="50000"')
+        )
+
+
 def test_a_device_that_does_not_declare_pdo_assign_is_named():
     content = SMS + PDOS
     assert configured(content, pdos=parse_pdo_choice("0x1600")).remarks == ()

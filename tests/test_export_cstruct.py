@@ -116,6 +116,14 @@ SMS = (
 )
 
 
+def test_virtual_sync_managers_are_in_the_image_too():
+    """The EEPROM image has them, so the tool prints them, here as inputs: no ControlByte."""
+    content = SMS + '<Sm Virtual="1">Inputs</Sm>' + pdo("TxPdo", "#x1A00", 8, attributes='Sm="4"')
+    (subject,) = subjects_of_document(read(esi(device(content))).document, "x.xml")
+    text = cstruct_of_configuration(configure(subject))
+    assert "    {4, EC_DIR_INPUT, 0, NULL, EC_WD_DISABLE},\n    {0xff}\n" in text
+
+
 def test_a_description_prints_in_the_same_form():
     gap = "<Entry><Index>0</Index><BitLen>7</BitLen></Entry>"
     content = SMS + pdo("RxPdo", "#x1600", 1, attributes='Sm="2"').replace("</RxPdo>", f"{gap}</RxPdo>")

@@ -221,6 +221,26 @@ def test_entries_that_repeat_are_registered_by_place(tmp_path):
 
 
 @needs_gcc
+def test_samples_are_registered_by_their_own_index(tmp_path):
+    """0x7000:01 in three samples with OSIndexInc 16, one behind the other."""
+    content = SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="3" OSIndexInc="16"')
+    text = header_of(content)
+    assert "d_register_repeated" not in text
+    lines = igh_output(tmp_path, text, f"{CONFIGURE}\n{REGISTER}")
+    assert [line for line in lines if line.startswith("entry")] == [
+        "entry 0x7000:01 byte 0 bit 0",
+        "entry 0x7010:01 byte 2 bit 0",
+        "entry 0x7020:01 byte 4 bit 0",
+    ]
+
+
+def test_a_virtual_sync_manager_is_not_told_to_the_master():
+    content = SMS + '<Sm Virtual="1">MBoxIn</Sm>' + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')
+    text = header_of(content)
+    assert "SM3" in text and "SM4" not in text
+
+
+@needs_gcc
 def test_start_up_commands(tmp_path):
     soe = (
         "<SoE><InitCmd Chn='1'><Transition>SO</Transition><IDN>32</IDN><Data>0B00</Data></InitCmd>"

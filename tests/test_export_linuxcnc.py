@@ -174,6 +174,23 @@ def test_types_of_pins():
     )
 
 
+def test_samples_have_pins_of_their_own():
+    """0x7000:01 in three samples with OSIndexInc 16."""
+    content = SMS + rx("#x1600", entry("#x7000", 16, "value", 1, "INT"), attributes='Sm="2" OSFac="3" OSIndexInc="16"')
+    found = [(e.get("idx"), e.get("subIdx"), e.get("halPin")) for e in slave_of(content).iter("pdoEntry")]
+    assert found == [
+        ("7000", "01", "value-7000-01"),
+        ("7010", "01", "value-7010-01"),
+        ("7020", "01", "value-7020-01"),
+    ]
+
+
+def test_a_virtual_sync_manager_is_not_told_to_the_driver():
+    outputs = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')
+    found = slave_of(SMS + '<Sm ControlByte="#x64" Virtual="1">Outputs</Sm>' + outputs)
+    assert [sm.get("idx") for sm in found.iter("syncManager")] == ["0", "1", "2"]
+
+
 def test_long_names_fit_the_names_of_hal():
     name = "a very long name of an entry that goes on and on"
     entries = [entry("#x7000", 64, name, number, "ULINT") for number in range(1, 4)]

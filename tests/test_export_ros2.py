@@ -212,6 +212,28 @@ def test_signed_bits_that_the_driver_reads_without_their_sign_are_told():
     assert "without their sign" not in ros2_slave(configured(SMS + rx("#x1600", *entries)))
 
 
+def test_samples_are_channels_of_their_own():
+    """0x7000:01 in three samples with OSIndexInc 16."""
+    content = SMS + rx("#x1600", entry("#x7000", 16, "value", 1, "INT"), attributes='Sm="2" OSFac="3" OSIndexInc="16"')
+    (found,) = slave_of(content)["rpdo"]
+    assert [(channel["index"], channel["sub_index"]) for channel in found["channels"]] == [
+        (0x7000, 1),
+        (0x7010, 1),
+        (0x7020, 1),
+    ]
+    assert [channel["command_interface"] for channel in found["channels"]] == [
+        "value_7000_01",
+        "value_7010_01",
+        "value_7020_01",
+    ]
+
+
+def test_a_virtual_sync_manager_is_not_told_to_the_driver():
+    outputs = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')
+    found = slave_of(SMS + '<Sm ControlByte="#x64" Virtual="1">Outputs</Sm>' + outputs)
+    assert [sm["index"] for sm in found["sm"]] == [0, 1, 2]
+
+
 def test_floating_point():
     reals = rx("#x1600", entry("#x7000", 32, "a", 1, "REAL"), entry("#x7000", 64, "b", 2, "LREAL"))
     text = ros2_slave(configured(SMS + reals))

@@ -86,6 +86,20 @@ def test_commands_on_the_pdo_configuration_are_not_sent_twice(tmp_path):
 
 
 @needs_gcc
+def test_the_mapping_of_samples(tmp_path):
+    """Three samples of 0x7000:01, 16 bits, OSIndexInc 16."""
+    content = SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="3" OSIndexInc="16"') + COE
+    lines = calls(tmp_path, "1.4", header_of(content), "d_po2so_config")
+    assert [line for line in lines if "0x1600" in line] == [
+        "sdo 3 0x1600:00 00",
+        "sdo 3 0x1600:01 10010070",
+        "sdo 3 0x1600:02 10011070",
+        "sdo 3 0x1600:03 10012070",
+        "sdo 3 0x1600:00 03",
+    ]
+
+
+@needs_gcc
 @pytest.mark.parametrize("version", VERSIONS)
 def test_other_commands(tmp_path, version):
     coe = init_cmd("IP", "#x2001", "01") + init_cmd("SO", "#x2002", "0200", 'CompleteAccess="1"')

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from snippets import device, esi, rows
+from snippets import device, esi, pdo, rows
 
 GOOD = "io_terminal_8di_8do.xml"
 SECRET = "words that only the file outside holds"
@@ -119,6 +119,14 @@ DOCUMENTS = {
         lambda: esi(device('<Sm StartAddress="?">Outputs</Sm>' * 200_000)), "failed", "against its rules"
     ),
     "huge-number.xml": Case(lambda: esi(device(f'<Sm StartAddress="{"9" * 5_000_000}">Outputs</Sm>')), "stored"),
+    "oversampled.xml": Case(
+        lambda: esi(device("<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 16, attributes='Sm="0" OSFac="300000000"'))),
+        "stored",
+    ),
+    "long-entries.xml": Case(
+        lambda: esi(device("<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", *[2**63 - 1] * 3, attributes='Sm="0"'))),
+        "stored",
+    ),
     "odd-namespace.xml": Case(
         lambda: vendor_specific('<a xmlns="http://no uri"><b>kept</b></a>'), "recovered", "not a valid URI"
     ),

@@ -1,11 +1,12 @@
 """Process images: bits concatenated, rounded once, choices of OpMode and slots (ESI-FACTS sections 9, 12, 18)."""
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from snippets import device, esi, pdo, read
 
 from esicatalog.esi.reader import read_esi
-from esicatalog.model.process_image import default_process_image
+from esicatalog.model.process_image import default_process_image, process_image
 from esicatalog.model.slots import default_modules, reachable_modules
 
 SMS = "<Sm>MBoxOut</Sm><Sm>MBoxIn</Sm><Sm>Outputs</Sm><Sm>Inputs</Sm>"
@@ -107,6 +108,105 @@ def test_oversampling_repeats_the_entries():
     found = images(PDOS + f"<Dc>{op_mode(four)}</Dc>")
     assert [e.bit_offset for e in found[2].pdos[0].entries] == [0, 3, 6, 9]
     assert found[2].bit_size == 12
+
+
+def places(image) -> list[tuple[int, int, int]]:
+    """Bit offset, index and subindex of every entry."""
+    return [(e.bit_offset, e.entry.entry_index, e.entry.subindex) for p in image.pdos for e in p.entries]
+
+
+SAMPLES = 'Sm="2" OSFac="4" OSIndexInc="16"'
+
+
+def test_each_sample_lies_osindexinc_further():
+    """0x7000:01 and :02 in four samples with OSIndexInc 16: 0x7000, 0x7010, 0x7020, 0x7030. Padding stays padding."""
+    gap = "<Entry><Index>0</Index><BitLen>4</BitLen></Entry>"
+    image = images(pdo("RxPdo", "#x1600", 8, 4, attributes=SAMPLES, extra=gap))[2]
+    assert [place for place in places(image) if place[1]] == [
+        (start + at, 0x7000 + 16 * sample, subindex)
+        for sample, start in enumerate((0, 16, 32, 48))
+        for at, subindex in ((4, 1), (12, 2))
+    ]
+    assert [place for place in places(image) if not place[1]] == [(start, 0, None) for start in (0, 16, 32, 48)]
+    assert image.remarks == ()
+
+
+def test_samples_whose_index_would_leave_16_bits_stay():
+    """0x7000 + 3 * 0x3000 = 0x10000."""
+    too_far = images(pdo("RxPdo", "#x1600", 8, attributes='Sm="2" OSFac="4" OSIndexInc="12288"'))[2]
+    assert [index for _, index, _ in places(too_far)] == [0x7000] * 4
+    assert len(too_far.remarks) == 1 and "OSIndexInc 12288" in too_far.remarks[0]
+    in_range = images(pdo("RxPdo", "#x1600", 8, attributes='Sm="2" OSFac="3" OSIndexInc="12288"'))[2]
+    assert [index for _, index, _ in places(in_range)] == [0x7000, 0xA000, 0xD000]
+
+
+def test_the_op_mode_says_how_often_a_chosen_pdo_is_sampled():
+    """OSFac of the OpMode's Pdo, 3, not that of the RxPdo, 20: 3 * 16 + 8 bits."""
+    lists = '<Sm No="2"><Pdo OSFac="3">#x1600</Pdo></Sm>'
+    content = pdo("RxPdo", "#x1600", 16, attributes='OSFac="20"') + pdo("RxPdo", "#x1601", 8)
+    found = read(esi(device(SMS + content + f"<Dc>{op_mode(lists)}</Dc>"))).document.infos[0].devices[0]
+    (outputs, _) = process_image(found, (), found.op_modes[0], {2: [0x1601, 0x1600]})
+    assert (indices(outputs), outputs.bit_size) == ([0x1601, 0x1600], 8 + 3 * 16)
+    assert outputs.remarks == ()
+
+
+def test_an_oversampled_pdo_that_the_op_mode_does_not_list_is_named():
+    content = pdo("RxPdo", "#x1601", 8) + pdo("TxPdo", "#x1A00", 16, attributes='Sm="3" OSFac="20"')
+    found = images(content + f"<Dc>{op_mode(LISTED)}</Dc>")
+    assert found[3].bit_size == 320
+    assert len(found[3].remarks) == 1 and "its own OSFac 20 counts" in found[3].remarks[0]
+
+
+@pytest.mark.parametrize("factor", ["0", "-2", "1"])
+def test_a_pdo_is_sampled_once_at_least(factor):
+    assert images(pdo("RxPdo", "#x1600", 16, attributes=f'Sm="2" OSFac="{factor}"'))[2].bit_size == 16
+
+
+HUGE = 2**63 - 1
+TOO_OFTEN = '<Sm No="2"><Pdo OSFac="40000">#x1600</Pdo><Pdo>#x1601</Pdo></Sm>'
+GROUP = '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>1</ModuleIdent></Slot>{}</Slots>'
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="300000000"'),
+        pdo("RxPdo", "#x1600", 0, attributes='Sm="2" OSFac="300000000"'),
+        pdo("RxPdo", "#x1600", HUGE, HUGE, attributes='Sm="2"'),
+        pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="32768"'),
+        pdo("RxPdo", "#x1600", 16) + f"<Dc>{op_mode(TOO_OFTEN)}</Dc>",
+    ],
+    ids=["factor", "no bits", "bits", "one too many", "OpMode"],
+)
+def test_what_no_sync_manager_holds_is_left_out(content):
+    """A SyncManager has 65535 bytes, 32767 samples of 16 bits. A PDO behind that fits stays."""
+    image = images(content + pdo("RxPdo", "#x1601", 8, attributes='Sm="2"'))[2]
+    assert (indices(image), image.bit_size) == ([0x1601], 8)
+    assert image.overflow in image.remarks and "PDO 0x1600" in image.overflow
+
+
+def test_a_full_sync_manager():
+    image = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="32767"'))[2]
+    assert (image.byte_size, image.overflow) == (65534, None)
+
+
+def test_an_alignment_that_no_sync_manager_holds_is_left_out():
+    group = GROUP.format('<ModulePdoGroup Alignment="65536" RxPdo="#x16FF">g</ModulePdoGroup>')
+    text = device(SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + group)
+    info = read(esi(text.replace("<Type ", '<Type ModulePdoGroup="0" '))).document.infos[0]
+    image = default_process_image(info.devices[0])[0]
+    assert (indices(image), image.bit_size) == ([0x1600], 16)
+    assert image.overflow is not None and "PDO 0x16FF" in image.overflow
+
+
+def test_a_virtual_sync_manager_transports_nothing():
+    virtual = SMS + '<Sm Virtual="1">Outputs</Sm>'
+    content = pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')
+    info = read(esi(device(virtual + content))).document.infos[0]
+    found = {image.sm: image for image in default_process_image(info.devices[0])}
+    assert (indices(found[2]), found[2].bit_size) == ([0x1600], 16)
+    assert (indices(found[4]), found[4].bit_size) == ([], 0)
+    assert found[4].remarks == ("PDO 0x1610 is described, not transported: SM4 is virtual",)
 
 
 def test_the_order_of_entries_in_the_io_terminal(data):

@@ -186,8 +186,9 @@ def _pdo_entries_view(kind: str, identity: str, source: str, dialect: str) -> Vi
         f"{described(hex_text('z.unit', 8, dialect))} AS unit_hex, "
         f"{described(_number('min'))} AS minimum, "
         f"{described(_number('max'))} AS maximum, "
-        "(SELECT coalesce(sum(b.bit_length), 0) FROM pdo_entries b "
-        "WHERE b.pdo_id = e.pdo_id AND b.position < e.position) AS bit_offset_in_pdo, "
+        # Where the whole PDO has no size the sum of its entries is no number that a query can hold.
+        "CASE WHEN p.bit_size IS NOT NULL THEN (SELECT coalesce(sum(b.bit_length), 0) FROM pdo_entries b "
+        "WHERE b.pdo_id = e.pdo_id AND b.position < e.position AND b.bit_length > 0) END AS bit_offset_in_pdo, "
         f"p.id AS pdo_id, p.position AS pdo_position, e.position {source} "
         f"JOIN pdos p ON p.{kind}_id = {alias}.id JOIN pdo_entries e ON e.pdo_id = p.id",
     )

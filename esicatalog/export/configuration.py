@@ -25,8 +25,6 @@ OUTPUT, INPUT = "output", "input"
 _DIRECTION_OF_USAGE = {"Outputs": OUTPUT, "Inputs": INPUT, "MBoxOut": OUTPUT, "MBoxIn": INPUT}
 _DIRECTION_OF_PDO = {"RxPdo": OUTPUT, "TxPdo": INPUT}
 _MAX_INDEX, _MAX_SUBINDEX, _UINT32_MAX = 0xFFFF, 0xFF, 0xFFFF_FFFF
-_MAX_SM_BITS = 0xFFFF * 8
-"""A SyncManager's length is a 16 bit number of bytes."""
 
 
 class MappedEntry(NamedTuple):
@@ -106,6 +104,7 @@ class Configuration(NamedTuple):
     clocks: Clocks | None
     """None when the OpMode uses no distributed clocks."""
     sync_managers: tuple[SmConfiguration, ...]
+    """All but virtual ones, which only describe."""
     commands: tuple[StartCommand, ...]
     axes: tuple[int, ...]
     """CiA 402 axes, from 0."""
@@ -133,15 +132,19 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     position, mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
     op_mode = device.op_modes[position] if position is not None else None
     objects = ObjectTable(_dictionaries((device, *(item.module for item in expanded))))
-    chosen = apply_choice(device, plugged, choice.pdos, objects)
+    default = process_image(device, plugged, op_mode)
+    chosen = apply_choice(device, plugged, choice.pdos, objects, default)
     images = process_image(chosen.device, chosen.plugged, op_mode, chosen.assignment)
+    for image in images:
+        if image.overflow is not None:
+            raise InputError(f"SM{image.sm}: {image.overflow}")
     found_clocks = clocks(op_mode, choice.cycle_ns)
     commands, command_remarks = start_commands(device, plugged, expanded)
     names = entry_names(device, expanded, images, objects)
     remarks = [
         *mode_remarks,
         *chosen.remarks,
-        *_assignment_remarks(device, plugged, op_mode, chosen, images),
+        *_assignment_remarks(device, chosen, default, images),
         *(remark for image in images for remark in image.remarks),
         *(found_clocks.remarks if found_clocks is not None else ()),
         *command_remarks,
@@ -183,18 +186,14 @@ def _dictionaries(owners: Iterable[Device | Module]) -> Iterator[Dictionary]:
 
 
 def _assignment_remarks(
-    device: Device,
-    plugged: Sequence[PluggedModule],
-    op_mode: OpMode | None,
-    chosen: ChosenPdos,
-    images: Sequence[SmImage],
+    device: Device, chosen: ChosenPdos, default: Sequence[SmImage], images: Sequence[SmImage]
 ) -> Iterator[str]:
     """What the chosen assignment asks of the device beyond its default one."""
     mailbox = device.mailbox
     if chosen.assignment is None or (mailbox is not None and mailbox.coe_pdo_assign):
         return
-    default = {image.sm: _indices(image) for image in process_image(device, plugged, op_mode)}
-    changed = [f"SM{image.sm}" for image in images if _indices(image) != default.get(image.sm)]
+    kept = {image.sm: _indices(image) for image in default}
+    changed = [f"SM{image.sm}" for image in images if _indices(image) != kept.get(image.sm)]
     if changed:
         yield (
             f"the PDOs of {', '.join(changed)} are not the default ones, and the device does not declare PdoAssign: "
@@ -220,6 +219,8 @@ def _sync_managers(
         placed_pdos = image.pdos if image is not None else ()
         if number < 0:
             raise InputError(f"PDOs are assigned to SM{number}, which cannot be")
+        if described is not None and described.virtual:
+            continue
         if described is None:
             remarks.append(f"PDOs name SM{number}, which the device does not describe")
         pdos = tuple(
@@ -258,16 +259,14 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
         named = f"{placed.direction} {name or pdo.ref or 'without name'!r}"
         raise InputError(f"{named} is assigned and has no index; its content is not described, take a newer file")
     entries = []
-    for item, entry_identifier in zip(placed.entries, identifiers, strict=True):
+    for number, (item, entry_identifier) in enumerate(zip(placed.entries, identifiers, strict=True)):
         index, subindex, bit_length = item.entry.entry_index or 0, item.entry.subindex or 0, item.entry.bit_length or 0
         if bit_length <= 0:
             continue
-        if bit_length > _MAX_SM_BITS:
-            raise InputError(f"PDO 0x{pdo.pdo_index:04X} has an entry of {bit_length} bits; no SyncManager holds that")
         if not 0 <= index <= _MAX_INDEX or not 0 <= subindex <= _MAX_SUBINDEX:
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:X}:{subindex:X}, which is no object")
         text = " ".join((display_text(item.entry.names) or "").split())
-        value = value_type(objects.base_type(item.entry), bit_length)
+        value = value_type(objects.base_type(placed.first_sample(number)), bit_length)
         entries.append(
             MappedEntry(
                 index,

@@ -64,9 +64,11 @@ def cstruct_of_image(image: SiiImage, position: int = 0) -> str:
 def cstruct_of_configuration(configuration: Configuration) -> str:
     """The C structures of a configured device; empty without SyncManagers."""
     subject = configuration.subject
+    described = dict(enumerate(subject.device.sync_managers))  # also virtual ones: the EEPROM image has them all
+    configured = {sm.number: sm.pdos for sm in configuration.sync_managers}
     sync_managers = tuple(
         _Sm(
-            (sm.sync_manager.control_byte or 0) if sm.sync_manager is not None else 0,
+            (described[number].control_byte or 0) if number in described else 0,
             tuple(
                 _Pdo(
                     pdo.pdo_index,
@@ -77,10 +79,10 @@ def cstruct_of_configuration(configuration: Configuration) -> str:
                         for length in pieces(entry.bit_length)
                     ),
                 )
-                for pdo in sm.pdos
+                for pdo in configured.get(number, ())
             ),
         )
-        for sm in configuration.sync_managers
+        for number in sorted(described.keys() | configured.keys())
     )
     identity = (subject.vendor_id, subject.product_code, subject.revision_no)
     return _text(_Slave(configuration.choice.position, subject.device.type or "", identity, sync_managers))

@@ -5,13 +5,14 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.pdo import Entry
 from esicatalog.esi.records.profile import Profile
 from esicatalog.export.cia402_names import CIA402_NAMES
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.names import identifier, unique_names
 from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, PROFILE_CIA402, PROFILE_MODULAR, STATUSWORD
 from esicatalog.model.drive_evidence import MAX_AXES
-from esicatalog.model.process_image import PlacedEntry, PlacedPdo, SmImage
+from esicatalog.model.process_image import PlacedPdo, SmImage
 from esicatalog.model.slots import ExpandedModule
 
 _WORD_BITS = 16
@@ -41,7 +42,9 @@ def entry_names(
             for number, item in enumerate(placed.entries):
                 if item.entry.entry_index:
                     keys.append((image.sm, at, number))
-                    candidates.append(_candidates(placed, item, axes, objects))
+                    candidates.append(
+                        _candidates(placed, placed.first_sample(number), item.entry.entry_index, axes, objects)
+                    )
     is_drive = bool(axes) or any(_is_motion(profile) for profile in profiles)
     is_drive = is_drive or (device.mailbox is not None and device.mailbox.soe)
     return EntryNames(dict(zip(keys, unique_names(candidates), strict=True)), axes, is_drive)
@@ -53,11 +56,11 @@ def _axes(profiles: Sequence[Profile], images: Sequence[SmImage], objects: Objec
     On modular I/O 0x6040 is just an input channel, so it has to look like a controlword.
     """
     words = {
-        item.entry.entry_index
+        entry.entry_index
         for image in images
         for placed in image.pdos
-        for item in placed.entries
-        if (item.entry.subindex or 0) == 0 and item.entry.bit_length == _WORD_BITS
+        for entry in placed.pdo.entries
+        if (entry.subindex or 0) == 0 and entry.bit_length == _WORD_BITS
     }
     for axis in range(MAX_AXES):
         indices = {CONTROLWORD + axis * AXIS_STEP, STATUSWORD + axis * AXIS_STEP}
@@ -76,13 +79,15 @@ def _is_motion(profile: Profile) -> bool:
     return any(number == PROFILE_MODULAR and info is not None and info in _MOTION_MODULES for number, info in kinds)
 
 
-def _candidates(placed: PlacedPdo, item: PlacedEntry, axes: Sequence[int], objects: ObjectTable) -> list[str]:
-    """Names from plain to precise."""
-    index, subindex = item.entry.entry_index or 0, item.entry.subindex or 0
+def _candidates(
+    placed: PlacedPdo, first: Entry, sample_index: int, axes: Sequence[int], objects: ObjectTable
+) -> list[str]:
+    """Names from plain to precise; what an entry is says the ``first`` sample, which one it is ``sample_index``."""
+    index, subindex = first.entry_index or 0, first.subindex or 0
     standard = _cia402_name(index, subindex, axes)
     fallback = f"entry_{index:04x}_{subindex:02x}"
     declared = objects.entry(index, subindex)
-    own = identifier(display_text(item.entry.names), "") or identifier(declared.name if declared else None, fallback)
+    own = identifier(display_text(first.names), "") or identifier(declared.name if declared else None, fallback)
     plain = standard or own
     if plain.endswith(_BIT_POSITION):
         plain += "_value"
@@ -90,7 +95,7 @@ def _candidates(placed: PlacedPdo, item: PlacedEntry, axes: Sequence[int], objec
     precise = [plain, f"{pdo}_{plain}"]
     if placed.slot_number is not None:
         precise.append(f"slot{placed.slot_number}_{pdo}_{plain}")
-    return [*precise, f"{plain}_{index:04x}_{subindex:02x}"]
+    return [*precise, f"{plain}_{sample_index:04x}_{subindex:02x}"]
 
 
 def _cia402_name(index: int, subindex: int, axes: Sequence[int]) -> str | None:

@@ -13,7 +13,7 @@ from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.export.choice import PdoChoice
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.pdo_facts import symmetric_exclusions
-from esicatalog.model.process_image import Assignment
+from esicatalog.model.process_image import Assignment, SmImage
 from esicatalog.model.slots import PluggedModule, expand_module
 
 _USAGE_OF_DIRECTION = {"RxPdo": "Outputs", "TxPdo": "Inputs"}
@@ -42,23 +42,26 @@ class _Available(NamedTuple):
 
 
 def apply_choice(
-    device: Device, plugged: Sequence[PluggedModule], chosen: Sequence[PdoChoice], objects: ObjectTable
+    device: Device,
+    plugged: Sequence[PluggedModule],
+    chosen: Sequence[PdoChoice],
+    objects: ObjectTable,
+    default: Sequence[SmImage],
 ) -> ChosenPdos:
     """Check the chosen PDOs against the description and turn them into an assignment.
 
-    Raises :class:`InputError` for a PDO that does not exist, is virtual, is excluded by another one, may not go to
-    its SyncManager, or whose entries cannot be chosen so.
+    ``default`` is what SyncManagers keep to which none of them goes. Raises :class:`InputError` for a PDO that does not
+    exist, is virtual, is excluded by another one, may not go to its SyncManager, or whose entries cannot be chosen so.
     """
     if not chosen:
         return ChosenPdos(device, tuple(plugged), None)
     available = _available(device, plugged)
     picked = [(_find(available, item), item) for item in chosen]
-    assignment: dict[int, dict[int, int]] = {}
+    assignment: dict[int, list[int]] = {}
     remarks: list[str] = []
     for found, item in picked:
-        number = _sync_manager(device, found)
-        assignment.setdefault(number, {})[item.pdo_index] = found.pdo.os_fac or 1
-    _check_exclusions(available, assignment)
+        assignment.setdefault(_sync_manager(device, found), []).append(item.pdo_index)
+    _check_exclusions(available, assignment, default)
     for found, item in picked:
         if item.entries:
             entries = _chosen_entries(device, found, item, objects)
@@ -107,8 +110,10 @@ def _sync_manager(device: Device, found: _Available) -> int:
     """Its own SyncManager, else the first one for process data of its direction that it may go to."""
     pdo, usage = found.pdo, _USAGE_OF_DIRECTION[found.direction]
     if pdo.sm is not None:
+        if 0 <= pdo.sm < len(device.sync_managers) and device.sync_managers[pdo.sm].virtual:
+            raise InputError(f"PDO 0x{pdo.pdo_index or 0:04X} is described, not transported: SM{pdo.sm} is virtual")
         return pdo.sm
-    numbers = [number for number, sm in enumerate(device.sync_managers) if sm.usage == usage]
+    numbers = [n for n, sm in enumerate(device.sync_managers) if sm.usage == usage and not sm.virtual]
     for number in numbers:
         if number not in pdo.excluded_sms:
             if device.sync_managers[number].fixed_assignment:
@@ -120,23 +125,28 @@ def _sync_manager(device: Device, found: _Available) -> int:
     raise InputError(f"PDO 0x{pdo.pdo_index or 0:04X} {why}")
 
 
-def _check_exclusions(available: Iterable[_Available], assignment: Assignment) -> None:
-    """Chosen PDOs among themselves, and against mandatory ones of the same SyncManager, which are assigned too."""
+def _check_exclusions(available: Iterable[_Available], assignment: Assignment, default: Iterable[SmImage]) -> None:
+    """Chosen PDOs among themselves, and against those that are assigned beside them without being chosen."""
     exclusions = symmetric_exclusions(item.pdo for item in available)
-    chosen = {index for indices in assignment.values() for index in indices}
-    mandatory = {
-        item.pdo.pdo_index
+    beside = {
+        placed.pdo.pdo_index: f"is the default of SM{image.sm}; choose the PDOs of SM{image.sm} too, without it"
+        for image in default
+        if image.sm not in assignment
+        for placed in image.pdos
+    }
+    beside |= {
+        item.pdo.pdo_index: "is mandatory"
         for item in available
         if item.pdo.mandatory and not item.pdo.virtual and item.pdo.sm in assignment
     }
+    chosen = {index for indices in assignment.values() for index in indices}
     for index in sorted(chosen):
         for rival in exclusions.get(index, ()):
+            words = f"PDO 0x{index:04X} and PDO 0x{rival:04X} exclude each other"
             if rival in chosen:
-                raise InputError(f"PDO 0x{index:04X} and PDO 0x{rival:04X} exclude each other; choose one of them")
-            if rival in mandatory:
-                raise InputError(
-                    f"PDO 0x{index:04X} and PDO 0x{rival:04X} exclude each other, and 0x{rival:04X} is mandatory"
-                )
+                raise InputError(f"{words}; choose one of them")
+            if rival in beside:
+                raise InputError(f"{words}, and 0x{rival:04X} {beside[rival]}")
 
 
 def _chosen_entries(device: Device, found: _Available, wanted: PdoChoice, objects: ObjectTable) -> tuple[Entry, ...]:

@@ -6,11 +6,16 @@ from typing import Annotated
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.pdo import Entry, Pdo
 
+_NO_NUMBER = 1 << 63
+"""From here on a number fits no column."""
+
 
 class PdoFacts(Record):
     """What a PDO amounts to."""
 
-    bit_size: Annotated[int, Doc("Sum of the entries' lengths in bits, padding included, OSFac not expanded")] = 0
+    bit_size: Annotated[
+        int | None, Doc("Sum of the entries' lengths in bits, padding included, OSFac not expanded")
+    ] = 0
     entry_count: Annotated[int, Doc("Number of entries, padding included")] = 0
 
 
@@ -20,9 +25,15 @@ class EntryFacts(Record):
     is_padding: Annotated[bool, Doc("Padding gap: index 0, only the length counts")] = False
 
 
+def pdo_bits(pdo: Pdo) -> int:
+    """Bits of one sample of a PDO; a length below 0 takes no room."""
+    return sum([max(entry.bit_length or 0, 0) for entry in pdo.entries])
+
+
 def pdo_facts(pdo: Pdo) -> PdoFacts:
-    """Size and number of entries of a PDO."""
-    return PdoFacts(bit_size=sum(entry.bit_length or 0 for entry in pdo.entries), entry_count=len(pdo.entries))
+    """Size and number of entries of a PDO; a sum of 2^63 or more counts as none (ESI-FACTS section 1.1)."""
+    bits = pdo_bits(pdo)
+    return PdoFacts(bit_size=bits if bits < _NO_NUMBER else None, entry_count=len(pdo.entries))
 
 
 def entry_facts(entry: Entry) -> EntryFacts:

@@ -59,13 +59,20 @@ class ProcessData:
         return [signals for mode, signals in modes if not is_superseded(mode)] or self.signals
 
     def byte_size(self, usage: str) -> int | None:
-        """Length of the default process image of all SyncManagers of one usage; None without any SyncManager."""
-        sizes = [image.byte_size for image in self.images if image.usage == usage]
-        return sum(sizes) if sizes else (0 if self.sync_managers else None)
+        """Length of the default process image of all SyncManagers of one usage.
+
+        None without any SyncManager, and where their PDOs are longer than a SyncManager can be.
+        """
+        images = [image for image in self.images if image.usage == usage]
+        if not self.sync_managers or any(image.overflow for image in images):
+            return None
+        return sum([image.byte_size for image in images])
 
     @cached_property
     def image_signature(self) -> str | None:
-        """Digest of the default process image, None where it is empty."""
+        """Digest of the default process image, None where it is empty or longer than SyncManagers can be."""
+        if any(image.overflow for image in self.images):
+            return None
         layout = [
             (
                 image.sm,

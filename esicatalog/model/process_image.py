@@ -2,11 +2,14 @@
 
 A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the SyncManager: then that list counts.
 PDOs follow each other bit by bit in document order; a SyncManager is as long as all its bits, rounded up once.
+An oversampled PDO repeats its entries: as often as the OpMode says, else by its own OSFac, each sample OSIndexInc
+further. What a virtual SyncManager has is described, not transported, like a virtual PDO.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+import msgspec
 from lxml import etree
 
 from esicatalog.esi.numbers import parse_hex_dec
@@ -14,18 +17,21 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
-from esicatalog.model.pdo_facts import symmetric_exclusions
-from esicatalog.model.slots import PluggedModule, default_modules, expand_module
+from esicatalog.model.pdo_facts import pdo_bits, symmetric_exclusions
+from esicatalog.model.slots import MAX_INDEX, PluggedModule, default_modules, expand_module
 from esicatalog.model.sync import default_op_mode
 
-Assignment = Mapping[int, Mapping[int, int]]
-"""PDOs of SyncManagers: oversampling factor by PDO index, in order, by SyncManager number."""
+MAX_SM_BYTES = 0xFFFF
+"""A SyncManager's length is a 16 bit number of bytes (ESC register 0x0802)."""
+
+Assignment = Mapping[int, Sequence[int]]
+"""PDO indices in order, by SyncManager number."""
 
 _DIRECTION_OF_USAGE = {"Outputs": "RxPdo", "Inputs": "TxPdo"}
 
 
 class PlacedEntry(NamedTuple):
-    """An entry in the process image of a SyncManager."""
+    """An entry in the process image of a SyncManager, at the index that it has in its slot and sample."""
 
     bit_offset: int
     entry: Entry
@@ -35,6 +41,7 @@ class PlacedPdo(NamedTuple):
     """An assigned PDO; ``repeat`` is the oversampling factor, ``slot_number`` None for a PDO of the device itself.
 
     ``position`` is the PDO's among those of its direction in the device or module, None for a filler between groups.
+    ``entries`` are those of ``pdo`` once for each sample.
     """
 
     direction: str
@@ -45,15 +52,24 @@ class PlacedPdo(NamedTuple):
     module: Module | None
     entries: tuple[PlacedEntry, ...]
 
+    def first_sample(self, number: int) -> Entry:
+        """What an entry is in the first sample, whose index is the one that is named and typed elsewhere."""
+        return self.pdo.entries[number % len(self.pdo.entries)]
+
 
 class SmImage(NamedTuple):
-    """Process image of one SyncManager."""
+    """Process image of one SyncManager.
+
+    ``overflow`` says, also among the remarks, what is left out because no SyncManager is that long. Its size is unknown
+    then.
+    """
 
     sm: int
     usage: str | None
     pdos: tuple[PlacedPdo, ...]
     bit_size: int
     remarks: tuple[str, ...]
+    overflow: str | None = None
 
     @property
     def byte_size(self) -> int:
@@ -93,32 +109,28 @@ def process_image(
 ) -> list[SmImage]:
     """The process image for chosen modules, OpMode and PDO assignment; SyncManagers in ascending order.
 
-    ``assignment`` (PDO index to oversampling factor, by SyncManager) wins over the OpMode's list, that over Pdo@Sm;
-    mandatory PDOs that it leaves out are added.
+    ``assignment`` wins over the OpMode's list, that over Pdo@Sm; mandatory PDOs that it leaves out are added. The
+    OpMode's oversampling factors count whoever assigns the PDO, since its SYNC0 runs that often.
     """
     problems, candidates = _candidates(device, plugged)
-    listed = dict(_listed(op_mode)) if op_mode is not None else {}
+    lists = _lists(op_mode)
+    assigned = {number: [pdo_index for pdo_index, _ in items] for number, items in lists.items()}
+    factors = {pdo_index: factor for items in lists.values() for pdo_index, factor in items}
     remarks: dict[int, list[str]] = {}
     for number, wanted in (assignment or {}).items():
-        listed[number], remarks[number] = _with_mandatory(number, wanted, candidates)
-    numbers = {c.pdo.sm for c in candidates if c.pdo.sm is not None} | listed.keys()
+        assigned[number], remarks[number] = _with_mandatory(number, wanted, candidates)
+    numbers = {c.pdo.sm for c in candidates if c.pdo.sm is not None} | assigned.keys()
     numbers |= {n for n, sm in enumerate(device.sync_managers) if sm.usage in _DIRECTION_OF_USAGE}
     return [
-        _image(device, number, candidates, listed.get(number), [*problems, *remarks.get(number, ())])
+        _image(device, number, candidates, assigned.get(number), factors, [*problems, *remarks.get(number, ())])
         for number in sorted(numbers)
     ]
 
 
-def _with_mandatory(
-    number: int, wanted: Mapping[int, int], candidates: list[_Candidate]
-) -> tuple[dict[int, int], list[str]]:
-    missing = {
-        candidate.pdo.pdo_index: candidate.pdo.os_fac or 1
-        for candidate in candidates
-        if candidate.pdo.sm == number and candidate.pdo.mandatory and candidate.pdo.pdo_index is not None
-    }
-    missing = {index: factor for index, factor in missing.items() if index not in wanted}
-    return {**missing, **wanted}, [f"PDO {_hex(index)} is mandatory: assigned too" for index in missing]
+def _with_mandatory(number: int, wanted: Sequence[int], candidates: list[_Candidate]) -> tuple[list[int], list[str]]:
+    mandatory = [c.pdo.pdo_index for c in candidates if c.pdo.sm == number and c.pdo.mandatory]
+    missing = [index for index in dict.fromkeys(mandatory) if index is not None and index not in wanted]
+    return [*missing, *wanted], [f"PDO {_hex(index)} is mandatory: assigned too" for index in missing]
 
 
 def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> tuple[list[str], list[_Candidate]]:
@@ -146,36 +158,50 @@ def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> tuple[list[
     return problems, candidates
 
 
-def _listed(op_mode: OpMode) -> dict[int, dict[int, int]]:
+def _lists(op_mode: OpMode | None) -> dict[int, list[tuple[int, int]]]:
+    """The PDOs of an OpMode with their oversampling factors, by SyncManager."""
     return {
-        item.no: {pdo.pdo_index: pdo.os_fac or 1 for pdo in item.pdos if pdo.pdo_index is not None}
-        for item in op_mode.sm_assignments
+        item.no: [(pdo.pdo_index, pdo.os_fac or 1) for pdo in item.pdos if pdo.pdo_index is not None]
+        for item in (op_mode.sm_assignments if op_mode is not None else ())
         if item.no is not None and item.pdos
     }
 
 
 def _image(
-    device: Device, number: int, candidates: list[_Candidate], listed: Mapping[int, int] | None, remarks: list[str]
+    device: Device,
+    number: int,
+    candidates: list[_Candidate],
+    assigned: Sequence[int] | None,
+    factors: Mapping[int, int],
+    remarks: list[str],
 ) -> SmImage:
-    usage = device.sync_managers[number].usage if 0 <= number < len(device.sync_managers) else None
-    if listed is not None:
+    sm = device.sync_managers[number] if 0 <= number < len(device.sync_managers) else None
+    if assigned is not None:
         by_index = {c.pdo.pdo_index: c for c in reversed(candidates)}
-        remarks += [f"PDO 0x{index:04X} is listed but not described" for index in listed if index not in by_index]
-        chosen = [(by_index[index], factor) for index, factor in listed.items() if index in by_index]
+        indices = dict.fromkeys(assigned)
+        remarks += [f"PDO 0x{index:04X} is listed but not described" for index in indices if index not in by_index]
+        chosen = [by_index[index] for index in indices if index in by_index]
     else:
-        chosen = [(c, c.pdo.os_fac or 1) for c in candidates if c.pdo.sm == number]
-    builder = _ImageBuilder(device, chosen, remarks)
-    for candidate, factor in chosen:
-        builder.place(candidate, factor)
+        chosen = [candidate for candidate in candidates if candidate.pdo.sm == number]
+    builder = _ImageBuilder(device, chosen, factors, remarks)
+    for candidate in chosen:
+        if sm is not None and sm.virtual and not candidate.pdo.virtual:
+            remarks.append(f"PDO {_hex(candidate.pdo.pdo_index)} is described, not transported: SM{number} is virtual")
+        else:
+            builder.place(candidate)
     builder.align(None)
-    return SmImage(number, usage, tuple(builder.placed), builder.bit_size, tuple(remarks))
+    usage = sm.usage if sm is not None else None
+    return SmImage(number, usage, tuple(builder.placed), builder.bit_size, tuple(remarks), builder.overflow)
 
 
 class _ImageBuilder:
     """Puts PDOs one behind the other, bit by bit; groups of module PDOs end on their alignment."""
 
-    def __init__(self, device: Device, chosen: Iterable[tuple[_Candidate, int]], remarks: list[str]) -> None:
-        pdos = [candidate.pdo for candidate, _ in chosen]
+    def __init__(
+        self, device: Device, chosen: Iterable[_Candidate], factors: Mapping[int, int], remarks: list[str]
+    ) -> None:
+        pdos = [candidate.pdo for candidate in chosen]
+        self._factors = factors
         self._groups = device.module_pdo_groups
         self._remarks = remarks
         self._exclusions = symmetric_exclusions(pdos)
@@ -185,8 +211,9 @@ class _ImageBuilder:
         self._group_start = 0
         self.placed: list[PlacedPdo] = []
         self.bit_size = 0
+        self.overflow: str | None = None
 
-    def place(self, candidate: _Candidate, factor: int) -> None:
+    def place(self, candidate: _Candidate) -> None:
         """Add a PDO unless it is virtual or excluded by one that came before or, itself not so, is mandatory."""
         pdo = candidate.pdo
         if pdo.virtual:
@@ -198,23 +225,47 @@ class _ImageBuilder:
             self._remarks.append(f"PDO {_hex(pdo.pdo_index)} is left out: {_hex(rival)} excludes it")
             return
         self.align(candidate)
+        repeat = self._repeat(pdo)
+        # An entry of no bits counts as one here, else nothing would bound how often it is repeated.
+        if not self._has_room(pdo.pdo_index, repeat * max(pdo_bits(pdo), len(pdo.entries))):
+            return
         entries = []
-        for _ in range(factor):
-            for entry in pdo.entries:
-                entries.append(PlacedEntry(self.bit_size, entry))
-                self.bit_size += max(entry.bit_length or 0, 0)
+        for entry in _sampled(pdo, repeat, self._remarks):
+            entries.append(PlacedEntry(self.bit_size, entry))
+            self.bit_size += max(entry.bit_length or 0, 0)
         self.placed.append(
             PlacedPdo(
                 candidate.direction,
                 candidate.position,
                 pdo,
-                factor,
+                repeat,
                 candidate.slot_number,
                 candidate.module,
                 tuple(entries),
             )
         )
         self._taken.add(pdo.pdo_index)
+
+    def _repeat(self, pdo: Pdo) -> int:
+        factor = self._factors.get(pdo.pdo_index) if pdo.pdo_index is not None else None
+        if factor is None:
+            factor = pdo.os_fac or 1
+            if factor > 1 and self._factors:
+                self._remarks.append(
+                    f"PDO {_hex(pdo.pdo_index)}: the OpMode, which lists others, says nothing about its oversampling; "
+                    f"its own OSFac {factor} counts, and SYNC0 has to fit it"
+                )
+        return max(factor, 1)
+
+    def _has_room(self, index: int | None, bits: int) -> bool:
+        """Whether so many bits more fit into a SyncManager; what does not is named and left out."""
+        if self.bit_size + bits <= MAX_SM_BYTES * 8:
+            return True
+        self.overflow = (
+            f"PDO {_hex(index)} of {bits} bits is left out: a SyncManager holds {MAX_SM_BYTES} bytes at most"
+        )
+        self._remarks.append(self.overflow)
+        return False
 
     def align(self, following: _Candidate | None) -> None:
         """At the end of a module PDO group, fill up to its alignment with the group's own PDO."""
@@ -224,8 +275,8 @@ class _ImageBuilder:
         if ended is not None and ended.pdo_group is not None and 0 <= ended.pdo_group < len(self._groups):
             group = self._groups[ended.pdo_group]
             missing = -(self.bit_size - self._group_start) % (max(group.alignment or 1, 1) * 8)
-            if missing and group.alignment:
-                index = group.rx_pdo if ended.direction == "RxPdo" else group.tx_pdo
+            index = group.rx_pdo if ended.direction == "RxPdo" else group.tx_pdo
+            if missing and group.alignment and self._has_room(index, missing):
                 gap = Entry(entry_index=0, bit_length=missing)
                 filler = Pdo(pdo_index=index, entries=(gap,))
                 entries = (PlacedEntry(self.bit_size, gap),)
@@ -252,6 +303,27 @@ def module_sms(module: Module) -> dict[tuple[str, int], int]:
         for position, pdo in enumerate(pdos)
         if pdo.sm is not None and not pdo.virtual
     }
+
+
+def _sampled(pdo: Pdo, repeat: int, remarks: list[str]) -> Iterator[Entry]:
+    """The entries of all samples: OSIndexInc moves the objects of each by one step more, padding stays padding.
+
+    Nothing moves where an index would leave 16 bits, as in slots (ESI-FACTS section 12.1).
+    """
+    step = pdo.os_index_inc or 0
+    reached = [(entry.entry_index or 0) + step * (repeat - 1) for entry in pdo.entries if entry.entry_index]
+    if any(not 0 < index <= MAX_INDEX for index in reached) and step and repeat > 1:
+        remarks.append(
+            f"PDO {_hex(pdo.pdo_index)}: OSIndexInc {step} leads out of 16 bits in {repeat} samples; left out"
+        )
+        step = 0
+    yield from pdo.entries
+    for sample in range(1, repeat):
+        for entry in pdo.entries:
+            if step and entry.entry_index:
+                yield msgspec.structs.replace(entry, entry_index=entry.entry_index + step * sample)
+            else:
+                yield entry
 
 
 def alternative_assignments(device: Device) -> list[NamedAssignment]:

@@ -147,9 +147,12 @@ def default_size_against_pdos(subject: ProcessSubject) -> Iterator[Found]:
             )
 
 
-@rule("L25", ERROR, "ETG.2000 Sm/@MinSize, @MaxSize")
+@rule("L25", ERROR, "ETG.2000 Sm/@MinSize, @MaxSize; ESC register 0x0802 + 8n: the length has 16 bits")
 def pdos_outside_sizes(subject: ProcessSubject) -> Iterator[Found]:
-    """The assigned PDOs take more than MaxSize or less than MinSize."""
+    """The assigned PDOs take more than MaxSize or any SyncManager can hold, or less than MinSize."""
+    for image in subject.data.images:
+        if image.overflow is not None:
+            yield Found(f"SM {image.sm}: {image.overflow}; correct BitLen or OSFac", ("sync_managers", image.sm))
     if subject.data.is_modular:
         return
     for number, sm, role in _with_roles(subject):
