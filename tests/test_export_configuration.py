@@ -202,6 +202,54 @@ def test_names_come_from_entry_pdo_dictionary_and_place():
     assert names == ["channel_1_output", "ramp", "entry_3000_00", "channel_2_output"]
 
 
+ONE_SLOT = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">1</ModuleIdent></Slot></Slots>'
+
+
+def declared(index: str, kind: str, bits: int, attributes: str = "") -> str:
+    return (
+        f"<Object><Index {attributes}>{index}</Index><Name>{kind} {index}</Name><Type>{kind}</Type>"
+        f"<BitSize>{bits}</BitSize><Flags><PdoMapping>R</PdoMapping></Flags></Object>"
+    )
+
+
+def module(*content: str) -> str:
+    return f"<Module><Type ModuleIdent='1'>M</Type><Name>M</Name>{''.join(content)}</Module>"
+
+
+def test_an_object_marked_overwritten_by_module_yields_to_the_module():
+    """Unmarked ones do not: of two objects with one index the device's counts (ESI-FACTS section 12)."""
+    marked = 'OverwrittenByModule="1"'
+    own = declared("#x607A", "UDINT", 32, marked) + declared("#x60FF", "UINT", 16, marked)
+    own += declared("#x2000", "UINT", 16) + declared("#x2001", "UINT", 16, marked)
+    of_module = declared("#x607A", "DINT", 32) + declared("#x60FF", "DINT", 32) + declared("#x2000", "DINT", 32)
+    found = configured(
+        dictionary("", own) + SMS + COE + ONE_SLOT,
+        module(rx("#x1600", entry("#x607A", 32, "t")), dictionary("", of_module)),
+        pdos=parse_pdo_choice("0x1600=0x607A+0x60FF+0x2000+0x2001"),
+    )
+    (image,) = found.images(OUTPUT)
+    assert [(e.entry_index, e.bit_length, e.value.kind) for e in image.entries] == [
+        (0x607A, 32, "int"),
+        (0x60FF, 32, "int"),
+        (0x2000, 16, "uint"),
+        (0x2001, 16, "uint"),
+    ]
+
+
+def test_a_type_name_means_the_type_of_its_own_dictionary():
+    def named(base: str) -> str:
+        return f"<DataType><Name>DT_MODE</Name><BaseType>{base}</BaseType><BitSize>8</BitSize></DataType>"
+
+    def mode(index: str) -> str:
+        return rx(index, entry("#x6060", 8, "mode", data_type="DT_MODE"))
+
+    found = configured(
+        dictionary(named("USINT"), "") + SMS + mode("#x1600") + ONE_SLOT,
+        module(mode("#x1601"), dictionary(named("SINT"), "")),
+    )
+    assert [e.value.kind for sm in found.images(OUTPUT) for e in sm.entries] == ["uint", "int"]
+
+
 @pytest.mark.parametrize(
     ("data_type", "bits", "kind", "container"),
     [
@@ -295,12 +343,11 @@ def test_op_modes_that_are_not_one(wanted, message):
 
 
 def test_a_plugged_module_chooses_the_op_mode():
-    slots = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">1</ModuleIdent></Slot></Slots>'
-    module = "<Module><Type ModuleIdent='1'>M</Type><Name>M</Name><DcOpModeName>DC</DcOpModeName></Module>"
-    found = configured(MODES + slots, module)
+    asking = module("<DcOpModeName>DC</DcOpModeName>")
+    found = configured(MODES + ONE_SLOT, asking)
     assert found.op_mode_position == 1
     assert any("a plugged module asks for it" in remark for remark in found.remarks)
-    assert configured(MODES + slots, module, op_mode="free").op_mode_position == 0
+    assert configured(MODES + ONE_SLOT, asking, op_mode="free").op_mode_position == 0
 
 
 def init_cmd(transitions: str, index: str, data: str, extra: str = "") -> str:
@@ -320,13 +367,9 @@ def test_commands_by_transition():
 
 
 def test_a_command_marked_overwritten_by_module_yields_to_the_module():
-    slots = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">1</ModuleIdent></Slot></Slots>'
     own = init_cmd("PS", "#x6060", "08", 'OverwrittenByModule="1"') + init_cmd("PS", "#x6061", "01")
-    module = (
-        "<Module><Type ModuleIdent='1'>M</Type><Name>M</Name>"
-        f"<Mailbox><CoE>{init_cmd('PS', '#x6060', '09')}</CoE></Mailbox></Module>"
-    )
-    found = configured(SMS + f"<Mailbox><CoE>{own}</CoE></Mailbox>" + slots, module)
+    of_module = f"<Mailbox><CoE>{init_cmd('PS', '#x6060', '09')}</CoE></Mailbox>"
+    found = configured(SMS + f"<Mailbox><CoE>{own}</CoE></Mailbox>" + ONE_SLOT, module(of_module))
     assert [(c.object_index, c.data) for c in found.commands] == [(0x6061, b"\x01"), (0x6060, b"\x09")]
 
 

@@ -1,14 +1,12 @@
 """What all generators get: a device with everything chosen, every entry with its place, type and name."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
-from esicatalog.esi.records.dictionary import Dictionary
-from esicatalog.esi.records.module import Module
 from esicatalog.export.choice import Choice
 from esicatalog.export.clocks import Clocks, chosen_op_mode, clocks
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
@@ -132,7 +130,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     expanded = [expand_module(device, item) for item in plugged]
     position, mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
     op_mode = device.op_modes[position] if position is not None else None
-    objects = ObjectTable(_dictionaries((device, *(item.module for item in expanded))))
+    objects = ObjectTable(device, expanded)
     chosen = apply_choice(device, plugged, choice.pdos, objects)
     images = process_image(chosen.device, chosen.plugged, op_mode, chosen.assignment)
     found_clocks = clocks(op_mode, choice.cycle_ns)
@@ -176,10 +174,6 @@ def checked_prefix(name: str) -> str:
     if IDENTIFIER.fullmatch(name) is None or "__" in name or identifier(name, "") != name.lower():
         raise InputError(f"{name!r} cannot begin names: use letters, digits and single _, a letter first")
     return name.lower()
-
-
-def _dictionaries(owners: Iterable[Device | Module]) -> Iterator[Dictionary]:
-    return (p.dictionary for owner in owners for p in owner.profiles if p.dictionary is not None)
 
 
 def _assignment_remarks(
@@ -267,7 +261,7 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
         if not 0 <= index <= _MAX_INDEX or not 0 <= subindex <= _MAX_SUBINDEX:
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:X}:{subindex:X}, which is no object")
         text = " ".join((display_text(item.entry.names) or "").split())
-        value = value_type(objects.base_type(item.entry), bit_length)
+        value = value_type(objects.base_type(item.entry, placed.slot_number), bit_length)
         entries.append(
             MappedEntry(
                 index,
