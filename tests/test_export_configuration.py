@@ -97,6 +97,29 @@ def test_pdos_that_the_device_does_not_allow(text, message):
     assert "\n" not in str(raised.value)
 
 
+@pytest.mark.parametrize("length", ["", "<BitLen>0</BitLen>", "<BitLen>-8</BitLen>", "<BitLen>32bit</BitLen>"])
+def test_an_entry_without_a_length_is_refused_where_it_is_mapped(length):
+    """Rule L33: BitLen is required; without it nothing tells where the entries behind it lie."""
+    unknown = f"<Entry><Index>#x6064</Index><SubIndex>0</SubIndex>{length}</Entry>"
+    content = SMS + rx("#x1600", entry("#x6041", 16), unknown, entry("#x6061", 8)) + COE
+    with pytest.raises(InputError, match="PDO 0x1600 maps 0x6064:00 without a usable BitLen") as why:
+        configured(content)
+    assert "\n" not in str(why.value)
+    (image,) = configured(content, pdos=parse_pdo_choice("0x1600=0x6041+0x6061")).images(OUTPUT)
+    assert [item.bit_offset for item in image.entries] == [0, 16]
+    assert configured(content.replace('Sm="2"', "")).images(OUTPUT) == ()
+
+
+def test_a_gap_of_no_bits_moves_nothing_and_one_without_a_length_is_refused():
+    def around(gap: str) -> str:
+        return SMS + rx("#x1600", entry("#x6041", 16), f"<Entry><Index>0</Index>{gap}</Entry>", entry("#x6061", 8))
+
+    (image,) = configured(around("<BitLen>0</BitLen>")).images(OUTPUT)
+    assert [item.bit_offset for item in image.entries] == [0, 16]
+    with pytest.raises(InputError, match="PDO 0x1600 maps a gap without a usable BitLen"):
+        configured(around(""))
+
+
 def test_a_mandatory_pdo_is_assigned_too_and_cannot_be_excluded():
     mandatory = pdo("RxPdo", "#x1600", 16, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1601</Exclude>")
     content = SMS + mandatory + pdo("RxPdo", "#x1601", 8) + pdo("RxPdo", "#x1602", 8) + COE

@@ -210,6 +210,10 @@ def test_the_text_says_what_was_left_out_and_why_to_merge():
             "Data types without a code, stored as 0: DT1.",
         ),
         (
+            "<RxPdo><Index>#x1600</Index><Entry><Index>#x6064</Index><SubIndex>2</SubIndex></Entry></RxPdo>",
+            "lengths of its process data are wrong: 0x6064:02 of PDO 0x1600.",
+        ),
+        (
             "<Dc><OpMode><Name>a</Name><VendorSpecific><T IgnoreFromBuildNo='1'/></VendorSpecific></OpMode></Dc>",
             "left out: 1 of 1.",
         ),

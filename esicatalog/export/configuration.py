@@ -15,6 +15,7 @@ from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import ChosenPdos, apply_choice
 from esicatalog.export.subject import Subject
+from esicatalog.model.pdo_facts import has_length
 from esicatalog.model.process_image import PlacedPdo, SmImage, process_image
 from esicatalog.model.slots import PluggedModule, chosen_modules, expand_module
 from esicatalog.model.sm_facts import sm_facts
@@ -254,7 +255,13 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
     entries = []
     for item, entry_identifier in zip(placed.entries, identifiers, strict=True):
         index, subindex, bit_length = item.entry.entry_index or 0, item.entry.subindex or 0, item.entry.bit_length or 0
-        if bit_length <= 0:
+        if not has_length(item.entry):
+            what = f"0x{index:04X}:{subindex:02X}" if index else "a gap"
+            raise InputError(
+                f"PDO 0x{pdo.pdo_index:04X} maps {what} without a usable BitLen, and nothing tells where the entries "
+                "behind it lie; correct the file, or choose other PDOs or entries (--pdo)"
+            )
+        if not bit_length:
             continue
         if bit_length > _MAX_SM_BITS:
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} has an entry of {bit_length} bits; no SyncManager holds that")

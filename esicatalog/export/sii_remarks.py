@@ -11,7 +11,7 @@ from esicatalog.export.sii_limits import used_bytes
 from esicatalog.export.sii_merge import MergedImage
 from esicatalog.export.sii_texts import storable
 from esicatalog.identity import Identity
-from esicatalog.model.pdo_facts import entry_facts
+from esicatalog.model.pdo_facts import entry_facts, has_length
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.sii.checksum import CHECKSUM_OFFSET
 from esicatalog.sii.image import SiiImage
@@ -124,6 +124,15 @@ def _unknown_types(device: Device) -> list[str]:
     return [entry.data_type for entry in entries if entry.data_type and not data_type_code(entry.data_type)]
 
 
+def _without_length(device: Device) -> list[str]:
+    return [
+        f"0x{entry.entry_index or 0:04X}:{entry.subindex or 0:02X} of PDO 0x{pdo.pdo_index:04X}"
+        for pdo in _pdos(device)
+        for entry in pdo.entries
+        if pdo.pdo_index is not None and not has_length(entry)
+    ]
+
+
 def _watchdog_by_attribute(device: Device) -> list[str]:
     facts = ((number, sm, sm_facts(sm)) for number, sm in enumerate(device.sync_managers))
     return [f"SM{number}" for number, sm, fact in facts if sm.watchdog and not fact.watchdog_trigger]
@@ -193,6 +202,11 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
     (
         lambda device: [pdo.ref or "(no name)" for pdo in _pdos(device) if pdo.pdo_index is None],
         "PDOs without index, left out: {}.",
+    ),
+    (
+        _without_length,
+        "Entries without a usable BitLen, stored with length 0; do not write this image, the lengths of its process "
+        "data are wrong: {}.",
     ),
     (_unknown_types, "Data types without a code, stored as 0: {}."),
     (_long_names, "Texts cut to 255 bytes: {}."),
