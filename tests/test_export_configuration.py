@@ -7,6 +7,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.export.choice import Choice, PdoChoice, parse_pdo_choice
 from esicatalog.export.configuration import INPUT, OUTPUT, Configuration, configure
+from esicatalog.export.headings import choice_lines
 from esicatalog.export.subject import Subject, choose_subject, subjects_of_document
 from esicatalog.identity import Identity
 
@@ -340,6 +341,20 @@ def test_times_of_the_signals(mode, cycle_ns, sync0_ns, delay_ns):
 def test_without_assign_activate_there_are_no_clocks():
     assert configured(SMS + dc(("free", times("0", FACTOR_1)))).clocks is None
     assert configured(SMS).clocks is None
+
+
+def test_a_device_that_uses_the_time_only_gets_no_sync_signals():
+    """Dc/@TimeLoopControlOnly: a master writes none of 0x0940 to 0x09FF, AssignActivate (0x0980) among them."""
+    modes = dc(("FreeRun", times("0")), ("DC", times("#x320"))).replace("<Dc>", '<Dc TimeLoopControlOnly="1">')
+    found = configured(SMS + modes, op_mode="DC")
+    assert found.clocks is None
+    (remark,) = found.remarks
+    assert "TimeLoopControlOnly" in remark
+    assert "AssignActivate 0x0320 of the OpMode is left out" in remark
+    assert next(choice_lines(found)) == "OpMode:   1 'DC': DC time only"
+    free = configured(SMS + modes)
+    assert (free.clocks, free.remarks) == (None, ())
+    assert next(choice_lines(free)) == "OpMode:   0 'FreeRun': no distributed clocks"
 
 
 def test_a_cycle_that_cannot_be_divided_is_refused():

@@ -8,7 +8,7 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.export.choice import Choice
-from esicatalog.export.clocks import Clocks, chosen_op_mode, clocks
+from esicatalog.export.clocks import Clocks, chosen_op_mode, programmed_clocks
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
 from esicatalog.export.names import IDENTIFIER, identifier
@@ -103,7 +103,7 @@ class Configuration(NamedTuple):
     plugged: tuple[PluggedModule, ...]
     op_mode_position: int | None
     clocks: Clocks | None
-    """None when the OpMode uses no distributed clocks."""
+    """None when a master programs no SYNC unit for the OpMode."""
     sync_managers: tuple[SmConfiguration, ...]
     commands: tuple[StartCommand, ...]
     axes: tuple[int, ...]
@@ -116,6 +116,11 @@ class Configuration(NamedTuple):
     def op_mode(self) -> OpMode | None:
         """The chosen OpMode."""
         return self.subject.device.op_modes[self.op_mode_position] if self.op_mode_position is not None else None
+
+    @property
+    def uses_dc_time(self) -> bool:
+        """Whether the clocks have to be kept together for it; some devices need that and no SYNC unit."""
+        return self.op_mode is not None and bool(self.op_mode.assign_activate)
 
     def images(self, direction: str) -> tuple[SmConfiguration, ...]:
         """SyncManagers with process data of one direction."""
@@ -134,7 +139,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     objects = ObjectTable(device, expanded)
     chosen = apply_choice(device, plugged, choice.pdos, objects)
     images = process_image(chosen.device, chosen.plugged, op_mode, chosen.assignment)
-    found_clocks = clocks(op_mode, choice.cycle_ns)
+    found_clocks, clock_remarks = programmed_clocks(device, op_mode, choice.cycle_ns)
     commands, command_remarks = start_commands(device, plugged, expanded)
     names = entry_names(device, expanded, images, objects)
     remarks = [
@@ -142,7 +147,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *chosen.remarks,
         *_assignment_remarks(device, plugged, op_mode, chosen, images),
         *(remark for image in images for remark in image.remarks),
-        *(found_clocks.remarks if found_clocks is not None else ()),
+        *clock_remarks,
         *command_remarks,
         *cycle_remarks(commands, choice.cycle_ns),
     ]
