@@ -411,11 +411,62 @@ def test_a_command_marked_overwritten_by_module_yields_to_the_module():
     assert [(c.object_index, c.data) for c in found.commands] == [(0x6061, b"\x01"), (0x6060, b"\x09")]
 
 
-def test_cycle_times_that_commands_write_are_compared_with_the_bus_cycle():
-    content = SMS + f"<Mailbox><CoE>{init_cmd('PS', '#x60C2', '02')}</CoE></Mailbox>"
-    (remark,) = configured(content).remarks
-    assert "writes 2000000 ns, the bus cycle is 1000000 ns" in remark
-    assert configured(content, cycle_ns=2_000_000).remarks == ()
+def written(index: str, subindex: int, data: str, adapt: str = "") -> str:
+    place = f"<Transition>PS</Transition><Index>{index}</Index><SubIndex>{subindex}</SubIndex>"
+    return f"<InitCmd>{place}<Data {adapt}>{data}</Data></InitCmd>"
+
+
+def cycle_remarks(commands: str, content: str = "", **choice) -> list[str]:
+    found = configured(SMS + content + f"<Mailbox><CoE>{commands}</CoE></Mailbox>", **choice)
+    return [remark for remark in found.remarks if "the bus cycle is" in remark]
+
+
+TWO_AXES = rx("#x1600", entry("#x6040", 16), entry("#x6840", 16))
+
+
+@pytest.mark.parametrize(
+    ("commands", "content", "written_ns"),
+    [
+        # 0x60C2 is subindex 1 times ten to the power of subindex 2, in seconds.
+        (written("#x60C2", 1, "02"), "", 2_000_000),
+        (written("#x60C2", 1, "14") + written("#x60C2", 2, "FC"), "", 2_000_000),
+        (written("#x60C2", 2, "FA") + written("#x60C2", 1, "FA"), "", 250_000),
+        (written("#x60C2", 1, "01") + written("#x60C2", 2, "00"), "", 1_000_000_000),
+        (written("#x68C2", 1, "05") + written("#x68C2", 2, "FC"), TWO_AXES, 500_000),
+        # Cycle time of the SyncManager parameters, UDINT in ns.
+        (written("#x1C32", 2, "40420F00"), "", 1_000_000),
+        (written("#x1C33", 2, "20A10700"), "", 500_000),
+    ],
+)
+def test_cycle_times_that_commands_write_are_compared_with_the_bus_cycle(commands, content, written_ns):
+    assert cycle_remarks(commands, content, cycle_ns=written_ns) == []
+    (remark,) = cycle_remarks(commands, content, cycle_ns=4_000_000)
+    assert f"writes {written_ns} ns, the bus cycle is 4000000 ns: adapt one of them" in remark
+
+
+@pytest.mark.parametrize(
+    "commands",
+    [
+        # Without an axis there, 0x68C2 is an object of modular I/O.
+        written("#x68C2", 1, "05"),
+        written("#x1C32", 1, "0200"),
+        written("#x60C2", 2, "FD"),
+        written("#x60C2", 1, "00" * 5_000),
+    ],
+)
+def test_commands_that_write_no_cycle_time(commands):
+    assert cycle_remarks(commands) == []
+
+
+def test_the_cycle_of_sync0_is_also_one_for_the_sync_manager():
+    mode = dc(("DC", times("#x300", 'Factor="2">0')))
+    assert cycle_remarks(written("#x1C32", 2, "80841E00"), mode) == []
+    assert len(cycle_remarks(written("#x60C2", 1, "02"), mode)) == 1
+
+
+def test_a_cycle_time_that_the_configuration_tool_adapts_says_so():
+    (remark,) = cycle_remarks(written("#x1C32", 2, "40420F00", 'AdaptAutomatically="1"'), cycle_ns=4_000_000)
+    assert remark.endswith("adapt one of them; AdaptAutomatically: the configuration tool adapts the data")
 
 
 def test_an_empty_default_module_list_downloads_nothing():

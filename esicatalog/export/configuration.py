@@ -1,6 +1,7 @@
 """What all generators get: a device with everything chosen, every entry with its place, type and name."""
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
@@ -149,7 +150,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *(remark for image in images for remark in image.remarks),
         *clock_remarks,
         *command_remarks,
-        *cycle_remarks(commands, choice.cycle_ns),
+        *cycle_remarks(commands, names.axes, choice.cycle_ns, _sync0_ns(found_clocks, choice.cycle_ns)),
     ]
     sync_managers = tuple(_sync_managers(device, images, names.identifiers, objects, remarks))
     return Configuration(
@@ -165,6 +166,10 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         names.is_drive,
         tuple(dict.fromkeys(remarks)),
     )
+
+
+def _sync0_ns(found: Clocks | None, cycle_ns: int) -> Fraction | None:
+    return found.sync0_cycle.in_ns(cycle_ns) if found is not None and found.signals.sync0 else None
 
 
 def _check_numbers(choice: Choice) -> None:
