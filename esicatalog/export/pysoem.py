@@ -14,7 +14,9 @@ from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.export.soem_startup import RegisterWrite, command_words, hook_commands, later_commands, soem_clocks
 
-_NAMES_OF_CTYPES = frozenset(("_anonymous_", "_fields_", "_layout_", "_pack_"))
+_USED_BY_CLASS = frozenset(("property", "from_address", "from_buffer", "from_buffer_copy", "from_param", "in_dll"))
+"""What the body of the generated class uses, and what is called on the class: ctypes keeps that in its metaclass, where
+an attribute of the class itself hides it."""
 _CYCLE = "cycle_ns"
 
 
@@ -123,7 +125,7 @@ def _image_class(layout: ImageLayout) -> ImageClass:
 
 
 def _python_names(names: list[str]) -> list[str]:
-    safe = [f"{name}_" if keyword.iskeyword(name) or name in _NAMES_OF_CTYPES else name for name in names]
+    safe = [f"{name}_" if keyword.iskeyword(name) or name in _USED_BY_CLASS else name for name in names]
     return unique_names([(name,) for name in safe])
 
 
