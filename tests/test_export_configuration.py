@@ -296,6 +296,12 @@ def test_types_of_values(data_type, bits, kind, container):
     assert (value.kind, value.bit_length, value.container_bits) == (kind, bits, container)
 
 
+def test_bytes_that_the_master_should_swap_are_told():
+    swapped = entry("#x7000", 16, "v", 1, "INT").replace("<DataType>", '<DataType SwapData="Swap_HB_LB">')
+    (remark,) = configured(SMS + rx("#x1600", swapped, entry("#x7000", 16, "w", 2))).remarks
+    assert remark.startswith("0x7000:01 v asks the master to swap its bytes (Swap_HB_LB)")
+
+
 def dc(*modes: tuple[str, str]) -> str:
     return "<Dc>" + "".join(f"<OpMode><Name>{name}</Name>{times}</OpMode>" for name, times in modes) + "</Dc>"
 

@@ -203,6 +203,12 @@ def test_the_text_says_what_was_left_out_and_why_to_merge():
         ("<Fmmu>Dynamic</Fmmu><Fmmu>Outputs</Fmmu>", "FMMUs without a code for their use, stored as unused: Dynamic."),
         ("<Sm>Motors</Sm>", "SyncManagers without a code for their use, stored as unused: Motors."),
         ('<Sm ControlByte="#x24" Watchdog="1">Outputs</Sm>', "the ControlByte is stored: SM0."),
+        ("<ESC><Reg0410>0</Reg0410></ESC>", "An image has no place for: values of ESC registers."),
+        (
+            "<RxPdo><Index>#x1600</Index><Entry><Index>1</Index><BitLen>16</BitLen>"
+            '<DataType SwapData="Swap_HB_LB">INT</DataType></Entry></RxPdo>',
+            "An image has no place for: SwapData.",
+        ),
         ("<Eeprom><ConfigData2>00</ConfigData2></Eeprom>", "An image has no place for: ConfigData2."),
         ('<RxPdo Ref="A"/>', "PDOs without index, left out: A."),
         (

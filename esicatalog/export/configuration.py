@@ -148,6 +148,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *chosen.remarks,
         *_assignment_remarks(device, plugged, op_mode, chosen, images),
         *(remark for image in images for remark in image.remarks),
+        *_swap_remarks(images),
         *clock_remarks,
         *command_remarks,
         *cycle_remarks(commands, names.axes, choice.cycle_ns, _sync0_ns(found_clocks, choice.cycle_ns)),
@@ -204,6 +205,16 @@ def _assignment_remarks(
         yield (
             f"the PDOs of {', '.join(changed)} are not the default ones, and the device does not declare PdoAssign: "
             "it may keep its default assignment, and then no offset here is right"
+        )
+
+
+def _swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:
+    for item in (item for image in images for pdo in image.pdos for item in pdo.entries if item.entry.swap_data):
+        entry = item.entry
+        yield (
+            f"0x{entry.entry_index or 0:04X}:{entry.subindex or 0:02X} {display_text(entry.names) or ''}".rstrip()
+            + f" asks the master to swap its bytes ({entry.swap_data}), which nothing here does: swap them in the "
+            "application"
         )
 
 

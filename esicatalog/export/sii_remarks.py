@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Iterator
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device, Eeprom
 from esicatalog.esi.records.pdo import Pdo
+from esicatalog.export.esc_registers import esc_registers
 from esicatalog.export.sii import FMMU_USAGE_CODES, PORT_CODES, SM_USAGE_CODES, data_type_code, valid_op_modes
 from esicatalog.export.sii_header import ASSUMED_BYTE_SIZE, BOOTSTRAP_BYTES, is_declarable
 from esicatalog.export.sii_limits import used_bytes
@@ -149,6 +150,8 @@ def _elsewhere(device: Device) -> list[str]:
         "PDOs of modules": device.slots,
         "Exclude": any(pdo.excludes for pdo in _pdos(device)),
         "oversampling factors": any(pdo.os_fac for pdo in _pdos(device)),
+        "SwapData": any(entry.swap_data for pdo in _pdos(device) for entry in pdo.entries),
+        "values of ESC registers": any(esc_registers(device)),
         "PDO lists of OpModes": any(mode.sm_assignments for mode in device.op_modes),
         "CycleTimeSync1 in ns": any(mode.cycle_time_sync1_ns for mode in device.op_modes),
         "SYNC2 and SYNC3": any(mode.activate_additional is not None for mode in device.op_modes),
