@@ -99,13 +99,15 @@ def test_what_no_image_can_hold_is_left_out_with_its_pdo():
     long = (
         "<RxPdo {}><Index>#x1601</Index><Name>R</Name><Entry><Index>#x7001</Index><BitLen>256</BitLen></Entry></RxPdo>"
     )
-    kept = pdo("RxPdo", "#x1600", 8, attributes='Sm="0"')
+    kept = pdo("RxPdo", "#x1600", 8, attributes='Sm="0"') + pdo("TxPdo", "#x1A00", 8)
     found, dropped = fit_image(image(kept + long.format("")), 2048)
-    assert [item.pdo_index for item in found.rx_pdos] == [0x1600]
-    assert dropped[-1] == "PDOs that no SyncManager is assigned: 0x1601"
+    assert [item.pdo_index for item in (*found.rx_pdos, *found.tx_pdos)] == [0x1600, 0x1A00]
+    assert dropped == ("PDOs that no SyncManager is assigned: 0x1601",)
+    assert found.text(found.rx_pdos[0].entries[0].name_string_number) == "e1"
     found, dropped = fit_image(image(kept + long.format('Sm="0"')), 2048)
-    assert found.rx_pdos == ()
-    assert dropped[-1] == "all PDOs, which a master then has to know from elsewhere: 0x1600, 0x1601"
+    assert (found.rx_pdos, found.tx_pdos) == ((), ())
+    assert dropped == ("all PDOs, which a master then has to know from elsewhere: 0x1600, 0x1601, 0x1A00",)
+    assert found.text(found.general.group_string_number) == "G"
 
 
 def test_names_go_first_step_by_step():
