@@ -7,6 +7,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.export.choice import Choice, PdoChoice, parse_pdo_choice
 from esicatalog.export.configuration import INPUT, OUTPUT, Configuration, configure
+from esicatalog.export.headings import choice_lines
 from esicatalog.export.subject import Subject, choose_subject, subjects_of_document
 from esicatalog.identity import Identity
 
@@ -95,6 +96,29 @@ def test_pdos_that_the_device_does_not_allow(text, message):
     with pytest.raises(InputError, match=message) as raised:
         configured(SMS + PDOS + COE, pdos=parse_pdo_choice(text))
     assert "\n" not in str(raised.value)
+
+
+@pytest.mark.parametrize("length", ["", "<BitLen>0</BitLen>", "<BitLen>-8</BitLen>", "<BitLen>32bit</BitLen>"])
+def test_an_entry_without_a_length_is_refused_where_it_is_mapped(length):
+    """Rule L33: BitLen is required; without it nothing tells where the entries behind it lie."""
+    unknown = f"<Entry><Index>#x6064</Index><SubIndex>0</SubIndex>{length}</Entry>"
+    content = SMS + rx("#x1600", entry("#x6041", 16), unknown, entry("#x6061", 8)) + COE
+    with pytest.raises(InputError, match="PDO 0x1600 maps 0x6064:00 without a usable BitLen") as why:
+        configured(content)
+    assert "\n" not in str(why.value)
+    (image,) = configured(content, pdos=parse_pdo_choice("0x1600=0x6041+0x6061")).images(OUTPUT)
+    assert [item.bit_offset for item in image.entries] == [0, 16]
+    assert configured(content.replace('Sm="2"', "")).images(OUTPUT) == ()
+
+
+def test_a_gap_of_no_bits_moves_nothing_and_one_without_a_length_is_refused():
+    def around(gap: str) -> str:
+        return SMS + rx("#x1600", entry("#x6041", 16), f"<Entry><Index>0</Index>{gap}</Entry>", entry("#x6061", 8))
+
+    (image,) = configured(around("<BitLen>0</BitLen>")).images(OUTPUT)
+    assert [item.bit_offset for item in image.entries] == [0, 16]
+    with pytest.raises(InputError, match="PDO 0x1600 maps a gap without a usable BitLen"):
+        configured(around(""))
 
 
 def test_a_mandatory_pdo_is_assigned_too_and_cannot_be_excluded():
@@ -296,6 +320,54 @@ def test_names_come_from_entry_pdo_dictionary_and_place():
     assert names == ["channel_1_output", "ramp", "entry_3000_00", "channel_2_output"]
 
 
+ONE_SLOT = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">1</ModuleIdent></Slot></Slots>'
+
+
+def declared(index: str, kind: str, bits: int, attributes: str = "") -> str:
+    return (
+        f"<Object><Index {attributes}>{index}</Index><Name>{kind} {index}</Name><Type>{kind}</Type>"
+        f"<BitSize>{bits}</BitSize><Flags><PdoMapping>R</PdoMapping></Flags></Object>"
+    )
+
+
+def module(*content: str) -> str:
+    return f"<Module><Type ModuleIdent='1'>M</Type><Name>M</Name>{''.join(content)}</Module>"
+
+
+def test_an_object_marked_overwritten_by_module_yields_to_the_module():
+    """Unmarked ones do not: of two objects with one index the device's counts (ESI-FACTS section 12)."""
+    marked = 'OverwrittenByModule="1"'
+    own = declared("#x607A", "UDINT", 32, marked) + declared("#x60FF", "UINT", 16, marked)
+    own += declared("#x2000", "UINT", 16) + declared("#x2001", "UINT", 16, marked)
+    of_module = declared("#x607A", "DINT", 32) + declared("#x60FF", "DINT", 32) + declared("#x2000", "DINT", 32)
+    found = configured(
+        dictionary("", own) + SMS + COE + ONE_SLOT,
+        module(rx("#x1600", entry("#x607A", 32, "t")), dictionary("", of_module)),
+        pdos=parse_pdo_choice("0x1600=0x607A+0x60FF+0x2000+0x2001"),
+    )
+    (image,) = found.images(OUTPUT)
+    assert [(e.entry_index, e.bit_length, e.value.kind) for e in image.entries] == [
+        (0x607A, 32, "int"),
+        (0x60FF, 32, "int"),
+        (0x2000, 16, "uint"),
+        (0x2001, 16, "uint"),
+    ]
+
+
+def test_a_type_name_means_the_type_of_its_own_dictionary():
+    def named(base: str) -> str:
+        return f"<DataType><Name>DT_MODE</Name><BaseType>{base}</BaseType><BitSize>8</BitSize></DataType>"
+
+    def mode(index: str) -> str:
+        return rx(index, entry("#x6060", 8, "mode", data_type="DT_MODE"))
+
+    found = configured(
+        dictionary(named("USINT"), "") + SMS + mode("#x1600") + ONE_SLOT,
+        module(mode("#x1601"), dictionary(named("SINT"), "")),
+    )
+    assert [e.value.kind for sm in found.images(OUTPUT) for e in sm.entries] == ["uint", "int"]
+
+
 @pytest.mark.parametrize(
     ("data_type", "bits", "kind", "container"),
     [
@@ -316,6 +388,12 @@ def test_types_of_values(data_type, bits, kind, container):
     found = configured(SMS + rx("#x1600", entry("#x7000", bits, "v", data_type=data_type)))
     ((value,),) = ([e.value for e in sm.entries] for sm in found.images(OUTPUT))
     assert (value.kind, value.bit_length, value.container_bits) == (kind, bits, container)
+
+
+def test_bytes_that_the_master_should_swap_are_told():
+    swapped = entry("#x7000", 16, "v", 1, "INT").replace("<DataType>", '<DataType SwapData="Swap_HB_LB">')
+    (remark,) = configured(SMS + rx("#x1600", swapped, entry("#x7000", 16, "w", 2))).remarks
+    assert remark.startswith("0x7000:01 v asks the master to swap its bytes (Swap_HB_LB)")
 
 
 def dc(*modes: tuple[str, str]) -> str:
@@ -365,6 +443,20 @@ def test_without_assign_activate_there_are_no_clocks():
     assert configured(SMS).clocks is None
 
 
+def test_a_device_that_uses_the_time_only_gets_no_sync_signals():
+    """Dc/@TimeLoopControlOnly: a master writes none of 0x0940 to 0x09FF, AssignActivate (0x0980) among them."""
+    modes = dc(("FreeRun", times("0")), ("DC", times("#x320"))).replace("<Dc>", '<Dc TimeLoopControlOnly="1">')
+    found = configured(SMS + modes, op_mode="DC")
+    assert found.clocks is None
+    (remark,) = found.remarks
+    assert "TimeLoopControlOnly" in remark
+    assert "AssignActivate 0x0320 of the OpMode is left out" in remark
+    assert next(choice_lines(found)) == "OpMode:   1 'DC': DC time only"
+    free = configured(SMS + modes)
+    assert (free.clocks, free.remarks) == (None, ())
+    assert next(choice_lines(free)) == "OpMode:   0 'FreeRun': no distributed clocks"
+
+
 def test_a_cycle_that_cannot_be_divided_is_refused():
     content = SMS + dc(("os", times("#x730", 'Factor="-3">0', 'Factor="-1">0')))
     with pytest.raises(InputError, match="divides the bus cycle by 3; 1000000 ns is no multiple"):
@@ -389,12 +481,11 @@ def test_op_modes_that_are_not_one(wanted, message):
 
 
 def test_a_plugged_module_chooses_the_op_mode():
-    slots = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">1</ModuleIdent></Slot></Slots>'
-    module = "<Module><Type ModuleIdent='1'>M</Type><Name>M</Name><DcOpModeName>DC</DcOpModeName></Module>"
-    found = configured(MODES + slots, module)
+    asking = module("<DcOpModeName>DC</DcOpModeName>")
+    found = configured(MODES + ONE_SLOT, asking)
     assert found.op_mode_position == 1
     assert any("a plugged module asks for it" in remark for remark in found.remarks)
-    assert configured(MODES + slots, module, op_mode="free").op_mode_position == 0
+    assert configured(MODES + ONE_SLOT, asking, op_mode="free").op_mode_position == 0
 
 
 def init_cmd(transitions: str, index: str, data: str, extra: str = "") -> str:
@@ -414,21 +505,68 @@ def test_commands_by_transition():
 
 
 def test_a_command_marked_overwritten_by_module_yields_to_the_module():
-    slots = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">1</ModuleIdent></Slot></Slots>'
     own = init_cmd("PS", "#x6060", "08", 'OverwrittenByModule="1"') + init_cmd("PS", "#x6061", "01")
-    module = (
-        "<Module><Type ModuleIdent='1'>M</Type><Name>M</Name>"
-        f"<Mailbox><CoE>{init_cmd('PS', '#x6060', '09')}</CoE></Mailbox></Module>"
-    )
-    found = configured(SMS + f"<Mailbox><CoE>{own}</CoE></Mailbox>" + slots, module)
+    of_module = f"<Mailbox><CoE>{init_cmd('PS', '#x6060', '09')}</CoE></Mailbox>"
+    found = configured(SMS + f"<Mailbox><CoE>{own}</CoE></Mailbox>" + ONE_SLOT, module(of_module))
     assert [(c.object_index, c.data) for c in found.commands] == [(0x6061, b"\x01"), (0x6060, b"\x09")]
 
 
-def test_cycle_times_that_commands_write_are_compared_with_the_bus_cycle():
-    content = SMS + f"<Mailbox><CoE>{init_cmd('PS', '#x60C2', '02')}</CoE></Mailbox>"
-    (remark,) = configured(content).remarks
-    assert "writes 2000000 ns, the bus cycle is 1000000 ns" in remark
-    assert configured(content, cycle_ns=2_000_000).remarks == ()
+def written(index: str, subindex: int, data: str, adapt: str = "") -> str:
+    place = f"<Transition>PS</Transition><Index>{index}</Index><SubIndex>{subindex}</SubIndex>"
+    return f"<InitCmd>{place}<Data {adapt}>{data}</Data></InitCmd>"
+
+
+def cycle_remarks(commands: str, content: str = "", **choice) -> list[str]:
+    found = configured(SMS + content + f"<Mailbox><CoE>{commands}</CoE></Mailbox>", **choice)
+    return [remark for remark in found.remarks if "the bus cycle is" in remark]
+
+
+TWO_AXES = rx("#x1600", entry("#x6040", 16), entry("#x6840", 16))
+
+
+@pytest.mark.parametrize(
+    ("commands", "content", "written_ns"),
+    [
+        # 0x60C2 is subindex 1 times ten to the power of subindex 2, in seconds.
+        (written("#x60C2", 1, "02"), "", 2_000_000),
+        (written("#x60C2", 1, "14") + written("#x60C2", 2, "FC"), "", 2_000_000),
+        (written("#x60C2", 2, "FA") + written("#x60C2", 1, "FA"), "", 250_000),
+        (written("#x60C2", 1, "01") + written("#x60C2", 2, "00"), "", 1_000_000_000),
+        (written("#x68C2", 1, "05") + written("#x68C2", 2, "FC"), TWO_AXES, 500_000),
+        # Cycle time of the SyncManager parameters, UDINT in ns.
+        (written("#x1C32", 2, "40420F00"), "", 1_000_000),
+        (written("#x1C33", 2, "20A10700"), "", 500_000),
+    ],
+)
+def test_cycle_times_that_commands_write_are_compared_with_the_bus_cycle(commands, content, written_ns):
+    assert cycle_remarks(commands, content, cycle_ns=written_ns) == []
+    (remark,) = cycle_remarks(commands, content, cycle_ns=4_000_000)
+    assert f"writes {written_ns} ns, the bus cycle is 4000000 ns: adapt one of them" in remark
+
+
+@pytest.mark.parametrize(
+    "commands",
+    [
+        # Without an axis there, 0x68C2 is an object of modular I/O.
+        written("#x68C2", 1, "05"),
+        written("#x1C32", 1, "0200"),
+        written("#x60C2", 2, "FD"),
+        written("#x60C2", 1, "00" * 5_000),
+    ],
+)
+def test_commands_that_write_no_cycle_time(commands):
+    assert cycle_remarks(commands) == []
+
+
+def test_the_cycle_of_sync0_is_also_one_for_the_sync_manager():
+    mode = dc(("DC", times("#x300", 'Factor="2">0')))
+    assert cycle_remarks(written("#x1C32", 2, "80841E00"), mode) == []
+    assert len(cycle_remarks(written("#x60C2", 1, "02"), mode)) == 1
+
+
+def test_a_cycle_time_that_the_configuration_tool_adapts_says_so():
+    (remark,) = cycle_remarks(written("#x1C32", 2, "40420F00", 'AdaptAutomatically="1"'), cycle_ns=4_000_000)
+    assert remark.endswith("adapt one of them; AdaptAutomatically: the configuration tool adapts the data")
 
 
 def test_an_empty_default_module_list_downloads_nothing():

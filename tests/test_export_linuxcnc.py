@@ -251,6 +251,13 @@ def test_the_clocks(mode, attributes):
     assert found == attributes
 
 
+def test_a_device_that_uses_the_time_only_has_synchronized_clocks_and_no_dc_conf():
+    modes = dc(("DC", times("#x320"))).replace("<Dc>", '<Dc TimeLoopControlOnly="1">')
+    text = linuxcnc_configuration(configured(SMS + rx("#x1600", entry("#x7000", 8, "v", 1)) + modes))
+    assert 'refClockSyncCycles="1"' in text
+    assert slave_in(text).find("dcConf") is None
+
+
 def test_commands():
     coe = "".join(
         (

@@ -180,6 +180,18 @@ def test_names_of_a_vendor_break_nothing(name):
     assert "sdo 0x2000:01 01" in calls(module, "setup")
 
 
+@pytest.mark.parametrize("name", ["Property", "From Buffer Copy", "ctypes", "self", "value", "Setter"])
+@pytest.mark.parametrize("bits", [1, 8])
+def test_names_that_the_generated_class_uses_itself(name, bits):
+    entries = (entry("#x7000", bits, name, 1), entry("#x7000", 1, "Behind", 2), entry("#x7000", 2, "Last", 3))
+    found = module_of(SMS + rx("#x1600", *entries)).Outputs
+    image = found()
+    image.behind, image.last = 1, 2
+    value = 1 << bits | 2 << bits + 1
+    assert bytes(image) == value.to_bytes(len(bytes(image)), "little")
+    assert found.from_buffer_copy(bytes(image)).last == 2
+
+
 def test_the_heading_names_the_source(data):
     lines = pysoem_module(l6n(data)).splitlines()
     assert any(line.endswith("l6n_drive.xml, line 22") for line in lines)

@@ -11,6 +11,7 @@ from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.image import RawCategory, SiiImage
+from esicatalog.sii.records import DC_MODE
 from esicatalog.sii.words import CoeDetails, GeneralFlags, MailboxProtocols
 
 VENDOR = 0x0E5C
@@ -358,7 +359,14 @@ def test_sync0_of_an_op_mode(content, cycle, factor):
 def test_sync1_of_an_op_mode():
     content = '<CycleTimeSync1 Factor="-1">0</CycleTimeSync1><ShiftTimeSync1>-7</ShiftTimeSync1>'
     (found,) = image(f"<Dc>{op_mode(content)}</Dc>").dc_modes
-    assert (found.cycle_time_sync1_factor, found.shift_time_sync1_ns) == (-1, 2**32 - 7)
+    assert (found.cycle_time_sync1_factor, found.shift_time_sync1_ns) == (-1, -7)
+
+
+def test_negative_shift_times_are_stored_as_two_s_complement():
+    """Bytes 4 to 11 of an OpMode: -250 is 0xFFFFFF06, -7 is 0xFFFFFFF9."""
+    content = "<ShiftTimeSync0>-250</ShiftTimeSync0><ShiftTimeSync1>-7</ShiftTimeSync1>"
+    stored = DC_MODE.write(image(f"<Dc>{op_mode(content)}</Dc>").dc_modes[0])
+    assert stored[4:12].hex(" ") == "06 ff ff ff f9 ff ff ff"
 
 
 def test_superseded_op_modes_are_left_out():

@@ -99,13 +99,15 @@ def test_what_no_image_can_hold_is_left_out_with_its_pdo():
     long = (
         "<RxPdo {}><Index>#x1601</Index><Name>R</Name><Entry><Index>#x7001</Index><BitLen>256</BitLen></Entry></RxPdo>"
     )
-    kept = pdo("RxPdo", "#x1600", 8, attributes='Sm="0"')
+    kept = pdo("RxPdo", "#x1600", 8, attributes='Sm="0"') + pdo("TxPdo", "#x1A00", 8)
     found, dropped = fit_image(image(kept + long.format("")), 2048)
-    assert [item.pdo_index for item in found.rx_pdos] == [0x1600]
-    assert dropped[-1] == "PDOs that no SyncManager is assigned: 0x1601"
+    assert [item.pdo_index for item in (*found.rx_pdos, *found.tx_pdos)] == [0x1600, 0x1A00]
+    assert dropped == ("PDOs that no SyncManager is assigned: 0x1601",)
+    assert found.text(found.rx_pdos[0].entries[0].name_string_number) == "e1"
     found, dropped = fit_image(image(kept + long.format('Sm="0"')), 2048)
-    assert found.rx_pdos == ()
-    assert dropped[-1] == "all PDOs, which a master then has to know from elsewhere: 0x1600, 0x1601"
+    assert (found.rx_pdos, found.tx_pdos) == ((), ())
+    assert dropped == ("all PDOs, which a master then has to know from elsewhere: 0x1600, 0x1601, 0x1A00",)
+    assert found.text(found.general.group_string_number) == "G"
 
 
 def test_names_go_first_step_by_step():
@@ -203,11 +205,21 @@ def test_the_text_says_what_was_left_out_and_why_to_merge():
         ("<Fmmu>Dynamic</Fmmu><Fmmu>Outputs</Fmmu>", "FMMUs without a code for their use, stored as unused: Dynamic."),
         ("<Sm>Motors</Sm>", "SyncManagers without a code for their use, stored as unused: Motors."),
         ('<Sm ControlByte="#x24" Watchdog="1">Outputs</Sm>', "the ControlByte is stored: SM0."),
+        ("<ESC><Reg0410>0</Reg0410></ESC>", "An image has no place for: values of ESC registers."),
+        (
+            "<RxPdo><Index>#x1600</Index><Entry><Index>1</Index><BitLen>16</BitLen>"
+            '<DataType SwapData="Swap_HB_LB">INT</DataType></Entry></RxPdo>',
+            "An image has no place for: SwapData.",
+        ),
         ("<Eeprom><ConfigData2>00</ConfigData2></Eeprom>", "An image has no place for: ConfigData2."),
         ('<RxPdo Ref="A"/>', "PDOs without index, left out: A."),
         (
             "<RxPdo><Index>#x1600</Index><Entry><Index>1</Index><BitLen>8</BitLen><DataType>DT1</DataType></Entry></RxPdo>",
             "Data types without a code, stored as 0: DT1.",
+        ),
+        (
+            "<RxPdo><Index>#x1600</Index><Entry><Index>#x6064</Index><SubIndex>2</SubIndex></Entry></RxPdo>",
+            "lengths of its process data are wrong: 0x6064:02 of PDO 0x1600.",
         ),
         (
             "<Dc><OpMode><Name>a</Name><VendorSpecific><T IgnoreFromBuildNo='1'/></VendorSpecific></OpMode></Dc>",

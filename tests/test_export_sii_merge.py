@@ -271,6 +271,13 @@ def changes(before: str, after: str) -> list[tuple[str, str]]:
             [("OpModes", "OpMode 1 would be added: AssignActivate 0x0300, SYNC0 cycle 0 ns factor 1, shift 0 ns, "
               "SYNC1 factor 0, shift 0 ns")],
         ),
+        (
+            "<Dc><OpMode><AssignActivate>#x300</AssignActivate><ShiftTimeSync0>250</ShiftTimeSync0></OpMode></Dc>",
+            "<Dc><OpMode><AssignActivate>#x300</AssignActivate><ShiftTimeSync0>-250</ShiftTimeSync0></OpMode></Dc>",
+            [("OpModes", "OpMode 1: AssignActivate 0x0300, SYNC0 cycle 0 ns factor 1, shift 250 ns, SYNC1 factor 0, "
+              "shift 0 ns would become AssignActivate 0x0300, SYNC0 cycle 0 ns factor 1, shift -250 ns, "
+              "SYNC1 factor 0, shift 0 ns")],
+        ),
     ],
 )  # fmt: skip
 def test_changes_in_words(before, after, expected):

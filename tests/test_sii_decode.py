@@ -125,7 +125,7 @@ def test_dc_modes(whole):
     assert dc_sync == DcMode(
         cycle_time_sync0_ns=1_000_000,
         shift_time_sync0_ns=10_000,
-        shift_time_sync1_ns=0xFFFFFFFF,
+        shift_time_sync1_ns=-1,
         cycle_time_sync1_factor=-2,
         assign_activate=0x0700,
         cycle_time_sync0_factor=1,

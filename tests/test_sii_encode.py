@@ -25,9 +25,8 @@ from esicatalog.sii.image import (
 from esicatalog.sii.records import DcMode, Fmmu, Header, Pdo, PdoEntry, SiiString, SyncManager
 from esicatalog.sii.words import CoeDetails, Enabled, GeneralFlags, MailboxProtocols, PdoFlags, SmEnable
 
-U8, U16, U32, I16 = (
-    st.integers(low, high) for low, high in ((0, 0xFF), (0, 0xFFFF), (0, 0xFFFFFFFF), (-0x8000, 0x7FFF))
-)
+U8, U16, U32 = (st.integers(0, high) for high in (0xFF, 0xFFFF, 0xFFFFFFFF))
+I16, I32 = (st.integers(-high - 1, high) for high in (0x7FFF, 0x7FFFFFFF))
 
 
 def test_the_hand_made_image_comes_back():
@@ -185,7 +184,8 @@ CLOCKS = st.lists(
     st.builds(
         DcMode,
         cycle_time_sync0_ns=U32,
-        shift_time_sync1_ns=U32,
+        shift_time_sync0_ns=I32,
+        shift_time_sync1_ns=I32,
         cycle_time_sync1_factor=I16,
         assign_activate=U16,
         cycle_time_sync0_factor=I16,

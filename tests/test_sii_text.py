@@ -43,7 +43,7 @@ def test_the_sheet_says_what_the_image_says():
         "0.0 0x6041:00 16 bits UINT Statusword",
         "2.0 0x0000:00 8 bits 0x00 (gap)",
         "TxPDO 0x1A01 : not assigned, 0 bits, flags overwritten by module",
-        "Antrieb 0x0700 SYNC0, SYNC1 1000000 ns 1 10000 ns -2 4294967295 ns Statusword",
+        "Antrieb 0x0700 SYNC0, SYNC1 1000000 ns 1 10000 ns -2 -1 ns Statusword",
         "Other: category 3 (device specific) at byte 0x80, 12 bytes",
         "0000 66 61 63 74 6f 72 79 20 64 61 74 61 factory data",
         "Other: category 43 (SyncUnit) at byte 0x108, 2 bytes",

@@ -14,6 +14,11 @@ from esicatalog.esi.records.module import Module
 from esicatalog.model.sync import SyncSignals, default_op_mode, sync_signals
 
 _UINT32_MAX, _INT32_MAX = 0xFFFF_FFFF, 0x7FFF_FFFF
+_TIME_LOOP_CONTROL_ONLY = (
+    "Dc/TimeLoopControlOnly: the device uses the DC time and no SYNC or LATCH signal, so that a master writes none of "
+    "the registers 0x0940 to 0x09FF, and AssignActivate 0x{:04X} of the OpMode is left out; the clocks of the bus have "
+    "to be kept together all the same"
+)
 
 
 class Time(NamedTuple):
@@ -102,8 +107,19 @@ def _by_modules(device: Device, modules: tuple[Module, ...]) -> tuple[int | None
     return positions[known[0]], remarks
 
 
+def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int) -> tuple[Clocks | None, tuple[str, ...]]:
+    """What a master programs for the OpMode at this bus cycle, and remarks; nothing with Dc/@TimeLoopControlOnly.
+
+    Raises :class:`InputError` as :func:`clocks` does.
+    """
+    if device.dc_time_loop_control_only and op_mode is not None and op_mode.assign_activate:
+        return None, (_TIME_LOOP_CONTROL_ONLY.format(op_mode.assign_activate),)
+    found = clocks(op_mode, cycle_ns)
+    return found, found.remarks if found is not None else ()
+
+
 def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
-    """What the OpMode programs at this bus cycle; None without AssignActivate, which means no distributed clocks.
+    """What the OpMode says at this bus cycle; None without AssignActivate, which means no distributed clocks.
 
     Raises :class:`InputError` when the signals would drift because the cycle cannot be divided as the OpMode says.
     """

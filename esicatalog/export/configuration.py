@@ -1,22 +1,22 @@
 """What all generators get: a device with everything chosen, every entry with its place, type and name."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
-from esicatalog.esi.records.dictionary import Dictionary
-from esicatalog.esi.records.module import Module
 from esicatalog.export.choice import Choice
-from esicatalog.export.clocks import Clocks, chosen_op_mode, clocks
+from esicatalog.export.clocks import Clocks, chosen_op_mode, programmed_clocks
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
 from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import ChosenPdos, apply_choice
 from esicatalog.export.subject import Subject
+from esicatalog.model.pdo_facts import has_length
 from esicatalog.model.process_image import PlacedPdo, SmImage, process_image
 from esicatalog.model.slots import PluggedModule, chosen_modules, expand_module
 from esicatalog.model.sm_facts import sm_facts
@@ -102,7 +102,7 @@ class Configuration(NamedTuple):
     plugged: tuple[PluggedModule, ...]
     op_mode_position: int | None
     clocks: Clocks | None
-    """None when the OpMode uses no distributed clocks."""
+    """None when a master programs no SYNC unit for the OpMode."""
     sync_managers: tuple[SmConfiguration, ...]
     """All but virtual ones, which only describe."""
     commands: tuple[StartCommand, ...]
@@ -116,6 +116,11 @@ class Configuration(NamedTuple):
     def op_mode(self) -> OpMode | None:
         """The chosen OpMode."""
         return self.subject.device.op_modes[self.op_mode_position] if self.op_mode_position is not None else None
+
+    @property
+    def uses_dc_time(self) -> bool:
+        """Whether the clocks have to be kept together for it; some devices need that and no SYNC unit."""
+        return self.op_mode is not None and bool(self.op_mode.assign_activate)
 
     def images(self, direction: str) -> tuple[SmConfiguration, ...]:
         """SyncManagers with process data of one direction."""
@@ -131,14 +136,14 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     expanded = [expand_module(device, item) for item in plugged]
     position, mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
     op_mode = device.op_modes[position] if position is not None else None
-    objects = ObjectTable(_dictionaries((device, *(item.module for item in expanded))))
+    objects = ObjectTable(device, expanded)
     default = process_image(device, plugged, op_mode)
     chosen = apply_choice(device, plugged, choice.pdos, objects, default)
     images = process_image(chosen.device, chosen.plugged, op_mode, chosen.assignment)
     for image in images:
         if image.overflow is not None:
             raise InputError(f"SM{image.sm}: {image.overflow}")
-    found_clocks = clocks(op_mode, choice.cycle_ns)
+    found_clocks, clock_remarks = programmed_clocks(device, op_mode, choice.cycle_ns)
     commands, command_remarks = start_commands(device, plugged, expanded)
     names = entry_names(device, expanded, images, objects)
     remarks = [
@@ -146,9 +151,10 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *chosen.remarks,
         *_assignment_remarks(device, chosen, default, images),
         *(remark for image in images for remark in image.remarks),
-        *(found_clocks.remarks if found_clocks is not None else ()),
+        *_swap_remarks(images),
+        *clock_remarks,
         *command_remarks,
-        *cycle_remarks(commands, choice.cycle_ns),
+        *cycle_remarks(commands, names.axes, choice.cycle_ns, _sync0_ns(found_clocks, choice.cycle_ns)),
     ]
     sync_managers = tuple(_sync_managers(device, images, names.identifiers, objects, remarks))
     return Configuration(
@@ -166,6 +172,10 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     )
 
 
+def _sync0_ns(found: Clocks | None, cycle_ns: int) -> Fraction | None:
+    return found.sync0_cycle.in_ns(cycle_ns) if found is not None and found.signals.sync0 else None
+
+
 def _check_numbers(choice: Choice) -> None:
     if not 0 < choice.cycle_ns <= _UINT32_MAX:
         raise InputError(f"a bus cycle of {choice.cycle_ns} ns cannot be; give 1 to {_UINT32_MAX} ns")
@@ -181,10 +191,6 @@ def checked_prefix(name: str) -> str:
     return name.lower()
 
 
-def _dictionaries(owners: Iterable[Device | Module]) -> Iterator[Dictionary]:
-    return (p.dictionary for owner in owners for p in owner.profiles if p.dictionary is not None)
-
-
 def _assignment_remarks(
     device: Device, chosen: ChosenPdos, default: Sequence[SmImage], images: Sequence[SmImage]
 ) -> Iterator[str]:
@@ -198,6 +204,16 @@ def _assignment_remarks(
         yield (
             f"the PDOs of {', '.join(changed)} are not the default ones, and the device does not declare PdoAssign: "
             "it may keep its default assignment, and then no offset here is right"
+        )
+
+
+def _swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:
+    for item in (item for image in images for pdo in image.pdos for item in pdo.entries if item.entry.swap_data):
+        entry = item.entry
+        yield (
+            f"0x{entry.entry_index or 0:04X}:{entry.subindex or 0:02X} {display_text(entry.names) or ''}".rstrip()
+            + f" asks the master to swap its bytes ({entry.swap_data}), which nothing here does: swap them in the "
+            "application"
         )
 
 
@@ -261,12 +277,18 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
     entries = []
     for number, (item, entry_identifier) in enumerate(zip(placed.entries, identifiers, strict=True)):
         index, subindex, bit_length = item.entry.entry_index or 0, item.entry.subindex or 0, item.entry.bit_length or 0
-        if bit_length <= 0:
+        if not has_length(item.entry):
+            what = f"0x{index:04X}:{subindex:02X}" if index else "a gap"
+            raise InputError(
+                f"PDO 0x{pdo.pdo_index:04X} maps {what} without a usable BitLen, and nothing tells where the entries "
+                "behind it lie; correct the file, or choose other PDOs or entries (--pdo)"
+            )
+        if not bit_length:
             continue
         if not 0 <= index <= _MAX_INDEX or not 0 <= subindex <= _MAX_SUBINDEX:
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:X}:{subindex:X}, which is no object")
         text = " ".join((display_text(item.entry.names) or "").split())
-        value = value_type(objects.base_type(placed.first_sample(number)), bit_length)
+        value = value_type(objects.base_type(placed.first_sample(number), placed.slot_number), bit_length)
         entries.append(
             MappedEntry(
                 index,

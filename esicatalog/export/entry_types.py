@@ -3,14 +3,20 @@
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.dictionary import DataType, Object
 from esicatalog.esi.records.pdo import Entry
+from esicatalog.esi.records.profile import Profile
 from esicatalog.model.base_types import BaseType
 from esicatalog.model.dictionary import ObjectEntry, resolve_base, resolve_object, type_table
+from esicatalog.model.slots import ExpandedModule
 
 CONTAINER_BITS = (8, 16, 32, 64)
 _REAL_BITS = (32, 64)
 _BYTE_KINDS = ("string", "octets", "unicode", "time", "guid", "domain")
+
+_Declared = tuple[Object, Mapping[str, DataType]]
+"""An object with the types of its dictionary."""
 
 
 class ValueType(NamedTuple):
@@ -40,17 +46,29 @@ def value_type(base: BaseType | None, bit_length: int) -> ValueType:
 
 
 class ObjectTable:
-    """Objects of several dictionaries by index; of two with the same index the first counts."""
+    """Objects of a device and its plugged modules by index, and the types that their entries name.
 
-    def __init__(self, dictionaries: Iterable[Dictionary]) -> None:
-        self._objects: dict[int, tuple[Object, Mapping[str, DataType]]] = {}
-        self._types: list[Mapping[str, DataType]] = []
-        for dictionary in dictionaries:
-            types = type_table(dictionary.data_types)
-            self._types.append(types)
-            for declared in dictionary.objects:
-                if declared.object_index is not None:
-                    self._objects.setdefault(declared.object_index, (declared, types))
+    Of several objects with the same index the device's counts before those of modules, unless the device marks it
+    OverwrittenByModule (ESI-FACTS section 12). A type name means what the dictionary of its owner declares (section 6).
+    """
+
+    def __init__(self, device: Device, expanded: Iterable[ExpandedModule]) -> None:
+        profiles: list[tuple[int | None, Profile]] = [(None, profile) for profile in device.profiles]
+        profiles += [(item.slot_number, profile) for item in expanded for profile in item.module.profiles]
+        self._types: dict[int | None, list[Mapping[str, DataType]]] = {}
+        counting: list[_Declared] = []
+        yielding: list[_Declared] = []
+        for slot_number, profile in profiles:
+            if (dictionary := profile.dictionary) is not None:
+                types = type_table(dictionary.data_types)
+                self._types.setdefault(slot_number, []).append(types)
+                for declared in dictionary.objects:
+                    yields = slot_number is None and declared.overwritten_by_module
+                    (yielding if yields else counting).append((declared, types))
+        self._objects: dict[int, _Declared] = {}
+        for found in (*counting, *yielding):
+            if found[0].object_index is not None:
+                self._objects.setdefault(found[0].object_index, found)
         self._resolved: dict[int, dict[int, ObjectEntry]] = {}
 
     def entry(self, index: int, subindex: int) -> ObjectEntry | None:
@@ -61,9 +79,9 @@ class ObjectTable:
             self._resolved[index] = {item.subindex: item for item in resolved}
         return self._resolved[index].get(subindex)
 
-    def base_type(self, entry: Entry) -> BaseType | None:
-        """Base type of a mapped entry: by its DataType, else by its object."""
-        for types in self._types or [{}]:
+    def base_type(self, entry: Entry, slot_number: int | None) -> BaseType | None:
+        """Base type of an entry of the module in a slot, None for the device: by its DataType, else by its object."""
+        for types in self._types.get(slot_number, [{}]):
             base = resolve_base(entry.data_type, types)
             if base is not None:
                 return base

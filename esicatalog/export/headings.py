@@ -64,7 +64,8 @@ def op_mode_words(configuration: Configuration) -> str:
     """The chosen OpMode with its position and what it does."""
     op_mode, found = configuration.op_mode, configuration.clocks
     name = f"{configuration.op_mode_position} {op_mode.name!r}" if op_mode is not None else ""
-    return f"{name}: {clock_words(found) if found is not None else 'no distributed clocks'}"
+    without = "DC time only" if configuration.uses_dc_time else "no distributed clocks"
+    return f"{name}: {clock_words(found) if found is not None else without}"
 
 
 def clock_words(found: Clocks) -> str:

@@ -1,12 +1,13 @@
 """C header for the IgH EtherLab master 1.5 and 1.6: what an application needs to configure and use devices."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from esicatalog.errors import InputError
 from esicatalog.export.c_text import comment_text, wrapped
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines
 from esicatalog.export.igh_device import DeviceCode, device_code
+from esicatalog.export.igh_startup import register_remarks
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.version import __version__
@@ -18,7 +19,7 @@ def igh_header(configuration: Configuration) -> str:
     """The header for one device. Raises :class:`InputError` for what the master's structures cannot hold."""
     return _header(
         configuration.prefix,
-        list(heading_lines(configuration, TARGET)),
+        list(_heading_lines(configuration)),
         [(device_code(configuration), [])],
         [(configuration, configuration.prefix)],
         configuration.choice.cycle_ns,
@@ -50,13 +51,18 @@ def igh_bus_header(configurations: Sequence[Configuration], remarks: Iterable[st
     return _header(
         name,
         lines,
-        [(device_code(kind), list(heading_lines(kind, TARGET))[2:]) for kind in kinds],
+        [(device_code(kind), list(_heading_lines(kind))[2:]) for kind in kinds],
         [
             (configuration._replace(prefix=kinds[kind].prefix), slave_name)
             for configuration, kind, slave_name in zip(configurations, kind_of, slave_names, strict=True)
         ],
         configurations[0].choice.cycle_ns,
     )
+
+
+def _heading_lines(configuration: Configuration) -> Iterator[str]:
+    remarks = (*configuration.remarks, *register_remarks(configuration.subject.device, "IgH"))
+    return heading_lines(configuration._replace(remarks=remarks), TARGET)
 
 
 def _check_places(configurations: Sequence[Configuration]) -> None:

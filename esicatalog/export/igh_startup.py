@@ -7,6 +7,13 @@ from esicatalog.esi.records.device import Device
 from esicatalog.export.c_text import c_bytes, comment_text
 from esicatalog.export.clocks import Clocks
 from esicatalog.export.configuration import Configuration
+from esicatalog.export.esc_registers import (
+    PROCESS_DATA_WATCHDOG,
+    WATCHDOG_DIVIDER,
+    EscRegister,
+    left_out,
+    settable,
+)
 from esicatalog.export.headings import op_mode_words
 from esicatalog.export.init_cmds import TRANSITIONS, StartCommand
 
@@ -95,8 +102,18 @@ def _is_sent_by_master(command: StartCommand) -> bool:
 
 def watchdog(device: Device) -> tuple[int, int] | None:
     """Divider and intervals for ecrt_slave_config_watchdog(), 0 for one that is not to be written."""
-    divider, intervals = ((value or 0) & 0xFFFF for value in (device.esc_reg0400, device.esc_reg0420))
-    return (divider, intervals) if divider or intervals else None
+    values = {item.register: item.value for item in _watchdog_registers(device)}
+    return (values.get(WATCHDOG_DIVIDER, 0), values.get(PROCESS_DATA_WATCHDOG, 0)) if values else None
+
+
+def _watchdog_registers(device: Device) -> tuple[EscRegister, ...]:
+    """Those of ecrt_slave_config_watchdog(), which takes 0 for a value that is to stay."""
+    return settable(device, (WATCHDOG_DIVIDER, PROCESS_DATA_WATCHDOG), lowest=1)
+
+
+def register_remarks(device: Device, program: str) -> Iterator[str]:
+    """Registers that :func:`watchdog` leaves out."""
+    return left_out(device, program, _watchdog_registers(device))
 
 
 def _timeouts(device: Device) -> Iterator[StateTimeout]:

@@ -1,11 +1,13 @@
 """Start-up commands of a device and its plugged modules, in the order in which they are due."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
 from typing import NamedTuple
 
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.model.cia402 import AXIS_STEP
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
 
 TRANSITIONS = ("IP", "PS", "SO", "SP", "OP", "OS")
@@ -13,10 +15,18 @@ TRANSITIONS = ("IP", "PS", "SO", "SP", "OP", "OS")
 PDO_ASSIGNMENT = range(0x1C10, 0x1C30)
 PDO_MAPPINGS = (range(0x1600, 0x1800), range(0x1A00, 0x1C00))
 MODULE_IDENT_LIST = 0xF030
-_CYCLE_IDNS = (1, 2)
-"""S-0-0001 control unit cycle time and S-0-0002 communication cycle time, in microseconds (IEC 61800-7-204)."""
-_INTERPOLATION_TIME = (0x60C2, 1)
-"""Interpolation time period value, in milliseconds with the usual index of -3 (IEC 61800-7-201)."""
+_SYNC_PARAMETERS = (0x1C32, 0x1C33)
+_NS_OF_CYCLE_UNIT = {
+    ("SoE", 1, 0): 1_000,
+    ("SoE", 2, 0): 1_000,
+    **{("CoE", index, 2): 1 for index in _SYNC_PARAMETERS},
+}
+"""Where cycle times are written, and in which unit: S-0-0001 control unit cycle time and S-0-0002 communication cycle
+time (IEC 61800-7-204), cycle time of the SyncManager parameters (ETG.1020)."""
+_INTERPOLATION_TIME_PERIOD = 0x60C2
+"""Subindex 1 times ten to the power of subindex 2, in seconds (IEC 61800-7-201); further axes as their objects."""
+_USUAL_EXPONENT, _EXPONENT_OF_NS = -3, -9
+_MAX_TIME_BYTES = 8
 _WITHOUT_GENERATOR = ("AoE", "EoE")
 
 
@@ -31,6 +41,7 @@ class StartCommand(NamedTuple):
     complete_access: bool = False
     channel: int = 0
     comment: str = ""
+    adapt_automatically: bool = False
 
     @property
     def writes_pdo_configuration(self) -> bool:
@@ -102,6 +113,7 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
             bool(command.complete_access),
             command.channel or 0,
             " ".join((command.comment or "").split()),
+            bool(command.adapt_automatically),
         )
         if found.transition not in TRANSITIONS:
             remarks.append(f"InitCmd {found.place} of the {owner} is left out: transition {transition!r} is unknown")
@@ -138,21 +150,39 @@ def single_accesses(command: StartCommand) -> Iterator[StartCommand]:
     yield single._replace(data=command.data[:1])
 
 
-def cycle_remarks(commands: Iterable[StartCommand], cycle_ns: int) -> Iterator[str]:
-    """Commands that write a cycle time other than the bus cycle: vendors' examples, to be adapted."""
+def cycle_remarks(
+    commands: Sequence[StartCommand], axes: Iterable[int], cycle_ns: int, sync0_ns: Fraction | None
+) -> Iterator[str]:
+    """Commands that write a cycle time other than the bus cycle: vendors' examples, to be adapted.
+
+    For the parameters of SyncManagers the cycle of SYNC0, None when it is not generated, is as good.
+    """
+    units = dict(_cycle_units(commands, axes))
     for command in commands:
-        written_ns = _written_cycle_ns(command)
-        if written_ns is not None and written_ns != cycle_ns:
+        unit = units.get((command.protocol, command.object_index, command.subindex))
+        if unit is None or command.complete_access or len(command.data) > _MAX_TIME_BYTES:
+            continue
+        written_ns = int.from_bytes(command.data, "little") * unit
+        by_sync0 = command.object_index in _SYNC_PARAMETERS and written_ns == sync0_ns
+        if written_ns != cycle_ns and not by_sync0:
+            tool = "; AdaptAutomatically: the configuration tool adapts the data" if command.adapt_automatically else ""
             yield (
-                f"InitCmd {command.place} {command.comment} writes {written_ns} ns, the bus cycle is {cycle_ns} ns: "
-                "adapt one of them"
+                f"InitCmd {command.place} {command.comment}".rstrip()
+                + f" writes {written_ns} ns, the bus cycle is {cycle_ns} ns: adapt one of them{tool}"
             )
 
 
-def _written_cycle_ns(command: StartCommand) -> int | None:
-    value = int.from_bytes(command.data, "little")
-    if command.protocol == "SoE" and command.object_index in _CYCLE_IDNS:
-        return value * 1_000
-    if command.protocol == "CoE" and (command.object_index, command.subindex) == _INTERPOLATION_TIME:
-        return value * 1_000_000
-    return None
+def _cycle_units(
+    commands: Sequence[StartCommand], axes: Iterable[int]
+) -> Iterator[tuple[tuple[str, int, int], int | Fraction]]:
+    yield from _NS_OF_CYCLE_UNIT.items()
+    single = {
+        (command.object_index, command.subindex): command.data
+        for command in commands
+        if command.protocol == "CoE" and not command.complete_access
+    }
+    for axis in {0, *axes}:
+        index = _INTERPOLATION_TIME_PERIOD + axis * AXIS_STEP
+        data = single.get((index, 2))
+        exponent = int.from_bytes(data[:1], "little", signed=True) if data is not None else _USUAL_EXPONENT
+        yield ("CoE", index, 1), Fraction(10) ** (exponent - _EXPONENT_OF_NS)

@@ -12,7 +12,7 @@ from esicatalog.export.configuration import OUTPUT, Configuration, MappedEntry, 
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.igh_files import Listed, listed
 from esicatalog.export.igh_limits import pieces
-from esicatalog.export.igh_startup import off_beat, watchdog
+from esicatalog.export.igh_startup import off_beat, register_remarks, watchdog
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.export.rendering import render
 
@@ -129,7 +129,8 @@ def linuxcnc_configuration(configuration: Configuration) -> str:
     if configuration.choice.alias:
         raise InputError(f"{PROGRAM} finds slaves by their ring position: give no alias")
     found = listed(configuration, PROGRAM)
-    remarks = [*configuration.remarks, *found.remarks]
+    device = configuration.subject.device
+    remarks = [*configuration.remarks, *found.remarks, *register_remarks(device, PROGRAM)]
     slave_name = configuration.prefix[:_MAX_SLAVE_NAME].strip("_").replace("_", "-")
     pins = _Pins(slave_name)
     sync_managers = [_sync_manager(sm, found, pins, remarks) for sm in found.sync_managers]
@@ -145,7 +146,7 @@ def linuxcnc_configuration(configuration: Configuration) -> str:
         heading=[_comment(line) for line in wrapped(heading)],
         slave_name=slave_name,
         dc=dc,
-        watchdog=watchdog(configuration.subject.device),
+        watchdog=watchdog(device),
         sdos=sdos,
         sync_managers=sync_managers,
     )

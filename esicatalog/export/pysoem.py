@@ -12,9 +12,18 @@ from esicatalog.export.image_layout import ImageLayout, Member, image_layout
 from esicatalog.export.init_cmds import TRANSITIONS, StartCommand
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
-from esicatalog.export.soem_startup import RegisterWrite, command_words, hook_commands, later_commands, soem_clocks
+from esicatalog.export.soem_startup import (
+    RegisterWrite,
+    command_words,
+    hook_commands,
+    later_commands,
+    register_remarks,
+    soem_clocks,
+)
 
-_NAMES_OF_CTYPES = frozenset(("_anonymous_", "_fields_", "_layout_", "_pack_"))
+_USED_BY_CLASS = frozenset(("property", "from_address", "from_buffer", "from_buffer_copy", "from_param", "in_dll"))
+"""What the body of the generated class uses, and what is called on the class: ctypes keeps that in its metaclass, where
+an attribute of the class itself hides it."""
 _CYCLE = "cycle_ns"
 
 
@@ -76,6 +85,7 @@ def pysoem_module(configuration: Configuration) -> str:
     """The module for one device."""
     layouts = [image_layout(configuration, direction) for direction in (OUTPUT, INPUT)]
     remarks = [remark for layout in layouts for remark in (*layout.remarks, *_sharing(layout))]
+    remarks += register_remarks(configuration, "pysoem")
     remarks += [
         f"{command.transition} {command.place} is left out: pysoem has no call for SoE"
         for command in configuration.commands
@@ -123,7 +133,7 @@ def _image_class(layout: ImageLayout) -> ImageClass:
 
 
 def _python_names(names: list[str]) -> list[str]:
-    safe = [f"{name}_" if keyword.iskeyword(name) or name in _NAMES_OF_CTYPES else name for name in names]
+    safe = [f"{name}_" if keyword.iskeyword(name) or name in _USED_BY_CLASS else name for name in names]
     return unique_names([(name,) for name in safe])
 
 

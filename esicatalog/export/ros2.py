@@ -11,6 +11,7 @@ from esicatalog.errors import InputError
 from esicatalog.export.c_access import on_byte
 from esicatalog.export.c_text import comment_text, wrapped
 from esicatalog.export.configuration import INPUT, OUTPUT, Configuration, MappedEntry, SmConfiguration
+from esicatalog.export.esc_registers import left_out
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.igh_files import Listed, listed
 from esicatalog.export.igh_limits import pieces
@@ -76,7 +77,13 @@ _SIDES = {OUTPUT: Side("rpdo", "command_interface"), INPUT: Side("tpdo", "state_
 def ros2_slave(configuration: Configuration) -> str:
     """The file for one device. Raises :class:`InputError` for what the driver cannot configure."""
     found = listed(configuration, PROGRAM)
-    remarks = [*configuration.remarks, *found.remarks, *_dc_remarks(configuration), *_drive_remarks(configuration)]
+    remarks = [
+        *configuration.remarks,
+        *found.remarks,
+        *_dc_remarks(configuration),
+        *left_out(configuration.subject.device, PROGRAM, ()),
+        *_drive_remarks(configuration),
+    ]
     lists = [_pdo_list(configuration, found, direction, remarks) for direction in (OUTPUT, INPUT)]
     sdos = [row for command in found.sdos for row in _sdo(command, remarks)]
     heading = heading_lines(configuration._replace(remarks=tuple(remarks)), f"{PROGRAM} slave configuration")
@@ -214,9 +221,6 @@ def _dc_remarks(configuration: Configuration) -> Iterable[str]:
 
 
 def _drive_remarks(configuration: Configuration) -> Iterable[str]:
-    device = configuration.subject.device
-    if device.esc_reg0400 or device.esc_reg0420:
-        yield f"watchdog registers 0x0400 and 0x0420 are left out: {PROGRAM} cannot set them"
     if not configuration.axes:
         return
     yield "the plugin EcCiA402Drive switches the drive on by itself where it does not know auto_state_transitions"

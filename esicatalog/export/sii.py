@@ -206,15 +206,10 @@ def _dc_mode(op_mode: OpMode, texts: Texts) -> DcMode:
         factor = 1 if op_mode.cycle_time_sync0_ns is None else 0
     return DcMode(
         cycle_time_sync0_ns=op_mode.cycle_time_sync0_ns or 0,
-        shift_time_sync0_ns=_unsigned(op_mode.shift_time_sync0_ns),
-        shift_time_sync1_ns=_unsigned(op_mode.shift_time_sync1_ns),
+        shift_time_sync0_ns=op_mode.shift_time_sync0_ns or 0,
+        shift_time_sync1_ns=op_mode.shift_time_sync1_ns or 0,
         cycle_time_sync1_factor=op_mode.cycle_time_sync1_factor or 0,
         assign_activate=op_mode.assign_activate or 0,
         cycle_time_sync0_factor=factor,
         name_string_number=texts.number(op_mode.name),
     )
-
-
-def _unsigned(time_ns: int | None) -> int:
-    """A shift time in two's complement."""
-    return (time_ns or 0) & 0xFFFF_FFFF

@@ -74,23 +74,34 @@ def check_image(image: SiiImage, byte_size: int) -> SiiImage:
 def fit_image(image: SiiImage, byte_size: int) -> FittedImage:
     """The image with as little left out as an EEPROM of ``byte_size`` bytes and the format's limits demand.
 
-    Left out, step by step: names of the entries of PDOs that no SyncManager is assigned, of all entries, of PDOs, of
-    OpModes, of the group and image; then these PDOs themselves, all PDOs, the OpModes, and at last every computed
-    category, which leaves the header as devices with an EEPROM of 128 bytes have it. Other categories stay: they may
-    hold what the device's maker stored.
+    A PDO that no image can hold is left out, and where a SyncManager is assigned it all PDOs, because the others alone
+    would make it too short. Then, step by step until the rest fits: names of the entries of PDOs that no SyncManager is
+    assigned, of all entries, of PDOs, of OpModes, of the group and image; these PDOs themselves, all PDOs, the OpModes,
+    and at last every computed category, which leaves the header as devices with an EEPROM of 128 bytes have it. Other
+    categories stay: they may hold what the device's maker stored.
 
     Raises :class:`SiiLimitError` when even that is too much.
     """
     dropped: list[str] = []
-    for words, reduce in _STEPS:
-        try:
-            return FittedImage(check_image(image, byte_size), tuple(dropped))
-        except SiiLimitError:
+    for words, reduce, is_needed in _STEPS:
+        if is_needed(image, byte_size):
             reduced = _renumbered(_reduced(image, reduce))
-        if reduced != image:
-            dropped.append(f"{words}: {_difference(image, reduced)}")
-            image = with_bytes_behind(image, reduced)
+            if reduced != image:
+                dropped.append(f"{words}: {_difference(image, reduced)}")
+                image = with_bytes_behind(image, reduced)
     return FittedImage(check_image(image, byte_size), tuple(dropped))
+
+
+def _holds_too_much(image: SiiImage, byte_size: int) -> bool:
+    try:
+        check_image(image, byte_size)
+    except SiiLimitError:
+        return True
+    return False
+
+
+def _has_impossible_pdos(image: SiiImage, byte_size: int) -> bool:
+    return any(map(_is_impossible, (*image.tx_pdos, *image.rx_pdos)))
 
 
 def used_bytes(image: SiiImage) -> int:
@@ -126,14 +137,22 @@ def _beyond_the_format(image: SiiImage) -> Iterator[str]:
         if len(table.strings) > MAX_STRINGS:
             yield f"{len(table.strings)} strings where a string table has room for {MAX_STRINGS}"
     for pdo in (*image.tx_pdos, *image.rx_pdos):
-        if len(pdo.entries) > MAX_PDO_ENTRIES:
-            yield f"PDO 0x{pdo.pdo_index:04X} with {len(pdo.entries)} entries where {MAX_PDO_ENTRIES} are possible"
-        for entry in pdo.entries:
-            if entry.bit_length > MAX_ENTRY_BITS:
-                yield (
-                    f"entry 0x{entry.entry_index:04X}:{entry.subindex:02X} of PDO 0x{pdo.pdo_index:04X} with "
-                    f"{entry.bit_length} bits where {MAX_ENTRY_BITS} are possible"
-                )
+        yield from _beyond_a_pdo(pdo)
+
+
+def _beyond_a_pdo(pdo: Pdo) -> Iterator[str]:
+    if len(pdo.entries) > MAX_PDO_ENTRIES:
+        yield f"PDO 0x{pdo.pdo_index:04X} with {len(pdo.entries)} entries where {MAX_PDO_ENTRIES} are possible"
+    for entry in pdo.entries:
+        if entry.bit_length > MAX_ENTRY_BITS:
+            yield (
+                f"entry 0x{entry.entry_index:04X}:{entry.subindex:02X} of PDO 0x{pdo.pdo_index:04X} with "
+                f"{entry.bit_length} bits where {MAX_ENTRY_BITS} are possible"
+            )
+
+
+def _is_impossible(pdo: Pdo) -> bool:
+    return any(_beyond_a_pdo(pdo))
 
 
 def _reduced(record: R, reduce: Reduction) -> R:
@@ -171,13 +190,17 @@ def _without_group(record: SiiRecord) -> SiiRecord:
     return msgspec.structs.replace(record, group_string_number=0, group_name_string_number=0, image_string_number=0)
 
 
-def _without_optional_pdos(record: SiiRecord) -> SiiRecord:
-    if isinstance(record, TxPdos | RxPdos):
-        return msgspec.structs.replace(record, pdos=tuple(pdo for pdo in record.pdos if pdo.sm != NOT_ASSIGNED))
-    if isinstance(record, SiiImage):
-        kept = (item for item in record.categories if not isinstance(item, TxPdos | RxPdos) or item.pdos)
-        return msgspec.structs.replace(record, categories=tuple(kept))
-    return record
+def _without_optional_pdos(is_dropped: Callable[[Pdo], bool]) -> Reduction:
+    def reduce(record: SiiRecord) -> SiiRecord:
+        if isinstance(record, TxPdos | RxPdos):
+            kept = (pdo for pdo in record.pdos if pdo.sm != NOT_ASSIGNED or not is_dropped(pdo))
+            return msgspec.structs.replace(record, pdos=tuple(kept))
+        if isinstance(record, SiiImage):
+            filled = (item for item in record.categories if not isinstance(item, TxPdos | RxPdos) or item.pdos)
+            return msgspec.structs.replace(record, categories=tuple(filled))
+        return record
+
+    return reduce
 
 
 def _without_categories(*kinds: type[SiiRecord]) -> Reduction:
@@ -190,16 +213,20 @@ def _without_categories(*kinds: type[SiiRecord]) -> Reduction:
     return reduce
 
 
-_STEPS: tuple[tuple[str, Reduction], ...] = (
-    ("names of entries of PDOs that no SyncManager is assigned", _without_optional_entry_names),
-    ("names of entries", _without_names_of(PdoEntry)),
-    ("names of PDOs", _without_names_of(Pdo)),
-    ("names of OpModes", _without_names_of(DcMode)),
-    ("names of group and image", _without_group),
-    ("PDOs that no SyncManager is assigned", _without_optional_pdos),
-    ("all PDOs, which a master then has to know from elsewhere", _without_categories(TxPdos, RxPdos)),
-    ("all OpModes", _without_categories(DistributedClocks)),
-    ("everything else that is computed", _without_categories(Strings, General, Fmmus, SyncManagers)),
+_OPTIONAL_PDOS = "PDOs that no SyncManager is assigned"
+_ALL_PDOS = "all PDOs, which a master then has to know from elsewhere"
+_STEPS: tuple[tuple[str, Reduction, Callable[[SiiImage, int], bool]], ...] = (
+    (_OPTIONAL_PDOS, _without_optional_pdos(_is_impossible), _has_impossible_pdos),
+    (_ALL_PDOS, _without_categories(TxPdos, RxPdos), _has_impossible_pdos),
+    (f"names of entries of {_OPTIONAL_PDOS}", _without_optional_entry_names, _holds_too_much),
+    ("names of entries", _without_names_of(PdoEntry), _holds_too_much),
+    ("names of PDOs", _without_names_of(Pdo), _holds_too_much),
+    ("names of OpModes", _without_names_of(DcMode), _holds_too_much),
+    ("names of group and image", _without_group, _holds_too_much),
+    (_OPTIONAL_PDOS, _without_optional_pdos(lambda pdo: True), _holds_too_much),
+    (_ALL_PDOS, _without_categories(TxPdos, RxPdos), _holds_too_much),
+    ("all OpModes", _without_categories(DistributedClocks), _holds_too_much),
+    ("everything else that is computed", _without_categories(Strings, General, Fmmus, SyncManagers), _holds_too_much),
 )
 
 

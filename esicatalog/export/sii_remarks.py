@@ -5,13 +5,14 @@ from collections.abc import Callable, Iterable, Iterator
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device, Eeprom
 from esicatalog.esi.records.pdo import Pdo
+from esicatalog.export.esc_registers import esc_registers
 from esicatalog.export.sii import FMMU_USAGE_CODES, PORT_CODES, SM_USAGE_CODES, data_type_code, valid_op_modes
 from esicatalog.export.sii_header import ASSUMED_BYTE_SIZE, BOOTSTRAP_BYTES, is_declarable
 from esicatalog.export.sii_limits import used_bytes
 from esicatalog.export.sii_merge import MergedImage
 from esicatalog.export.sii_texts import storable
 from esicatalog.identity import Identity
-from esicatalog.model.pdo_facts import entry_facts
+from esicatalog.model.pdo_facts import entry_facts, has_length
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.sii.checksum import CHECKSUM_OFFSET
 from esicatalog.sii.image import SiiImage
@@ -124,6 +125,15 @@ def _unknown_types(device: Device) -> list[str]:
     return [entry.data_type for entry in entries if entry.data_type and not data_type_code(entry.data_type)]
 
 
+def _without_length(device: Device) -> list[str]:
+    return [
+        f"0x{entry.entry_index or 0:04X}:{entry.subindex or 0:02X} of PDO 0x{pdo.pdo_index:04X}"
+        for pdo in _pdos(device)
+        for entry in pdo.entries
+        if pdo.pdo_index is not None and not has_length(entry)
+    ]
+
+
 def _watchdog_by_attribute(device: Device) -> list[str]:
     facts = ((number, sm, sm_facts(sm)) for number, sm in enumerate(device.sync_managers))
     return [f"SM{number}" for number, sm, fact in facts if sm.watchdog and not fact.watchdog_trigger]
@@ -140,6 +150,8 @@ def _elsewhere(device: Device) -> list[str]:
         "PDOs of modules": device.slots,
         "Exclude": any(pdo.excludes for pdo in _pdos(device)),
         "oversampling factors": any(pdo.os_fac for pdo in _pdos(device)),
+        "SwapData": any(entry.swap_data for pdo in _pdos(device) for entry in pdo.entries),
+        "values of ESC registers": any(esc_registers(device)),
         "PDO lists of OpModes": any(mode.sm_assignments for mode in device.op_modes),
         "CycleTimeSync1 in ns": any(mode.cycle_time_sync1_ns for mode in device.op_modes),
         "SYNC2 and SYNC3": any(mode.activate_additional is not None for mode in device.op_modes),
@@ -193,6 +205,11 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
     (
         lambda device: [pdo.ref or "(no name)" for pdo in _pdos(device) if pdo.pdo_index is None],
         "PDOs without index, left out: {}.",
+    ),
+    (
+        _without_length,
+        "Entries without a usable BitLen, stored with length 0; do not write this image, the lengths of its process "
+        "data are wrong: {}.",
     ),
     (_unknown_types, "Data types without a code, stored as 0: {}."),
     (_long_names, "Texts cut to 255 bytes: {}."),

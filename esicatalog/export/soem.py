@@ -8,7 +8,14 @@ from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.init_cmds import TRANSITIONS, StartCommand
 from esicatalog.export.rendering import render
 from esicatalog.export.soem_image import image_code
-from esicatalog.export.soem_startup import RegisterWrite, command_words, hook_commands, later_commands, soem_clocks
+from esicatalog.export.soem_startup import (
+    RegisterWrite,
+    command_words,
+    hook_commands,
+    later_commands,
+    register_remarks,
+    soem_clocks,
+)
 
 
 class Api(NamedTuple):
@@ -86,7 +93,7 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
     """The header for one device and one of :data:`VERSIONS`, whose names and signatures differ."""
     api = _APIS[version]
     images = [image_code(configuration, direction) for direction in (OUTPUT, INPUT)]
-    remarks = [remark for image in images for remark in image.remarks]
+    remarks = [*register_remarks(configuration, "SOEM"), *(remark for image in images for remark in image.remarks)]
     heading = heading_lines(configuration._replace(remarks=(*configuration.remarks, *remarks)), _target(version))
     later = [
         LaterCommands(transition, tuple(_sent(command, api) for command in commands))

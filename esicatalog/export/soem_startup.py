@@ -5,6 +5,14 @@ from typing import NamedTuple
 
 from esicatalog.export.clocks import Clocks
 from esicatalog.export.configuration import AssignedPdo, Configuration
+from esicatalog.export.esc_registers import (
+    PDI_WATCHDOG,
+    PROCESS_DATA_WATCHDOG,
+    WATCHDOG_DIVIDER,
+    EscRegister,
+    left_out,
+    settable,
+)
 from esicatalog.export.init_cmds import PDO_ASSIGNMENT, StartCommand
 
 _HOOK_TRANSITIONS = ("IP", "PS")
@@ -79,14 +87,17 @@ def soem_clocks(found: Clocks) -> SoemClocks:
 
 
 def _watchdogs(configuration: Configuration) -> Iterator[RegisterWrite]:
-    device = configuration.subject.device
-    for register, value, words in (
-        (0x0400, device.esc_reg0400, "Watchdog divider"),
-        (0x0410, device.esc_reg0410, "PDI watchdog"),
-        (0x0420, device.esc_reg0420, "Process data watchdog"),
-    ):
-        if value is not None and 0 <= value <= 0xFFFF:
-            yield RegisterWrite(register, value.to_bytes(2, "little"), f"{words}, register 0x{register:04X}")
+    for item in _watchdog_registers(configuration):
+        yield RegisterWrite(item.register, item.value.to_bytes(2, "little"), item.words)
+
+
+def _watchdog_registers(configuration: Configuration) -> tuple[EscRegister, ...]:
+    return settable(configuration.subject.device, (WATCHDOG_DIVIDER, PDI_WATCHDOG, PROCESS_DATA_WATCHDOG))
+
+
+def register_remarks(configuration: Configuration, program: str) -> Iterator[str]:
+    """Registers that the hook does not write."""
+    return left_out(configuration.subject.device, program, _watchdog_registers(configuration))
 
 
 def _pdo_configuration(configuration: Configuration) -> Iterator[StartCommand]:

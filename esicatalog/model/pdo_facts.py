@@ -44,6 +44,11 @@ def entry_facts(entry: Entry) -> EntryFacts:
 _PADDING, _NO_PADDING = EntryFacts(is_padding=True), EntryFacts(is_padding=False)
 
 
+def has_length(entry: Entry) -> bool:
+    """Whether an entry says how many bits it takes; none is a number only for a gap, as real files have it."""
+    return entry.bit_length is not None and (entry.bit_length > 0 or (entry.bit_length == 0 and not entry.entry_index))
+
+
 def symmetric_exclusions(pdos: Iterable[Pdo]) -> Mapping[int | None, tuple[int, ...]]:
     """Which PDO indices may not be assigned beside a PDO, by its index.
 

@@ -175,12 +175,12 @@ class DcMode(SiiRecord):
     """One OpMode of the distributed clocks, 24 bytes (ETG.1000.6).
 
     AssignActivate goes to the registers 0x0980 (low byte) and 0x0981 (high byte): 0x0100 activates the sync unit,
-    0x0200 generates SYNC0, 0x0400 generates SYNC1.
+    0x0200 generates SYNC0, 0x0400 generates SYNC1. Shift times are signed as those of ESI that they are made from.
     """
 
     cycle_time_sync0_ns: Annotated[int, Part("I", "SYNC0 cycle time in ns; 0 = by the factor")] = 0
-    shift_time_sync0_ns: Annotated[int, Part("I", "SYNC0 shift time in ns, two's complement when negative")] = 0
-    shift_time_sync1_ns: Annotated[int, Part("I", "SYNC1 shift time in ns, two's complement when negative")] = 0
+    shift_time_sync0_ns: Annotated[int, Part("i", "SYNC0 shift time in ns")] = 0
+    shift_time_sync1_ns: Annotated[int, Part("i", "SYNC1 shift time in ns")] = 0
     cycle_time_sync1_factor: Annotated[int, Part("h", "SYNC1 cycle as a factor of the SYNC0 cycle")] = 0
     assign_activate: Annotated[int, Part("H", "AssignActivate")] = 0
     cycle_time_sync0_factor: Annotated[int, Part("h", "SYNC0 cycle as a factor of the bus cycle")] = 0
