@@ -152,7 +152,9 @@ def pdos_outside_sizes(subject: ProcessSubject) -> Iterator[Found]:
     """The assigned PDOs take more than MaxSize or any SyncManager can hold, or less than MinSize."""
     for image in subject.data.images:
         if image.overflow is not None:
-            yield Found(f"SM {image.sm}: {image.overflow}; correct BitLen or OSFac", ("sync_managers", image.sm))
+            is_declared = 0 <= image.sm < len(subject.data.sync_managers)
+            place: Place = ("sync_managers", image.sm) if is_declared else ()
+            yield Found(f"SM {image.sm}: {image.overflow}; correct BitLen or OSFac", place)
     if subject.data.is_modular:
         return
     for number, sm, role in _with_roles(subject):
