@@ -9,6 +9,7 @@ from snippets import device, esi, pdo, read, rows
 from test_identify import SLAVES, client
 from test_search import catalog_of
 
+from esicatalog import Catalog
 from esicatalog.web.cells import decimal_filters
 
 HOSTILE = "&lt;script&gt;alert(1)&lt;/script&gt;"
@@ -315,3 +316,60 @@ async def test_start_up_values_and_findings(tmp_path):
     assert not any("Unknown" in text for text in texts(one_page, "section[aria-labelledby=findings] td"))
     other = await page(db, "/-/esi/device/0xe5c/1/2")
     assert any("Unknown" in text for text in texts(other, "section[aria-labelledby=findings] td"))
+
+
+@pytest.fixture(scope="module")
+def many_profiles(tmp_path_factory, data: Path) -> Path:
+    """Our examples, and profile numbers of channels and of modules beside those of devices."""
+    channels = (
+        "<ChannelInfo><ProfileNo>402</ProfileNo></ChannelInfo><ChannelInfo><ProfileNo>402</ProfileNo></ChannelInfo>"
+    )
+    slots = '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>#x7</ModuleIdent></Slot></Slots>'
+    module = (
+        '<Module><Type ModuleIdent="#x7">M</Type><Name>M</Name><Profile><ProfileNo>401</ProfileNo></Profile></Module>'
+    )
+    folder = tmp_path_factory.mktemp("profiles")
+    own = esi(device(f"<Profile>{channels}</Profile>") + device(slots, product="#x2"), module)
+    (folder / "own.xml").write_text(own)
+    with Catalog.open(folder / "catalog.db", create=True) as catalog:
+        catalog.ingest([data, folder / "own.xml"], jobs=1)
+    return folder / "catalog.db"
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        *("", "mode=CSV", "mode=csv,csp", "mode=CSV&strict=1", "strict=1", "sync=sync0", "protocol=coe"),
+        *(
+            "profile=402",
+            "profile=0x191",
+            "vendor=0xe5c",
+            "vendor=test",
+            "sync=sync0&protocol=coe&profile=402&mode=CSV",
+        ),
+        *("text=servo", "like=0x1097:0x2406", "include-hidden=1&all-variants=1"),
+    ],
+)
+async def test_the_number_beside_a_facet_is_that_behind_its_link(many_profiles, query):
+    web = await client(many_profiles)
+    links = html.fromstring((await web.get(f"/-/esi/?{query}")).text).cssselect("aside a")
+    assert links or query == "like=0x1097:0x2406"
+    for link in links:
+        if "chosen" not in link.get("class", ""):
+            leads_to = html.fromstring((await web.get(f"/-/esi/{link.get('href')}")).text)
+            number = link.cssselect(".count")[0].text
+            assert texts(leads_to, "h2")[0].split()[0] == number, link.get("href")
+
+
+async def test_profiles_of_channels_and_of_modules_count(many_profiles):
+    tree = await page(many_profiles, "/-/esi/")
+    profiles = texts(tree, "aside details:last-child a")
+    assert {"402 5", "401 1"} <= set(profiles)
+
+
+async def test_modes_add_up(data_db):
+    tree = await page(data_db, "/-/esi/?mode=CSV")
+    (csp,) = [link for link in tree.cssselect("aside a") if link.text_content().startswith("CSP")]
+    assert csp.get("href") == "?mode=CSV%2CCSP"
+    both = await page(data_db, "/-/esi/?mode=csv,csp")
+    assert [text.split()[0] for text in texts(both, "aside a.chosen")] == ["CSP", "CSV"]

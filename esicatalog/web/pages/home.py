@@ -7,7 +7,7 @@ import msgspec
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.device_filter import DeviceFilter
-from esicatalog.catalog.filter_texts import PARAMETERS, filter_of_texts
+from esicatalog.catalog.filter_texts import PARAMETERS, SHARPEN, filter_of_texts
 from esicatalog.catalog.listing import Listing
 from esicatalog.errors import InputError
 from esicatalog.identity import parse_number
@@ -49,10 +49,10 @@ async def home_page(request: Any, catalog: Catalog) -> Page:
         wanted = filter_of_texts(texts)
     except InputError as error:
         empty = Listing((), 0, 0, {}, "")
-        return Page("home.html", {**_context(texts, empty, number), "problem": str(error)}, 400)
+        return Page("home.html", {**_context(texts, DeviceFilter(), empty, number), "problem": str(error)}, 400)
     limited = msgspec.structs.replace(wanted, limit=PAGE_LENGTH)
     listing = await asyncio.to_thread(catalog.list_devices, limited, (number - 1) * PAGE_LENGTH)
-    return Page("home.html", _context(texts, listing, number))
+    return Page("home.html", _context(texts, wanted, listing, number))
 
 
 async def devices_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
@@ -69,8 +69,11 @@ def _page_number(texts: list[str]) -> int:
         return 1
 
 
-def _context(texts: dict[str, list[str]], listing: Listing, number: int) -> dict[str, Any]:
-    given = [(name, text) for name, values in texts.items() for text in values if text.strip()]
+def _context(texts: dict[str, list[str]], wanted: DeviceFilter, listing: Listing, number: int) -> dict[str, Any]:
+    written = [(name, text) for name, values in texts.items() for text in values if text.strip()]
+    names = {name for name, _ in written}
+    given = [(name, text) for name, text in written if SHARPEN.get(name, name) in names]
+    chosen = _chosen(wanted)
     pages = max(1, -(-listing.total // PAGE_LENGTH))
     return {
         "given": {name: values[0] for name, values in texts.items() if values},
@@ -81,8 +84,8 @@ def _context(texts: dict[str, list[str]], listing: Listing, number: int) -> dict
                 {
                     "label": value.label,
                     "count": value.device_count,
-                    "chosen": (name, value.text) in given,
-                    "href": with_query("", _toggled(given, name, value.text)),
+                    "chosen": value.text in chosen[name],
+                    "href": with_query("", _toggled(given, name, value.text, chosen[name])),
                 }
                 for value in values
             ]
@@ -104,10 +107,22 @@ def _context(texts: dict[str, list[str]], listing: Listing, number: int) -> dict
     }
 
 
-def _toggled(given: list[tuple[str, str]], name: str, text: str) -> list[tuple[str, str]]:
-    """The parameters with this choice made, or taken back where it stands."""
-    others = [(key, value) for key, value in given if key != name]
-    return others if (name, text) in given else [*others, (name, text)]
+def _chosen(wanted: DeviceFilter) -> dict[str, tuple[str, ...]]:
+    """The words that a filter names, by facet and as facets write them."""
+    words = {
+        "vendor": f"0x{wanted.vendor_id:x}" if wanted.vendor_id is not None else None,
+        "sync": wanted.sync,
+        "protocol": wanted.protocol,
+        "profile": str(wanted.profile_no) if wanted.profile_no is not None else None,
+    }
+    return {"mode": wanted.modes, **{name: (word,) if word is not None else () for name, word in words.items()}}
+
+
+def _toggled(given: list[tuple[str, str]], name: str, text: str, chosen: tuple[str, ...]) -> list[tuple[str, str]]:
+    """The parameters with this choice made, or taken back where it stands; modes add up."""
+    kept = chosen if name == "mode" else ()
+    words = [word for word in chosen if word != text] if text in chosen else [*kept, text]
+    return [*(item for item in given if item[0] != name), (name, ",".join(words))]
 
 
 def _row(item: Any) -> dict[str, Any]:
