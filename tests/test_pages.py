@@ -373,3 +373,25 @@ async def test_modes_add_up(data_db):
     assert csp.get("href") == "?mode=CSV%2CCSP"
     both = await page(data_db, "/-/esi/?mode=csv,csp")
     assert [text.split()[0] for text in texts(both, "aside a.chosen")] == ["CSP", "CSV"]
+
+
+async def test_neighbours_of_a_variant_are_compared_with_that_variant(tmp_path):
+    """Variant 1 has more entries; variant 2 has the layout of the next revision and of thirteen other products."""
+    sm = '<Sm StartAddress="#x1000" ControlByte="#x44">Outputs</Sm>'
+    wide, narrow = (sm + pdo("RxPdo", "#x1600", *bits, attributes='Sm="0"') for bits in ((16, 16, 16), (16,)))
+    others = "".join(device(narrow, product=str(number)) for number in range(2, 15))
+    db = catalog_of(tmp_path, esi(device(wide) + device(narrow) + device(narrow, revision="#x2") + others))
+    for path, identity, marks, more in (
+        ("0xe5c/1/1", "0x00000e5c:0x00000001:0x00000001", ["", "layout changed"], []),
+        ("0xe5c/1/1@2", "0x00000e5c:0x00000001:0x00000001@2", ["", ""], ["2 more"]),
+    ):
+        tree = await page(db, f"/-/esi/device/{path}")
+        section = tree.cssselect("section[aria-labelledby=revisions]")[0]
+        links = [link.get("href") for link in section.cssselect("a")]
+        assert texts(section, "td:nth-child(3)") == marks
+        assert f"/-/esi/compare?a={identity}&b=0x00000e5c:0x00000001:0x00000002" in links
+        assert texts(section, "p a") == more
+        assert (f"/-/esi/?like={identity}" in links) == bool(more)
+        with Catalog.open(db) as catalog:
+            shown = catalog.device(identity.replace(":0x00000001", ":1")).revisions
+        assert ["layout changed" if item.layout_changed else "" for item in shown] == marks

@@ -127,7 +127,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         ],
         "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
         "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
-        "identity": f"0x{found.vendor_id or 0:x}:0x{found.product_code or 0:x}:0x{found.revision_no or 0:x}",
+        "identity": found.identity_text,
         "exports": [{"name": name, "label": target.label} for name, target in TARGETS.items()] if path else [],
         "chosen": "&".join(f"module={slot}%3D0x{ident:X}" for slot, ident in choice.items()),
         "drawing_css": DRAWING_CSS,
