@@ -167,6 +167,13 @@ async def test_what_is_not_there(data_db, path, status):
     assert (await (await client(data_db)).get(path)).status_code == status
 
 
+@pytest.mark.parametrize("path", ["4247/9222/143", "%23x1097/%23x2406/%23x8f", "0X1097/0x2406/0x8F%401"])
+@pytest.mark.parametrize("ending", ["", ".json", "/objects", "/export/igh"])
+async def test_numbers_in_every_notation(data_db, path, ending):
+    response = await (await client(data_db)).get(f"/-/esi/device/{path}{ending}")
+    assert (response.status_code, "EYOU_ServoModule_V143" in response.text) == (200, True)
+
+
 async def test_latest_visible_revision_by_name(data_db):
     tree = await page(data_db, "/-/esi/device/0xe5c/0x0d080808/latest")
     assert "0x00110000" in texts(tree, "dl.facts dd")[2]
