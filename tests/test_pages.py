@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from urllib.parse import parse_qsl
 
 import pytest
 from lxml import html
@@ -10,6 +11,7 @@ from test_identify import SLAVES, client
 from test_search import catalog_of
 
 from esicatalog import Catalog
+from esicatalog.identity import parse_identity
 from esicatalog.web.cells import decimal_filters
 
 HOSTILE = "&lt;script&gt;alert(1)&lt;/script&gt;"
@@ -402,3 +404,25 @@ async def test_neighbours_of_a_variant_are_compared_with_that_variant(tmp_path):
         with Catalog.open(db) as catalog:
             shown = catalog.device(identity.replace(":0x00000001", ":1")).revisions
         assert ["layout changed" if item.layout_changed else "" for item in shown] == marks
+
+
+async def test_labels_and_examples_of_written_filters(data_db):
+    fields = (await page(data_db, "/-/esi/")).cssselect(".more label:not(.check)")
+    examples = {" ".join(field.text.split()): field.cssselect("input")[0].get("placeholder") for field in fields}
+    assert {"E-bus current in mA": "<=100", "CiA 402 axes": ">=2"}.items() <= examples.items()
+    assert parse_identity(examples["Same layout as V:P:R"])
+
+
+async def test_a_search_keeps_every_filter(data_db):
+    """The form sends again what the address says, also what it says twice."""
+    query = "maps=0x60FF&maps=0x6040&object=0x6502&object=0x1018%3A1&not-maps=0x1&not-maps=0x2&mode=CSV&strict=1"
+    form = (await page(data_db, f"/-/esi/?{query}")).cssselect("form.search")[0]
+    sent = [(item.name, item.value) for item in form.inputs if item.get("type") != "checkbox" or item.checked]
+    assert sorted(item for item in sent if item[1]) == sorted(parse_qsl(query))
+
+
+async def test_after_the_last_page_comes_no_other(library_db):
+    last, beyond = [await page(library_db, f"/-/esi/?text=terminal&page={number}") for number in (2, 9)]
+    shown = [(texts(tree, ".pages"), texts(tree, ".device-head"), texts(tree, "h2")) for tree in (last, beyond)]
+    assert shown[0] == shown[1]
+    assert shown[0][0] == ["previous page 2 of 2"]

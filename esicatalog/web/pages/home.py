@@ -29,16 +29,16 @@ _CHECKS = {
     "no-lrw": "no LRW",
 }
 _TEXTS = {
-    "maps": "maps object, e.g. 0x60FF",
-    "object": "has object, e.g. 0x6502",
-    "bytes-in": "input bytes, e.g. <=8",
-    "bytes-out": "output bytes, e.g. >=4",
-    "min-cycle-ns": "smallest cycle in ns, e.g. <=250000",
-    "e-bus-ma": "E-bus current in mA, e.g. <=100",
-    "axes": "CiA 402 axes, e.g. >=2",
-    "physics": "ports, e.g. YY or KK",
-    "like": "same layout as V:P:R",
+    "object": ("Has object", "0x6502"),
+    "bytes-in": ("Input bytes", "<=8"),
+    "bytes-out": ("Output bytes", ">=4"),
+    "min-cycle-ns": ("Smallest cycle in ns", "<=250000"),
+    "e-bus-ma": ("E-bus current in mA", "<=100"),
+    "axes": ("CiA 402 axes", ">=2"),
+    "physics": ("Ports", "YY"),
+    "like": ("Same layout as V:P:R", "0x2:0x03f63052"),
 }
+"""Filters that are written: label and example."""
 
 
 async def home_page(request: Any, catalog: Catalog) -> Page:
@@ -50,9 +50,22 @@ async def home_page(request: Any, catalog: Catalog) -> Page:
     except InputError as error:
         empty = Listing((), 0, 0, {}, "")
         return Page("home.html", {**_context(texts, DeviceFilter(), empty, number), "problem": str(error)}, 400)
-    limited = msgspec.structs.replace(wanted, limit=PAGE_LENGTH)
-    listing = await asyncio.to_thread(catalog.list_devices, limited, (number - 1) * PAGE_LENGTH)
+    listing, number = await asyncio.to_thread(_listed, catalog, wanted, number)
     return Page("home.html", _context(texts, wanted, listing, number))
+
+
+def _listed(catalog: Catalog, wanted: DeviceFilter, number: int) -> tuple[Listing, int]:
+    """The page of this number, or the last one, and its number."""
+    limited = msgspec.structs.replace(wanted, limit=PAGE_LENGTH)
+    listing = catalog.list_devices(limited, (number - 1) * PAGE_LENGTH)
+    last = _pages(listing)
+    if number <= last:
+        return listing, number
+    return catalog.list_devices(limited, (last - 1) * PAGE_LENGTH), last
+
+
+def _pages(listing: Listing) -> int:
+    return max(1, -(-listing.total // PAGE_LENGTH))
 
 
 async def devices_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
@@ -74,9 +87,10 @@ def _context(texts: dict[str, list[str]], wanted: DeviceFilter, listing: Listing
     names = {name for name, _ in written}
     given = [(name, text) for name, text in written if SHARPEN.get(name, name) in names]
     chosen = _chosen(wanted)
-    pages = max(1, -(-listing.total // PAGE_LENGTH))
+    pages = _pages(listing)
     return {
         "given": {name: values[0] for name, values in texts.items() if values},
+        "written": {name: [text for key, text in written if key == name] for name in names},
         "devices": [_row(item) for item in listing.devices],
         "total": listing.total,
         "facets": {
