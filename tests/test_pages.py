@@ -104,8 +104,10 @@ async def test_the_module_picker_recomputes_the_image(data_db):
     names = [texts(tree, "section[aria-labelledby=image] details td:nth-child(5)") for tree in (default, chosen)]
     assert names[0] != names[1]
     assert "with the chosen modules" in texts(chosen, "#image")[0]
-    wrong = await page(data_db, f"{EYOU}?module=0%3D0x1")
+    wrong = await page(data_db, f"{EYOU}?module=0%3D0x1", 400)
     assert "does not fit slot 0" in texts(wrong, "[role=alert]")[0]
+    assert texts(wrong, "#image") == ["Process image, default"]
+    assert not [link for link in wrong.xpath("//a/@href") if "module=" in link]
 
 
 async def test_drawings_hold_every_entry(data_db):
@@ -426,3 +428,13 @@ async def test_after_the_last_page_comes_no_other(library_db):
     shown = [(texts(tree, ".pages"), texts(tree, ".device-head"), texts(tree, "h2")) for tree in (last, beyond)]
     assert shown[0] == shown[1]
     assert shown[0][0] == ["previous page 2 of 2"]
+
+
+async def test_slots_beyond_those_that_are_offered(tmp_path):
+    slot = '<Slot MinInstances="0" MaxInstances="30"><ModuleIdent>#x10</ModuleIdent></Slot>'
+    module = f'<Module><Type ModuleIdent="#x10">M</Type><Name>M</Name>{pdo("TxPdo", "#x1A00", 8)}</Module>'
+    db = catalog_of(tmp_path, esi(device(f"<Slots>{slot}</Slots>"), module))
+    plain, chosen = [await page(db, f"/-/esi/device/0xe5c/1/1{query}") for query in ("", "?module=29%3D0x10")]
+    assert [len(tree.cssselect("#slots select")) for tree in (plain, chosen)] == [24, 25]
+    assert texts(plain, "#slots p") == ["Slots up to 29 can be chosen in the address: ?module=29=IDENT"]
+    assert ("module", "29=0x10") in chosen.cssselect("form#slots")[0].form_values()
