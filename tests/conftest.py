@@ -67,15 +67,22 @@ def library_db(tmp_path_factory: pytest.TempPathFactory, library: Path) -> Path:
     return _ingested(tmp_path_factory.mktemp("library") / "library.db", [library], jobs=1)
 
 
-@pytest.fixture(scope="session")
-def served(data_db: Path) -> Iterator[str]:
-    """Address of ``esicatalog serve`` with our example files, started as people start it."""
-    command = [sys.executable, "-m", "esicatalog", "serve", "--db", str(data_db), "--port", "0"]
+@contextlib.contextmanager
+def serving(db: Path) -> Iterator[str]:
+    """Address of ``esicatalog serve``, started as people start it."""
+    command = [sys.executable, "-m", "esicatalog", "serve", "--db", str(db), "--port", "0"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     assert process.stdout is not None
     yield process.stdout.readline().strip().removesuffix("/catalog")
     process.terminate()
     process.wait()
+
+
+@pytest.fixture(scope="session")
+def served(data_db: Path) -> Iterator[str]:
+    """Address of a server of our example files."""
+    with serving(data_db) as address:
+        yield address
 
 
 @pytest.fixture(scope="session")

@@ -5,8 +5,11 @@ from collections.abc import Iterator
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
+from conftest import serving
 from playwright.sync_api import Browser, Page, expect, sync_playwright
+from snippets import device, esi, pdo
 from test_identify import SLAVES
+from test_search import catalog_of
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no chromium on this machine")
@@ -127,6 +130,30 @@ def test_nothing_sticks_out(browser: Browser, served: str, path: str, width: int
     opened = browser.new_page(base_url=served, viewport={"width": width, "height": 900})
     opened.goto(path)
     assert opened.evaluate("document.documentElement.scrollWidth") <= width
+    opened.close()
+
+
+@pytest.fixture(scope="module")
+def long_names(tmp_path_factory) -> Iterator[str]:
+    """Names that nothing breaks, and a number of two digits beside one of them."""
+    content = pdo("RxPdo", "#x1600", 8).replace("RxPdo #x1600", "n" * 400)
+    devices = "".join(device(content, product=str(number), name="d" * 400) for number in range(1, 13))
+    vendor = f"<Id>#xE5C</Id><Name>A company for motors, drives and {'very' * 30} long names</Name>"
+    with serving(catalog_of(tmp_path_factory.mktemp("long"), esi(devices, vendor=vendor))) as address:
+        yield address
+
+
+@pytest.mark.parametrize("width", [1280, 400])
+def test_long_names_are_broken_and_numbers_are_not(browser: Browser, long_names: str, width: int):
+    opened = browser.new_page(base_url=long_names, viewport={"width": width, "height": 900})
+    for path in ("/-/esi/", "/-/esi/device/0xe5c/1/1"):
+        opened.goto(path)
+        assert opened.evaluate("document.documentElement.scrollWidth") <= width
+    opened.goto("/-/esi/")
+    lines = (
+        "node => { const range = new Range(); range.selectNodeContents(node); return range.getClientRects().length }"
+    )
+    assert opened.locator("aside .count").first.evaluate(lines) == 1
     opened.close()
 
 

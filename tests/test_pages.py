@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from urllib.parse import parse_qsl
 
 import pytest
 from lxml import html
@@ -10,6 +11,8 @@ from test_cli import run
 from test_identify import SLAVES, client
 from test_search import catalog_of
 
+from esicatalog import Catalog
+from esicatalog.identity import parse_identity
 from esicatalog.web.cells import decimal_filters
 
 HOSTILE = "&lt;script&gt;alert(1)&lt;/script&gt;"
@@ -105,8 +108,10 @@ async def test_the_module_picker_recomputes_the_image(data_db):
     names = [texts(tree, "section[aria-labelledby=image] details td:nth-child(5)") for tree in (default, chosen)]
     assert names[0] != names[1]
     assert "with the chosen modules" in texts(chosen, "#image")[0]
-    wrong = await page(data_db, f"{EYOU}?module=0%3D0x1")
+    wrong = await page(data_db, f"{EYOU}?module=0%3D0x1", 400)
     assert "does not fit slot 0" in texts(wrong, "[role=alert]")[0]
+    assert texts(wrong, "#image") == ["Process image, default"]
+    assert not [link for link in wrong.xpath("//a/@href") if "module=" in link]
 
 
 async def test_drawings_hold_every_entry(data_db):
@@ -179,6 +184,13 @@ async def test_virtual_sync_managers_are_named_so(tmp_path):
     assert usages == ["Outputs", "Outputs (virtual)"]
     sheet = run("show", "0xe5c:1:1", db=db).stdout.splitlines()
     assert ["virtual" in line for line in sheet if line.startswith(("  SM0", "  SM1"))] == [False, True]
+
+
+@pytest.mark.parametrize("path", ["4247/9222/143", "%23x1097/%23x2406/%23x8f", "0X1097/0x2406/0x8F%401"])
+@pytest.mark.parametrize("ending", ["", ".json", "/objects", "/export/igh"])
+async def test_numbers_in_every_notation(data_db, path, ending):
+    response = await (await client(data_db)).get(f"/-/esi/device/{path}{ending}")
+    assert (response.status_code, "EYOU_ServoModule_V143" in response.text) == (200, True)
 
 
 async def test_latest_visible_revision_by_name(data_db):
@@ -330,3 +342,114 @@ async def test_start_up_values_and_findings(tmp_path):
     assert not any("Unknown" in text for text in texts(one_page, "section[aria-labelledby=findings] td"))
     other = await page(db, "/-/esi/device/0xe5c/1/2")
     assert any("Unknown" in text for text in texts(other, "section[aria-labelledby=findings] td"))
+
+
+@pytest.fixture(scope="module")
+def many_profiles(tmp_path_factory, data: Path) -> Path:
+    """Our examples, and profile numbers of channels and of modules beside those of devices."""
+    channels = (
+        "<ChannelInfo><ProfileNo>402</ProfileNo></ChannelInfo><ChannelInfo><ProfileNo>402</ProfileNo></ChannelInfo>"
+    )
+    slots = '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>#x7</ModuleIdent></Slot></Slots>'
+    module = (
+        '<Module><Type ModuleIdent="#x7">M</Type><Name>M</Name><Profile><ProfileNo>401</ProfileNo></Profile></Module>'
+    )
+    folder = tmp_path_factory.mktemp("profiles")
+    own = esi(device(f"<Profile>{channels}</Profile>") + device(slots, product="#x2"), module)
+    (folder / "own.xml").write_text(own)
+    with Catalog.open(folder / "catalog.db", create=True) as catalog:
+        catalog.ingest([data, folder / "own.xml"], jobs=1)
+    return folder / "catalog.db"
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        *("", "mode=CSV", "mode=csv,csp", "mode=CSV&strict=1", "strict=1", "sync=sync0", "protocol=coe"),
+        *(
+            "profile=402",
+            "profile=0x191",
+            "vendor=0xe5c",
+            "vendor=test",
+            "sync=sync0&protocol=coe&profile=402&mode=CSV",
+        ),
+        *("text=servo", "like=0x1097:0x2406", "include-hidden=1&all-variants=1"),
+    ],
+)
+async def test_the_number_beside_a_facet_is_that_behind_its_link(many_profiles, query):
+    web = await client(many_profiles)
+    links = html.fromstring((await web.get(f"/-/esi/?{query}")).text).cssselect("aside a")
+    assert links or query == "like=0x1097:0x2406"
+    for link in links:
+        if "chosen" not in link.get("class", ""):
+            leads_to = html.fromstring((await web.get(f"/-/esi/{link.get('href')}")).text)
+            number = link.cssselect(".count")[0].text
+            assert texts(leads_to, "h2")[0].split()[0] == number, link.get("href")
+
+
+async def test_profiles_of_channels_and_of_modules_count(many_profiles):
+    tree = await page(many_profiles, "/-/esi/")
+    profiles = texts(tree, "aside details:last-child a")
+    assert {"402 5", "401 1"} <= set(profiles)
+
+
+async def test_modes_add_up(data_db):
+    tree = await page(data_db, "/-/esi/?mode=CSV")
+    (csp,) = [link for link in tree.cssselect("aside a") if link.text_content().startswith("CSP")]
+    assert csp.get("href") == "?mode=CSV%2CCSP"
+    both = await page(data_db, "/-/esi/?mode=csv,csp")
+    assert [text.split()[0] for text in texts(both, "aside a.chosen")] == ["CSP", "CSV"]
+
+
+async def test_neighbours_of_a_variant_are_compared_with_that_variant(tmp_path):
+    """Variant 1 has more entries; variant 2 has the layout of the next revision and of thirteen other products."""
+    sm = '<Sm StartAddress="#x1000" ControlByte="#x44">Outputs</Sm>'
+    wide, narrow = (sm + pdo("RxPdo", "#x1600", *bits, attributes='Sm="0"') for bits in ((16, 16, 16), (16,)))
+    others = "".join(device(narrow, product=str(number)) for number in range(2, 15))
+    db = catalog_of(tmp_path, esi(device(wide) + device(narrow) + device(narrow, revision="#x2") + others))
+    for path, identity, marks, more in (
+        ("0xe5c/1/1", "0x00000e5c:0x00000001:0x00000001", ["", "layout changed"], []),
+        ("0xe5c/1/1@2", "0x00000e5c:0x00000001:0x00000001@2", ["", ""], ["2 more"]),
+    ):
+        tree = await page(db, f"/-/esi/device/{path}")
+        section = tree.cssselect("section[aria-labelledby=revisions]")[0]
+        links = [link.get("href") for link in section.cssselect("a")]
+        assert texts(section, "td:nth-child(3)") == marks
+        assert f"/-/esi/compare?a={identity}&b=0x00000e5c:0x00000001:0x00000002" in links
+        assert texts(section, "p a") == more
+        assert (f"/-/esi/?like={identity}" in links) == bool(more)
+        with Catalog.open(db) as catalog:
+            shown = catalog.device(identity.replace(":0x00000001", ":1")).revisions
+        assert ["layout changed" if item.layout_changed else "" for item in shown] == marks
+
+
+async def test_labels_and_examples_of_written_filters(data_db):
+    fields = (await page(data_db, "/-/esi/")).cssselect(".more label:not(.check)")
+    examples = {" ".join(field.text.split()): field.cssselect("input")[0].get("placeholder") for field in fields}
+    assert {"E-bus current in mA": "<=100", "CiA 402 axes": ">=2"}.items() <= examples.items()
+    assert parse_identity(examples["Same layout as V:P:R"])
+
+
+async def test_a_search_keeps_every_filter(data_db):
+    """The form sends again what the address says, also what it says twice."""
+    query = "maps=0x60FF&maps=0x6040&object=0x6502&object=0x1018%3A1&not-maps=0x1&not-maps=0x2&mode=CSV&strict=1"
+    form = (await page(data_db, f"/-/esi/?{query}")).cssselect("form.search")[0]
+    sent = [(item.name, item.value) for item in form.inputs if item.get("type") != "checkbox" or item.checked]
+    assert sorted(item for item in sent if item[1]) == sorted(parse_qsl(query))
+
+
+async def test_after_the_last_page_comes_no_other(library_db):
+    last, beyond = [await page(library_db, f"/-/esi/?text=terminal&page={number}") for number in (2, 9)]
+    shown = [(texts(tree, ".pages"), texts(tree, ".device-head"), texts(tree, "h2")) for tree in (last, beyond)]
+    assert shown[0] == shown[1]
+    assert shown[0][0] == ["previous page 2 of 2"]
+
+
+async def test_slots_beyond_those_that_are_offered(tmp_path):
+    slot = '<Slot MinInstances="0" MaxInstances="30"><ModuleIdent>#x10</ModuleIdent></Slot>'
+    module = f'<Module><Type ModuleIdent="#x10">M</Type><Name>M</Name>{pdo("TxPdo", "#x1A00", 8)}</Module>'
+    db = catalog_of(tmp_path, esi(device(f"<Slots>{slot}</Slots>"), module))
+    plain, chosen = [await page(db, f"/-/esi/device/0xe5c/1/1{query}") for query in ("", "?module=29%3D0x10")]
+    assert [len(tree.cssselect("#slots select")) for tree in (plain, chosen)] == [24, 25]
+    assert texts(plain, "#slots p") == ["Slots up to 29 can be chosen in the address: ?module=29=IDENT"]
+    assert ("module", "29=0x10") in chosen.cssselect("form#slots")[0].form_values()

@@ -23,12 +23,6 @@ from esicatalog.web.http import MAX_BODY_BYTES
 SECRET = "root:x:0:0"
 
 
-@pytest.fixture(autouse=True)
-def _plain_errors(monkeypatch):
-    """Where rich is installed, as it is for development, Datasette 0.65 fails at printing what becomes a 404."""
-    monkeypatch.setattr("datasette.handle_exception.rich", None, raising=False)
-
-
 async def client(db: Path) -> Any:
     application = datasette_app(db)
     await application.invoke_startup()
@@ -124,6 +118,23 @@ async def test_plain_datasette_has_bounds_too(data_db):
             f"/{data_db.stem}.json", params={"sql": sql, "_shape": "array"}, follow_redirects=True
         )
         assert found.status_code == 400, found.text
+
+
+# Addresses.
+
+NOWHERE = ["/-/esi/no/such/page", "/-/esi/export/igh.json", "/-/esi/device/1/1/1/1", "/catalog/devices/1/2", "/a/b/c/d"]
+
+
+@pytest.mark.parametrize("path", NOWHERE)
+@pytest.mark.parametrize("plain", [False, True])
+async def test_an_address_that_nothing_answers(data_db, monkeypatch, path, plain):
+    """Also where rich is installed, as it is for development: Datasette has it print what becomes a 404."""
+    from datasette.app import Datasette
+
+    monkeypatch.setattr("datasette.handle_exception.rich", pytest.importorskip("rich"))
+    application = Datasette([str(data_db)]) if plain else datasette_app(data_db)
+    await application.invoke_startup()
+    assert (await application.client.get(path)).status_code == 404
 
 
 # Files.

@@ -79,7 +79,7 @@ def read_description(connection: sa.Connection, lookup: IdentityLookup, identity
         lookup.sources(number),
         reader.device(number),
         tuple(reader.modules_of(number)),
-        revisions_of(connection, found.vendor_id, found.product_code),
+        revisions_of(connection, number, found),
         same_layout(connection, number),
         variant_count,
         _findings(connection, number),

@@ -1,14 +1,24 @@
 """How many of the found devices have what: counts beside the filters of a search page."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
+import msgspec
 import sqlalchemy as sa
 
 from esicatalog.catalog.conditions import Condition
 from esicatalog.catalog.device_filter import MODES, SYNC_SIGNALS, DeviceFilter
-from esicatalog.catalog.schema import device_facts, devices, drive_modes, mailboxes, profiles, vendors
-from esicatalog.catalog.search import fulfilled, matching_ids
+from esicatalog.catalog.schema import (
+    device_facts,
+    device_modules,
+    devices,
+    drive_modes,
+    mailboxes,
+    profile_channels,
+    profiles,
+    vendors,
+)
+from esicatalog.catalog.search import conditions, fulfilled, matching_ids
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.words import MAILBOX_PROTOCOLS, protocol_name
 
@@ -19,6 +29,8 @@ _PROPERTIES: dict[tuple[str, str], tuple[str, Any]] = {
     ("protocol", "fsoe"): ("FSoE (evidence)", device_facts.c.fsoe.is_not(None)),
 }
 """What tables with one row a device tell: filter and word, label and condition."""
+_ONE_WORD = {"sync": "sync", "protocol": "protocol", "profile": "profile_no"}
+"""Filters that are one word, with their fields: another word takes the place of the chosen one."""
 
 
 class FacetValue(NamedTuple):
@@ -37,30 +49,47 @@ class Counts(NamedTuple):
 
 
 def counts(connection: sa.Connection, found: Sequence[Condition], wanted: DeviceFilter) -> Counts:
-    """Counts by filter: vendor, mode, sync, protocol and profile. The number of queries is always the same."""
-    fulfil, ids = fulfilled(found, wanted), matching_ids(found, wanted)
-    total, properties = _properties(connection, fulfil)
+    """Counts by filter: vendor, mode, sync, protocol and profile, one statement each or fewer.
+
+    A number is what choosing the word leads to: modes and vendors narrow what is found, a word of the other filters
+    takes the place of the chosen one.
+    """
+    others = {name: msgspec.structs.replace(wanted, **{field: None}) for name, field in _ONE_WORD.items()}
+    held = {other: list(conditions(connection, other)) for other in {*others.values()} - {wanted}} | {wanted: found}
+    passes: dict[DeviceFilter, list[str]] = {wanted: []}
+    for name in dict.fromkeys(name for name, _ in _PROPERTIES):
+        passes.setdefault(others[name], []).append(name)
+    totals: dict[DeviceFilter, int] = {}
+    facets: dict[str, tuple[FacetValue, ...]] = {}
+    for other, names in passes.items():
+        totals[other], counted = _properties(connection, fulfilled(held[other], other), names)
+        facets |= counted
     return Counts(
-        total,
+        totals[wanted],
         {
-            "vendor": _vendors(connection, fulfil),
-            "mode": _modes(connection, ids, wanted.strict),
-            **properties,
-            "profile": _profiles(connection, ids),
+            "vendor": _vendors(connection, fulfilled(found, wanted)),
+            "mode": _modes(connection, matching_ids(found, wanted), wanted.strict),
+            **facets,
+            "profile": _profiles(
+                connection, matching_ids(held[others["profile"]], others["profile"]), wanted.profile_no
+            ),
         },
     )
 
 
-def _properties(connection: sa.Connection, fulfil: list[Any]) -> tuple[int, dict[str, tuple[FacetValue, ...]]]:
-    """The number of devices, and how many of them have each property: all in one pass."""
-    columns = [sa.func.count(sa.case((condition, 1))) for _, condition in _PROPERTIES.values()]
+def _properties(
+    connection: sa.Connection, fulfil: list[Any], names: Iterable[str]
+) -> tuple[int, dict[str, tuple[FacetValue, ...]]]:
+    """The number of devices, and how many of them have each property of these filters: all in one pass."""
+    asked = {key: property for key, property in _PROPERTIES.items() if key[0] in names}
+    columns = [sa.func.count(sa.case((condition, 1))) for _, condition in asked.values()]
     tables = devices.outerjoin(device_facts, device_facts.c.device_id == devices.c.id).outerjoin(
         mailboxes, mailboxes.c.device_id == devices.c.id
     )
     query = sa.select(sa.func.count(), *columns).select_from(tables).where(*fulfil)
     total, *numbers = connection.execute(query).one()
-    facets: dict[str, tuple[FacetValue, ...]] = {name: () for name, _ in _PROPERTIES}
-    for ((name, word), (label, _)), number in zip(_PROPERTIES.items(), numbers, strict=True):
+    facets: dict[str, tuple[FacetValue, ...]] = dict.fromkeys(names, ())
+    for ((name, word), (label, _)), number in zip(asked.items(), numbers, strict=True):
         if number:
             facets[name] += (FacetValue(word, label, number),)
     return total, facets
@@ -97,14 +126,31 @@ def _modes(connection: sa.Connection, ids: Any, strict: bool) -> tuple[FacetValu
     return tuple(FacetValue(mode, mode, counted[mode]) for mode in MODES if mode in counted)
 
 
-def _profiles(connection: sa.Connection, ids: Any) -> tuple[FacetValue, ...]:
-    columns = profiles.c
-    count = sa.func.count(columns.device_id.distinct())
+def _profiles(connection: sa.Connection, ids: Any, chosen: int | None) -> tuple[FacetValue, ...]:
+    """Numbers of profiles and of their channels, of a device or of a module that its slots can reach."""
+    found = ids.cte("found")
+    is_found = sa.select(found.c.id)
+    links, channels = device_modules.c, profile_channels.c
+    own = sa.select(profiles.c.device_id, profiles.c.id).where(profiles.c.device_id.in_(is_found))
+    modular = (
+        sa.select(links.device_id, profiles.c.id)
+        .join(device_modules, links.module_id == profiles.c.module_id)
+        .where(links.device_id.in_(is_found))
+    )
+    owned = own.union_all(modular).cte("owned")
+    numbers = (
+        sa.select(owned.c.device_id, profiles.c.profile_no)
+        .join(owned, owned.c.id == profiles.c.id)
+        .union_all(sa.select(owned.c.device_id, channels.profile_no).join(owned, owned.c.id == channels.profile_id))
+        .subquery()
+    )
+    count = sa.func.count(numbers.c.device_id.distinct())
     query = (
-        sa.select(columns.profile_no, count)
-        .where(columns.device_id.in_(ids), columns.profile_no.is_not(None))
-        .group_by(columns.profile_no)
-        .order_by(count.desc(), columns.profile_no)
+        sa.select(numbers.c.profile_no, count)
+        .where(numbers.c.profile_no.is_not(None))
+        .group_by(numbers.c.profile_no)
+        # the chosen one can always be taken back
+        .order_by(sa.case((numbers.c.profile_no == chosen, 0), else_=1), count.desc(), numbers.c.profile_no)
         .limit(_MOST_PROFILES)
     )
     return tuple(FacetValue(str(number), str(number), n) for number, n in connection.execute(query))

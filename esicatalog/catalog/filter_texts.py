@@ -67,15 +67,14 @@ PARAMETERS: dict[str, Parameter] = {
 }
 """All filters but ``vendor``, which is an id or a part of a name."""
 
-
-_SHARPEN = {"strict": "modes", "bits": "maps"}
+SHARPEN = {"strict": "mode", "bits": "maps"}
+"""Filters that only sharpen another one."""
 
 
 def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
     """The filter that parameters mean; empty texts count as not given. Raises :class:`InputError`.
 
-    Parameters that only sharpen another one (strict of mode, bits of maps) count for nothing without it: a form sends
-    what is ticked.
+    Parameters that only sharpen another one count for nothing without it: a form sends what is ticked.
     """
     fields: dict[str, Any] = {}
     for name, values in texts.items():
@@ -92,9 +91,9 @@ def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
         parameter = PARAMETERS[name]
         parsed = [_parsed(name, parameter, value) for value in given]
         fields[parameter.field] = tuple(parsed) if parameter.repeated else parsed[0]
-    for sharpening, needed in _SHARPEN.items():
-        if not fields.get(needed):
-            fields.pop(sharpening, None)
+    for sharpening, needed in SHARPEN.items():
+        if not fields.get(PARAMETERS[needed].field):
+            fields.pop(PARAMETERS[sharpening].field, None)
     return DeviceFilter(**fields)
 
 

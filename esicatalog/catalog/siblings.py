@@ -1,5 +1,7 @@
 """Neighbours of a description: other revisions of the product, and devices with the same process-image layout."""
 
+from typing import Any
+
 import msgspec
 import sqlalchemy as sa
 
@@ -7,11 +9,9 @@ from esicatalog.catalog.devices import SUMMARY, summary
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import device_facts, devices
 
-_REVISIONS = sa.table("device_revisions", sa.column("device_id"), sa.column("layout_changed"))
-
 
 class Revision(msgspec.Struct, frozen=True):
-    """A revision of a product, by its preferred description."""
+    """A revision of a product, by one of its descriptions."""
 
     device: FoundDevice
     hidden: bool
@@ -19,16 +19,34 @@ class Revision(msgspec.Struct, frozen=True):
     """The default process image differs from that of the next lower revision, of the same type if there is one."""
 
 
-def revisions_of(connection: sa.Connection, vendor_id: int | None, product_code: int | None) -> tuple[Revision, ...]:
-    """All revisions of a product, lowest first; none for devices without codes."""
-    if vendor_id is None or product_code is None:
+def revisions_of(connection: sa.Connection, device_id: int, found: FoundDevice) -> tuple[Revision, ...]:
+    """All revisions of a description's product, lowest first: its own one as it says, others as preferred ones say.
+
+    None for devices without codes. The rule is that of the view ``device_revisions``, which has preferred ones only.
+    """
+    if found.vendor_id is None or found.product_code is None:
         return ()
+    columns = devices.c
+    other = sa.and_(columns.variant == 1, columns.revision_no.is_distinct_from(found.revision_no))
     rows = connection.execute(
-        SUMMARY.add_columns(_REVISIONS.c.layout_changed)
-        .join(_REVISIONS, _REVISIONS.c.device_id == devices.c.id)
-        .where(devices.c.vendor_id == vendor_id, devices.c.product_code == product_code)
+        SUMMARY.add_columns(device_facts.c.image_signature)
+        .join(device_facts, device_facts.c.device_id == columns.id)
+        .where(
+            columns.vendor_id == found.vendor_id,
+            columns.product_code == found.product_code,
+            sa.or_(columns.id == device_id, other),
+        )
     )
-    return tuple(Revision(summary(row), bool(row.hidden), bool(row.layout_changed)) for row in rows)
+    before: dict[str | None, Any] = {}
+    """The next lower revision by type; under None that of any type."""
+    revisions = []
+    for row in rows:
+        previous = before.get(row.type) or before.get(None)
+        changed = previous is not None and previous.image_signature != row.image_signature
+        revisions.append(Revision(summary(row), bool(row.hidden), changed))
+        if row.revision_no is not None:
+            before[row.type] = before[None] = row
+    return tuple(revisions)
 
 
 def same_layout(connection: sa.Connection, device_id: int) -> tuple[FoundDevice, ...]:

@@ -35,6 +35,19 @@ def hex_text(expression: str, digits: int, dialect: str) -> str:
     return f"CASE WHEN {expression} IS NOT NULL THEN printf('0x%0{digits}x', {expression}) END"
 
 
+def _integer(expression: str) -> str:
+    """SQL for an integer that a view computes: without a type, SQLite would never find it equal to a text.
+
+    Columns of tables have a type, of expressions only CAST has. Datasette filters by texts.
+    """
+    return f"CAST({expression} AS BIGINT)"
+
+
+def _flag(condition: str) -> str:
+    """SQL for a truth value that a view computes."""
+    return _integer(f"CASE WHEN {condition} THEN 1 ELSE 0 END")
+
+
 def _columns(table: str, alias: str, *without: str) -> str:
     left_out = {"id", "device_id", "module_id", "position", "spelling", *without}
     return ", ".join(f"{alias}.{c.name}" for c in metadata.tables[table].columns if c.name not in left_out)
@@ -73,7 +86,7 @@ def _byte_bit(bits: str) -> str:
 
 def _number(bound: str) -> str:
     """SQL for a bound that is an integer or a real; a real type for both would round 64-bit integers."""
-    return f"coalesce(CAST(z.{bound}_int AS NUMERIC), CAST(z.{bound}_real AS NUMERIC))"
+    return f"CAST(coalesce(CAST(z.{bound}_int AS NUMERIC), CAST(z.{bound}_real AS NUMERIC)) AS NUMERIC)"
 
 
 def _signed(data_type: str) -> str:
@@ -148,7 +161,7 @@ def _owner_views(kind: str, dialect: str) -> list[View]:
                 "One row per OpMode element of a device, with the SYNC signals that AssignActivate means.",
                 f"SELECT {identity}, {hex_text('c.assign_activate', 4, dialect)} AS assign_activate_hex, "
                 f"{_columns('dc_modes', 'c')}, "
-                "CASE WHEN c.position = d.default_op_mode THEN 1 ELSE 0 END AS is_default, "
+                f"{_flag('c.position = d.default_op_mode')} AS is_default, "
                 f"c.id AS dc_mode_id, c.position {source} JOIN dc_modes c ON c.device_id = d.id",
             )
         )
@@ -159,7 +172,7 @@ def _pdo_entries_view(kind: str, identity: str, source: str, dialect: str) -> Vi
     """Entries with their place and with what the object dictionary says about the object that they map."""
     alias = kind[0]
     place = (
-        f"p.image_sm, CASE WHEN p.image_sm IS NOT NULL THEN 1 ELSE 0 END AS assigned_by_default, "
+        f"p.image_sm, {_flag('p.image_sm IS NOT NULL')} AS assigned_by_default, "
         f"e.image_bit_offset, {_byte_bit('e.image_bit_offset')} AS image_byte_bit, "
         if kind == "device"
         else ""
@@ -174,6 +187,12 @@ def _pdo_entries_view(kind: str, identity: str, source: str, dialect: str) -> Vi
             "AND z.subindex = coalesce(e.subindex, 0) ORDER BY q.position, l.position LIMIT 1)"
         )
 
+    signed = f"coalesce({described(_signed('z.base_type'))}, {_signed('e.data_type')})"
+    # Where the whole PDO has no size the sum of its entries is no number that a query can hold.
+    before = (
+        "CASE WHEN p.bit_size IS NOT NULL THEN (SELECT coalesce(sum(b.bit_length), 0) FROM pdo_entries b "
+        "WHERE b.pdo_id = e.pdo_id AND b.position < e.position AND b.bit_length > 0) END"
+    )
     return View(
         f"{kind}_pdo_entries",
         f"One row per Entry element of a {kind}'s own PDOs, padding included, OSFac not expanded.",
@@ -181,14 +200,12 @@ def _pdo_entries_view(kind: str, identity: str, source: str, dialect: str) -> Vi
         f"p.name AS pdo_name, p.sm, {place}"
         f"{hex_text('e.entry_index', 4, dialect)} AS entry_index_hex, "
         f"{_columns('pdo_entries', 'e', 'pdo_id', 'image_bit_offset')}, "
-        f"coalesce({described(_signed('z.base_type'))}, {_signed('e.data_type')}) AS signed, "
+        f"{_integer(signed)} AS signed, "
         f"{described('o.name')} AS object_name, {described('z.name')} AS object_entry_name, "
         f"{described(hex_text('z.unit', 8, dialect))} AS unit_hex, "
         f"{described(_number('min'))} AS minimum, "
         f"{described(_number('max'))} AS maximum, "
-        # Where the whole PDO has no size the sum of its entries is no number that a query can hold.
-        "CASE WHEN p.bit_size IS NOT NULL THEN (SELECT coalesce(sum(b.bit_length), 0) FROM pdo_entries b "
-        "WHERE b.pdo_id = e.pdo_id AND b.position < e.position AND b.bit_length > 0) END AS bit_offset_in_pdo, "
+        f"{_integer(before)} AS bit_offset_in_pdo, "
         f"p.id AS pdo_id, p.position AS pdo_position, e.position {source} "
         f"JOIN pdos p ON p.{kind}_id = {alias}.id JOIN pdo_entries e ON e.pdo_id = p.id",
     )
@@ -197,6 +214,8 @@ def _pdo_entries_view(kind: str, identity: str, source: str, dialect: str) -> Vi
 def _capabilities(dialect: str) -> list[View]:
     identity = _device_identity(dialect)
     module = f"{hex_text('m.module_ident', 8, dialect)} AS module_ident_hex"
+    previous = f"coalesce({_previous('AND o.type = n.type ')}, {_previous('')})"
+    changed = "r.previous_id IS NOT NULL AND coalesce(f.image_signature, '') <> coalesce(b.image_signature, '')"
     return [
         View(
             "device_drive_modes",
@@ -221,11 +240,9 @@ def _capabilities(dialect: str) -> list[View]:
             "device_revisions",
             "Preferred descriptions of each product by revision; layout_changed compares the default process image "
             "with the next lower revision, of the same type where there is one.",
-            f"SELECT {identity}, r.previous_id, CASE WHEN r.previous_id IS NOT NULL "
-            "AND coalesce(f.image_signature, '') <> coalesce(b.image_signature, '') THEN 1 ELSE 0 END "
-            "AS layout_changed, "
+            f"SELECT {identity}, r.previous_id, {_flag(changed)} AS layout_changed, "
             "f.output_bytes, f.input_bytes, f.image_signature "
-            f"FROM (SELECT n.id, coalesce({_previous('AND o.type = n.type ')}, {_previous('')}) AS previous_id "
+            f"FROM (SELECT n.id, {_integer(previous)} AS previous_id "
             "FROM devices n WHERE n.variant = 1 AND n.vendor_id IS NOT NULL AND n.product_code IS NOT NULL) r "
             "JOIN devices d ON d.id = r.id LEFT JOIN vendors v ON v.vendor_id = d.vendor_id "
             "JOIN device_facts f ON f.device_id = d.id LEFT JOIN device_facts b ON b.device_id = r.previous_id",
@@ -238,7 +255,7 @@ def _capabilities(dialect: str) -> list[View]:
             f"{hex_text('o.vendor_id', 8, dialect)} AS other_vendor_id_hex, "
             f"{hex_text('o.product_code', 8, dialect)} AS other_product_code_hex, "
             f"{hex_text('o.revision_no', 8, dialect)} AS other_revision_no_hex, o.type AS other_type, "
-            "CASE WHEN f.pdo_signature = g.pdo_signature THEN 1 ELSE 0 END AS same_pdo_set, f.output_bytes, "
+            f"{_flag('f.pdo_signature = g.pdo_signature')} AS same_pdo_set, f.output_bytes, "
             f"f.input_bytes {_DEVICES} JOIN device_facts f ON f.device_id = d.id "
             "JOIN device_facts g ON g.image_signature = f.image_signature JOIN devices o ON o.id = g.device_id "
             "WHERE o.id <> d.id AND o.variant = 1 AND d.variant = 1",
@@ -246,17 +263,17 @@ def _capabilities(dialect: str) -> list[View]:
         View(
             "drive_modes_by_vendor",
             "Mode matrix: how many visible devices of a vendor run each CiA 402 mode by verdict yes or likely.",
-            "SELECT d.vendor_id, v.name AS vendor, count(DISTINCT d.id) AS drives, "
-            + ", ".join(
-                f"count(DISTINCT CASE WHEN m.mode = '{mode}' AND m.verdict IN ('yes', 'likely') THEN d.id END) "
-                f"AS {mode.lower()}"
-                for mode in DRIVE_MODES
-            )
+            f"SELECT d.vendor_id, v.name AS vendor, {_integer('count(DISTINCT d.id)')} AS drives, "
+            + ", ".join(f"{_integer(_devices_with(mode))} AS {mode.lower()}" for mode in DRIVE_MODES)
             + f" {_DEVICES} JOIN drive_modes m ON m.device_id = d.id AND m.kind = '{CIA402}' "
             f"WHERE d.variant = 1 AND d.hidden = {'0' if dialect == 'sqlite' else 'false'} "
             "GROUP BY d.vendor_id, v.name",
         ),
     ]
+
+
+def _devices_with(mode: str) -> str:
+    return f"count(DISTINCT CASE WHEN m.mode = '{mode}' AND m.verdict IN ('yes', 'likely') THEN d.id END)"
 
 
 def _previous(condition: str) -> str:
@@ -269,18 +286,24 @@ def _previous(condition: str) -> str:
 
 def _overview(dialect: str) -> View:
     def count(table: str, condition: str = "") -> str:
-        return f"(SELECT count(*) FROM {table} x WHERE x.device_id = d.id{condition})"
+        return _integer(f"(SELECT count(*) FROM {table} x WHERE x.device_id = d.id{condition})")
+
+    def signal(name: str) -> str:
+        activated = f"max(CASE WHEN x.{name} THEN 1 ELSE 0 END)"
+        return _integer(f"(SELECT {activated} FROM dc_modes x WHERE x.device_id = d.id)")
+
+    profile_no = (
+        "(SELECT min(coalesce(p.profile_no, c.profile_no)) FROM profiles p "
+        "LEFT JOIN profile_channels c ON c.profile_id = p.id WHERE p.device_id = d.id)"
+    )
 
     return View(
         "device_overview",
         "One row per device description with what it has: protocols, SYNC signals, PDOs, slots, sources.",
         f"SELECT {_device_identity(dialect)}, d.group_type, d.physics, d.e_bus_current_ma, d.invisible, "
-        "(SELECT min(coalesce(p.profile_no, c.profile_no)) FROM profiles p "
-        "LEFT JOIN profile_channels c ON c.profile_id = p.id WHERE p.device_id = d.id) AS profile_no, "
+        f"{_integer(profile_no)} AS profile_no, "
         "b.coe, b.eoe, b.foe, b.soe, b.aoe, b.voe, b.coe_complete_access, b.coe_sdo_info, "
-        f"{count('dc_modes')} AS dc_modes, "
-        "(SELECT max(CASE WHEN x.sync0 THEN 1 ELSE 0 END) FROM dc_modes x WHERE x.device_id = d.id) AS sync0, "
-        "(SELECT max(CASE WHEN x.sync1 THEN 1 ELSE 0 END) FROM dc_modes x WHERE x.device_id = d.id) AS sync1, "
+        f"{count('dc_modes')} AS dc_modes, {signal('sync0')} AS sync0, {signal('sync1')} AS sync1, "
         f"""{count("pdos", " AND x.direction = 'RxPdo'")} AS rx_pdos, """
         f"""{count("pdos", " AND x.direction = 'TxPdo'")} AS tx_pdos, """
         f"{count('slots')} AS slots, {count('device_modules')} AS modules, {count('device_sources')} AS sources "
@@ -295,7 +318,7 @@ def _problems(dialect: str) -> list[View]:
             "Documents that failed, were skipped or needed recovery, and every error found in the others.",
             "SELECT s.id AS source_id, s.member, s.status, 'document' AS rule, "
             "CASE s.status WHEN 'failed' THEN 'E' WHEN 'recovered' THEN 'W' ELSE 'I' END AS severity, "
-            "s.message, 0 AS line FROM sources s WHERE s.status <> 'stored' "
+            f"s.message, {_integer('0')} AS line FROM sources s WHERE s.status <> 'stored' "
             "UNION ALL SELECT s.id, s.member, s.status, f.rule, f.severity, f.message, f.line "
             "FROM findings f JOIN sources s ON s.id = f.source_id WHERE f.severity = 'E'",
         ),
@@ -305,7 +328,7 @@ def _problems(dialect: str) -> list[View]:
             f"SELECT {_device_identity(dialect)}, d.element_count, d.recovered, d.file_version, "
             "(SELECT min(s.member) FROM device_sources x JOIN sources s ON s.id = x.source_id "
             "WHERE x.device_id = d.id) AS first_source, "
-            "(SELECT count(*) FROM device_sources x WHERE x.device_id = d.id) AS sources "
+            f"{_integer('(SELECT count(*) FROM device_sources x WHERE x.device_id = d.id)')} AS sources "
             f"{_DEVICES} WHERE d.product_code IS NOT NULL AND d.revision_no IS NOT NULL AND EXISTS ("
             "SELECT 1 FROM devices o WHERE o.vendor_id = d.vendor_id AND o.product_code = d.product_code "
             "AND o.revision_no = d.revision_no AND o.variant <> d.variant)",

@@ -1,6 +1,6 @@
 """Addresses of pages, relative to where Datasette is mounted."""
 
-from urllib.parse import quote, urlencode
+from urllib.parse import quote, unquote, urlencode
 
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.errors import InputError
@@ -24,11 +24,11 @@ def device_row_path(number: int) -> str:
 
 
 def identity_of_path(vendor: str, product: str, revision: str) -> Identity:
-    """The identity in the path of a device page; ``latest`` is the latest visible revision."""
-    revision_text, at, variant = revision.partition("@")
+    """The identity in the path of a device page, as it was sent; ``latest`` is the latest visible revision."""
+    revision_text, at, variant = unquote(revision).partition("@")
     return Identity(
-        parse_number(vendor, "vendor"),
-        parse_number(product, "product"),
+        parse_number(unquote(vendor), "vendor"),
+        parse_number(unquote(product), "product"),
         None if revision_text == "latest" else parse_number(revision_text, "revision"),
         _variant(variant) if at else None,
     )

@@ -34,18 +34,26 @@ from esicatalog.model.words import (
 )
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
 from esicatalog.web.exports import TARGETS
-from esicatalog.web.http import Page
+from esicatalog.web.http import Page, status_of
 from esicatalog.web.links import device_path, identity_of_path
 
 _LONGEST_NUMBER = 8
 _MOST_SLOTS = 24
+"""How many slots are offered; a station has hundreds, and each of them takes hundreds of modules."""
 _MOST_ALIKE = 12
 
 
 async def device_page(request: Any, catalog: Catalog) -> Page:
-    """``/-/esi/device/V/P/R?module=SLOT=IDENT``: the page of one description."""
+    """``/-/esi/device/V/P/R?module=SLOT=IDENT``: the page of one description.
+
+    Modules that do not fit are told, on the page without any chosen ones.
+    """
     description, choice = await asyncio.to_thread(_asked, request, catalog)
-    return Page("device.html", await asyncio.to_thread(_context, description, choice))
+    try:
+        return Page("device.html", await asyncio.to_thread(_context, description, choice))
+    except InputError as error:
+        context = await asyncio.to_thread(_context, description, {})
+        return Page("device.html", context | {"problem": str(error)}, status_of(error))
 
 
 async def device_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
@@ -63,11 +71,9 @@ def _asked(request: Any, catalog: Catalog) -> tuple[DeviceDescription, dict[int,
 def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
     device, found = description.device, description.found
     derived = derive(device, description.modules)
-    problem = None
-    try:
-        images = description.images(choice) if choice else derived.images
-    except InputError as error:
-        images, problem = derived.images, str(error)
+    images = description.images(choice) if choice else derived.images
+    slots = _slots(description, choice)
+    last_slot = sum(1 for _ in numbered_slots(device)) - 1
     op_modes = device.op_modes
     default = default_op_mode(op_modes)
     path = device_path(found) or ""
@@ -84,9 +90,10 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         ],
         "facts": _facts(description, derived.facts),
         "images": [_image(image) for image in images],
-        "problem": problem,
+        "problem": None,
         "choice": choice,
-        "slots": _slots(description, choice),
+        "slots": slots,
+        "last_slot": last_slot if last_slot >= _MOST_SLOTS else None,
         "sync_managers": [_sync_manager(number, sm) for number, sm in enumerate(device.sync_managers)],
         "memory_map": memory_map_svg(device, images) if device.sync_managers else "",
         "pdos": _pdos(device, assigned_sms(derived.images)),
@@ -128,7 +135,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         ],
         "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
         "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
-        "identity": f"0x{found.vendor_id or 0:x}:0x{found.product_code or 0:x}:0x{found.revision_no or 0:x}",
+        "identity": found.identity_text,
         "exports": [{"name": name, "label": target.label} for name, target in TARGETS.items()] if path else [],
         "chosen": "&".join(f"module={slot}%3D0x{ident:X}" for slot, ident in choice.items()),
         "drawing_css": DRAWING_CSS,
@@ -240,27 +247,21 @@ def _value(cmd: InitCmd) -> str:
 
 def _slots(description: DeviceDescription, choice: Mapping[int, int]) -> list[dict[str, Any]]:
     device, modules = description.device, description.modules
-    try:
-        plugged = {item.slot_number: item.module.module_ident for item in chosen_modules(device, modules, choice)}
-    except InputError:
-        plugged = {}
-    found = []
-    for number, slot, _ in numbered_slots(device):
-        if number >= _MOST_SLOTS:
-            break
-        found.append(
-            {
-                "number": number,
-                "name": _slot_name(slot),
-                "plugged": plugged.get(number),
-                "modules": [
-                    (module.module_ident, display_text(module.names) or module.type or "")
-                    for module in modules
-                    if module.module_ident is not None and accepts(slot, module)
-                ],
-            }
-        )
-    return found
+    plugged = {item.slot_number: item.module.module_ident for item in chosen_modules(device, modules, choice)}
+    return [
+        {
+            "number": number,
+            "name": _slot_name(slot),
+            "plugged": plugged.get(number),
+            "modules": [
+                (module.module_ident, display_text(module.names) or module.type or "")
+                for module in modules
+                if module.module_ident is not None and accepts(slot, module)
+            ],
+        }
+        for number, slot, _ in numbered_slots(device)
+        if number < _MOST_SLOTS or number in choice
+    ]
 
 
 def _slot_name(slot: Slot) -> str:

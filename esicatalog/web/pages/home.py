@@ -7,7 +7,7 @@ import msgspec
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.device_filter import DeviceFilter
-from esicatalog.catalog.filter_texts import PARAMETERS, filter_of_texts
+from esicatalog.catalog.filter_texts import PARAMETERS, SHARPEN, filter_of_texts
 from esicatalog.catalog.listing import Listing
 from esicatalog.errors import InputError
 from esicatalog.identity import parse_number
@@ -29,16 +29,16 @@ _CHECKS = {
     "no-lrw": "no LRW",
 }
 _TEXTS = {
-    "maps": "maps object, e.g. 0x60FF",
-    "object": "has object, e.g. 0x6502",
-    "bytes-in": "input bytes, e.g. <=8",
-    "bytes-out": "output bytes, e.g. >=4",
-    "min-cycle-ns": "smallest cycle in ns, e.g. <=250000",
-    "e-bus-ma": "E-bus current in mA, e.g. <=100",
-    "axes": "CiA 402 axes, e.g. >=2",
-    "physics": "ports, e.g. YY or KK",
-    "like": "same layout as V:P:R",
+    "object": ("Has object", "0x6502"),
+    "bytes-in": ("Input bytes", "<=8"),
+    "bytes-out": ("Output bytes", ">=4"),
+    "min-cycle-ns": ("Smallest cycle in ns", "<=250000"),
+    "e-bus-ma": ("E-bus current in mA", "<=100"),
+    "axes": ("CiA 402 axes", ">=2"),
+    "physics": ("Ports", "YY"),
+    "like": ("Same layout as V:P:R", "0x2:0x03f63052"),
 }
+"""Filters that are written: label and example."""
 
 
 async def home_page(request: Any, catalog: Catalog) -> Page:
@@ -49,10 +49,23 @@ async def home_page(request: Any, catalog: Catalog) -> Page:
         wanted = filter_of_texts(texts)
     except InputError as error:
         empty = Listing((), 0, 0, {}, "")
-        return Page("home.html", {**_context(texts, empty, number), "problem": str(error)}, 400)
+        return Page("home.html", {**_context(texts, DeviceFilter(), empty, number), "problem": str(error)}, 400)
+    listing, number = await asyncio.to_thread(_listed, catalog, wanted, number)
+    return Page("home.html", _context(texts, wanted, listing, number))
+
+
+def _listed(catalog: Catalog, wanted: DeviceFilter, number: int) -> tuple[Listing, int]:
+    """The page of this number, or the last one, and its number."""
     limited = msgspec.structs.replace(wanted, limit=PAGE_LENGTH)
-    listing = await asyncio.to_thread(catalog.list_devices, limited, (number - 1) * PAGE_LENGTH)
-    return Page("home.html", _context(texts, listing, number))
+    listing = catalog.list_devices(limited, (number - 1) * PAGE_LENGTH)
+    last = _pages(listing)
+    if number <= last:
+        return listing, number
+    return catalog.list_devices(limited, (last - 1) * PAGE_LENGTH), last
+
+
+def _pages(listing: Listing) -> int:
+    return max(1, -(-listing.total // PAGE_LENGTH))
 
 
 async def devices_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
@@ -69,11 +82,15 @@ def _page_number(texts: list[str]) -> int:
         return 1
 
 
-def _context(texts: dict[str, list[str]], listing: Listing, number: int) -> dict[str, Any]:
-    given = [(name, text) for name, values in texts.items() for text in values if text.strip()]
-    pages = max(1, -(-listing.total // PAGE_LENGTH))
+def _context(texts: dict[str, list[str]], wanted: DeviceFilter, listing: Listing, number: int) -> dict[str, Any]:
+    written = [(name, text) for name, values in texts.items() for text in values if text.strip()]
+    names = {name for name, _ in written}
+    given = [(name, text) for name, text in written if SHARPEN.get(name, name) in names]
+    chosen = _chosen(wanted)
+    pages = _pages(listing)
     return {
         "given": {name: values[0] for name, values in texts.items() if values},
+        "written": {name: [text for key, text in written if key == name] for name in names},
         "devices": [_row(item) for item in listing.devices],
         "total": listing.total,
         "facets": {
@@ -81,8 +98,8 @@ def _context(texts: dict[str, list[str]], listing: Listing, number: int) -> dict
                 {
                     "label": value.label,
                     "count": value.device_count,
-                    "chosen": (name, value.text) in given,
-                    "href": with_query("", _toggled(given, name, value.text)),
+                    "chosen": value.text in chosen[name],
+                    "href": with_query("", _toggled(given, name, value.text, chosen[name])),
                 }
                 for value in values
             ]
@@ -104,10 +121,22 @@ def _context(texts: dict[str, list[str]], listing: Listing, number: int) -> dict
     }
 
 
-def _toggled(given: list[tuple[str, str]], name: str, text: str) -> list[tuple[str, str]]:
-    """The parameters with this choice made, or taken back where it stands."""
-    others = [(key, value) for key, value in given if key != name]
-    return others if (name, text) in given else [*others, (name, text)]
+def _chosen(wanted: DeviceFilter) -> dict[str, tuple[str, ...]]:
+    """The words that a filter names, by facet and as facets write them."""
+    words = {
+        "vendor": f"0x{wanted.vendor_id:x}" if wanted.vendor_id is not None else None,
+        "sync": wanted.sync,
+        "protocol": wanted.protocol,
+        "profile": str(wanted.profile_no) if wanted.profile_no is not None else None,
+    }
+    return {"mode": wanted.modes, **{name: (word,) if word is not None else () for name, word in words.items()}}
+
+
+def _toggled(given: list[tuple[str, str]], name: str, text: str, chosen: tuple[str, ...]) -> list[tuple[str, str]]:
+    """The parameters with this choice made, or taken back where it stands; modes add up."""
+    kept = chosen if name == "mode" else ()
+    words = [word for word in chosen if word != text] if text in chosen else [*kept, text]
+    return [*(item for item in given if item[0] != name), (name, ",".join(words))]
 
 
 def _row(item: Any) -> dict[str, Any]:

@@ -4,7 +4,7 @@ import sqlite3
 from collections.abc import Awaitable, Callable
 from typing import Any
 
-from datasette import hookimpl
+from datasette import handle_exception, hookimpl
 
 from esicatalog.catalog.full_text import search_expression
 from esicatalog.catalog.views import FULL_TEXT
@@ -12,6 +12,15 @@ from esicatalog.web.cells import cell, decimal_filters
 from esicatalog.web.functions import bound_work, hex0x, parse_hex
 from esicatalog.web.routes import ROUTES
 from esicatalog.web.state import MOUNTED_AS
+
+
+@hookimpl  # type: ignore[untyped-decorator]
+def startup() -> None:
+    """Keep errors off the console, where rich is installed.
+
+    Datasette has rich print what it answers, and rich fails at an error that was never raised: a 404 became a 500.
+    """
+    handle_exception.rich = None
 
 
 @hookimpl(trylast=True)  # type: ignore[untyped-decorator]
