@@ -303,7 +303,7 @@ async def test_exported_esi_holds_vendor_and_group(data_db):
 
 
 async def test_start_up_values_and_findings(tmp_path):
-    """Data 0x0102 as sent is 0x0201; a finding belongs to the device in whose lines it lies."""
+    """Data 0x0102 as sent is 0x0201; a finding belongs to the device in which it lies."""
     command = (
         "<Mailbox><CoE><InitCmd><Transition>PS</Transition><Index>#x2000</Index><SubIndex>1</SubIndex>"
         "<Data>0102</Data></InitCmd></CoE></Mailbox>"
