@@ -1,5 +1,6 @@
 """Filters as texts: the parameters of the web pages and of devices.json, named like the options of the command."""
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -9,6 +10,7 @@ from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, pars
 
 TRUE_WORDS, FALSE_WORDS = ("1", "true", "yes", "on"), ("0", "false", "no", "off")
 _MOST_LISTED = 100_000
+_MEANT_AS_NUMBER = re.compile(r"(?:0x|#).*|[0-9]+", re.IGNORECASE | re.DOTALL)
 
 
 class Parameter(NamedTuple):
@@ -32,8 +34,12 @@ def _limit(text: str) -> int:
 
 
 def parse_vendor(text: str) -> tuple[int | None, str | None]:
-    """Vendor id when the text starts like a number, else a part of the name. Raises :class:`InputError`."""
-    if text[:1].isdigit() or text[:1] == "#":
+    """Vendor id when the text is meant as a number, else a part of the name. Raises :class:`InputError`.
+
+    Meant as a number is what consists of digits or begins with 0x or #, so that a slip (0x1O97) is told instead of
+    being looked for among the names; 3S is a part of a name.
+    """
+    if _MEANT_AS_NUMBER.fullmatch(text.strip()):
         return parse_number(text, "vendor"), None
     if not text.strip():
         raise InputError("vendor is empty; give a number or a part of the name")

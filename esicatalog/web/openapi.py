@@ -31,7 +31,8 @@ _BOUNDS = {"type": "string", "pattern": "^((<=|>=|=)?-?[0-9]{1,9})?$", "examples
 _FLAG = {"type": "string", "enum": ["", *TRUE_WORDS, *FALSE_WORDS]}
 _IDENTITY_TEXT = {"type": "string", "pattern": "^(0x[0-9a-f]{1,8}:0x[0-9a-f]{1,8}(:0x[0-9a-f]{1,8})?)?$"}
 _OPTIONAL_NUMBER = {**_NUMBER, "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32})?$"}
-_VENDOR = {"type": "string", "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32}|[^0-9#\\s][\\s\\S]*)?$"}
+_VENDOR_NAME = "([1-9][0-9]*)?[^0-9#\\s][\\s\\S]*"
+_VENDOR = {"type": "string", "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32}|{_VENDOR_NAME})?$"}
 _BY_PARSER: dict[Callable[[str], Any], dict[str, Any]] = {
     parse_number: _OPTIONAL_NUMBER,
     parse_flag: _FLAG,
