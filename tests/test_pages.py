@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from lxml import html
 from snippets import device, esi, pdo, read, rows
+from test_cli import run
 from test_identify import SLAVES, client
 from test_search import catalog_of
 
@@ -79,6 +80,29 @@ async def test_devices_json_is_that_of_the_command(data_db):
     assert [item["type"] for item in found] == ["ECX-A202", "EYOU_ServoModule_V143", "L6N"]
     refused = await web.get("/-/esi/devices.json?mode=XYZ")
     assert (refused.status_code, "say one of" in refused.json()["error"]) == (400, True)
+
+
+@pytest.mark.parametrize(
+    ("query", "option"),
+    [
+        ("bits=8", ("--bits", "8")),
+        ("strict=1", ("--strict",)),
+        ("vendor=0xZZ", ("--vendor", "0xZZ")),
+    ],
+)
+async def test_devices_json_refuses_what_the_command_refuses(data_db, query, option):
+    refused = await (await client(data_db)).get(f"/-/esi/devices.json?{query}")
+    done = run("devices", *option, db=data_db)
+    assert (refused.status_code, done.exit_code) == (400, 2)
+    assert done.stderr == f"esicatalog: {refused.json()['error']}\n"
+
+
+async def test_the_json_of_a_page_leaves_out_what_says_nothing_there(data_db):
+    """The form sends what is ticked; the page goes on without it, and so does its link."""
+    tree = await page(data_db, "/-/esi/?strict=1&bits=8&sync=sync1")
+    (link,) = [a for a in tree.xpath("//a/@href") if "devices.json" in a]
+    assert link.endswith("devices.json?sync=sync1")
+    assert len((await (await client(data_db)).get(link)).json()) == 1
 
 
 async def test_device_page_and_its_json(data_db):

@@ -77,17 +77,12 @@ PARAMETERS: dict[str, Parameter] = {
     "limit": Parameter("limit", _limit),
 }
 """All filters but ``vendor``, which is an id or a part of a name."""
-
-
-_SHARPEN = {"strict": "modes", "bits": "maps"}
+SHARPENS = {"strict": "mode", "bits": "maps"}
+"""Filters that only say more about another one, and are refused without it."""
 
 
 def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
-    """The filter that parameters mean; empty texts count as not given. Raises :class:`InputError`.
-
-    Parameters that only sharpen another one (strict of mode, bits of maps) count for nothing without it: a form sends
-    what is ticked.
-    """
+    """The filter that parameters mean; empty texts count as not given. Raises :class:`InputError`."""
     fields: dict[str, Any] = {}
     for name, values in texts.items():
         given = [value for value in values if value]
@@ -103,9 +98,6 @@ def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
         parameter = PARAMETERS[name]
         parsed = [_parsed(name, parameter, value) for value in given]
         fields[parameter.field] = tuple(parsed) if parameter.repeated else parsed[0]
-    for sharpening, needed in _SHARPEN.items():
-        if not fields.get(needed):
-            fields.pop(sharpening, None)
     return DeviceFilter(**fields)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from esicatalog.catalog.filter_texts import FALSE_WORDS, PARAMETERS, TRUE_WORDS, Parameter, parse_flag
+from esicatalog.catalog.filter_texts import FALSE_WORDS, PARAMETERS, SHARPENS, TRUE_WORDS, Parameter, parse_flag
 from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_number
 from esicatalog.version import __version__
 
@@ -135,7 +135,10 @@ def _filters() -> list[dict[str, Any]]:
         schema = _filter_schema(parameter)
         if parameter.repeated:
             schema = _list(schema)
-        listed.append({"name": name, "in": "query", "required": False, "schema": schema})
+        entry = {"name": name, "in": "query", "required": False, "schema": schema}
+        if name in SHARPENS:
+            entry["description"] = f"Only together with {SHARPENS[name]}"
+        listed.append(entry)
     return listed
 
 

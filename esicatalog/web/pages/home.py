@@ -1,13 +1,14 @@
 """The home page: one search box, filters with counts, found devices."""
 
 import asyncio
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import msgspec
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.device_filter import DeviceFilter
-from esicatalog.catalog.filter_texts import PARAMETERS, filter_of_texts
+from esicatalog.catalog.filter_texts import PARAMETERS, SHARPENS, filter_of_texts
 from esicatalog.catalog.listing import Listing
 from esicatalog.errors import InputError
 from esicatalog.identity import parse_number
@@ -46,7 +47,7 @@ async def home_page(request: Any, catalog: Catalog) -> Page:
     texts = {name: request.args.getlist(name) for name in request.args}
     number = _page_number(texts.pop(_PAGE, []))
     try:
-        wanted = filter_of_texts(texts)
+        wanted = filter_of_texts(_meant(texts))
     except InputError as error:
         empty = Listing((), 0, 0, {}, "")
         return Page("home.html", {**_context(texts, empty, number), "problem": str(error)}, 400)
@@ -69,8 +70,15 @@ def _page_number(texts: list[str]) -> int:
         return 1
 
 
+def _meant(texts: Mapping[str, Sequence[str]]) -> dict[str, Sequence[str]]:
+    """The parameters that count: the form sends what is ticked, also when the mode that it is about was taken out."""
+    return {
+        name: values for name, values in texts.items() if name not in SHARPENS or any(texts.get(SHARPENS[name], ()))
+    }
+
+
 def _context(texts: dict[str, list[str]], listing: Listing, number: int) -> dict[str, Any]:
-    given = [(name, text) for name, values in texts.items() for text in values if text.strip()]
+    given = _pairs(texts)
     pages = max(1, -(-listing.total // PAGE_LENGTH))
     return {
         "given": {name: values[0] for name, values in texts.items() if values},
@@ -92,7 +100,7 @@ def _context(texts: dict[str, list[str]], listing: Listing, number: int) -> dict
         "texts": _TEXTS,
         "hidden_fields": [(name, text) for name, text in given if name not in (*_MAIN_FILTERS, *_CHECKS, *_TEXTS)],
         "sql": listing.sql,
-        "json_href": with_query(f"{BASE}devices.json", given),
+        "json_href": with_query(f"{BASE}devices.json", _pairs(_meant(texts))),
         "page": number,
         "pages": pages,
         "previous": with_query("", [*given, (_PAGE, str(number - 1))]) if number > 1 else None,
@@ -102,6 +110,10 @@ def _context(texts: dict[str, list[str]], listing: Listing, number: int) -> dict
         "syncs": PARAMETERS["sync"].choices,
         "protocols": PARAMETERS["protocol"].choices,
     }
+
+
+def _pairs(texts: Mapping[str, Sequence[str]]) -> list[tuple[str, str]]:
+    return [(name, text) for name, values in texts.items() for text in values if text.strip()]
 
 
 def _toggled(given: list[tuple[str, str]], name: str, text: str) -> list[tuple[str, str]]:
