@@ -185,8 +185,9 @@ async def test_three_doors_one_answer(sample_db):
 async def test_many_identities_and_scans_by_post(data_db):
     web = await client(data_db)
     identities = [{"vendor": "0xe5c", "product": "#x0d080808"}, [0x1097, 0x2406, 0x8F], "0x1:0x2:0x3"]
+    identities.append({"vendor_id": 0x1097, "product_code": 0x2406, "revision_no": 0x8F})
     found = (await web.post(ROUTE, json=identities)).json()
-    assert [item["match"] for item in found] == ["product", "exact", "none"]
+    assert [item["match"] for item in found] == ["product", "exact", "none", "exact"]
     posted = await web.post(ROUTE, content=SLAVES.encode(), headers={"content-type": "text/plain"})
     shell = run("identify", "--slaves", "-", "--format", "json", db=data_db, stdin=SLAVES).stdout_bytes
     assert posted.content == shell
@@ -217,6 +218,8 @@ async def test_wrong_requests_are_400_with_words(data_db, query, words):
         (b'[{"vendor": 1}]', "identity 0: vendor and product are needed"),
         (b'[{"vendor": true, "product": 1}]', "vendor True is no number"),
         (b'[{"vendor": -1, "product": 1}]', "vendor -1 is no number"),
+        (b'[{"vendor": 1, "product": 1, "revison": 3}]', "identity 0: unknown member 'revison'; there are vendor,"),
+        (b'[[1, 1], {"vendor": 1, "vendor_id": 2, "product": 1}]', "identity 1: vendor is given more than once"),
         (b'{"vendor": 1}', "no list"),
         (b"[[1,2", "no JSON"),
         (b"hello", "no scan is recognised"),

@@ -316,6 +316,13 @@ async def test_exports_take_choices_and_refuse_with_words(data_db):
     assert (await web.get("/-/esi/device/0x1/0x2/0x3/export/igh")).status_code == 404
 
 
+@pytest.mark.parametrize("path", ["identify.json", "devices.json", f"{EYOU[7:]}.json", f"{EYOU[7:]}/export/igh"])
+async def test_no_json_is_made_of_half_a_question(data_db, path):
+    refused = await (await client(data_db)).get(f"/-/esi/{path}?modul=0%3D0x1")
+    assert refused.status_code == 400
+    assert refused.json()["error"].startswith(("unknown parameter 'modul'; there are ", "unknown filter 'modul'; "))
+
+
 async def test_exported_esi_holds_vendor_and_group(data_db):
     text = (await (await client(data_db)).get(f"{EYOU}/export/esi")).content
     (info,) = read(text).document.infos

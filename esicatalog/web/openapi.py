@@ -105,7 +105,8 @@ _SCHEMAS = {
             },
         },
         optional=("revision",),
-    ),
+    )
+    | {"additionalProperties": False},
 }
 
 
