@@ -193,6 +193,17 @@ async def test_many_identities_and_scans_by_post(data_db):
     assert posted.content == shell
 
 
+@pytest.mark.parametrize("mark", ["utf-8-sig", "utf-16", "utf-16-be"])
+async def test_a_scan_in_the_encoding_of_powershell(data_db, tmp_path, mark):
+    """``ethercat slaves -v > slaves.txt`` writes UTF-16 there; the mark in front says so."""
+    content = SLAVES.encode(mark) if mark != "utf-16-be" else ("\ufeff" + SLAVES).encode(mark)
+    (tmp_path / "slaves.txt").write_bytes(content)
+    plain = run("identify", "--slaves", "-", "--format", "json", db=data_db, stdin=SLAVES).stdout_bytes
+    shell = run("identify", "--slaves", tmp_path / "slaves.txt", "--format", "json", db=data_db).stdout_bytes
+    posted = await (await client(data_db)).post(ROUTE, content=content)
+    assert shell == posted.content == plain
+
+
 @pytest.mark.parametrize(
     ("query", "words"),
     [

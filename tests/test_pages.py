@@ -163,7 +163,8 @@ async def test_compare_two_revisions(data_db):
 
 async def test_scan_pasted_and_dropped(data_db):
     web = await client(data_db)
-    for sent in ({"data": {"scan": SLAVES}}, {"files": {"file": ("slaves.txt", SLAVES.encode())}}):
+    files = [{"file": ("slaves.txt", SLAVES.encode(encoding))} for encoding in ("utf-8", "utf-16")]
+    for sent in ({"data": {"scan": SLAVES}}, *({"files": file} for file in files)):
         tree = html.fromstring((await web.post("/-/esi/scan", **sent)).text)
         assert texts(tree, "table.slaves td:nth-child(4)") == ["exact", "accepted", "none"]
     image = bytearray(128)

@@ -8,6 +8,7 @@ import msgspec
 from esicatalog.api import Catalog
 from esicatalog.errors import InputError
 from esicatalog.identity import UINT32_MAX, Identity, parse_identity, parse_number
+from esicatalog.scan.text import decode_text
 from esicatalog.web.http import HttpError, body_of, check_names
 from esicatalog.web.uploads import MOST_IDENTITIES, read_uploaded_scan
 
@@ -37,7 +38,7 @@ async def identify_many(request: Any, catalog: Catalog) -> tuple[Any, int]:
     body = await body_of(request)
     if body.lstrip()[:1] in (b"[", b"{"):
         return await asyncio.to_thread(_identities, body, catalog), 200
-    return await asyncio.to_thread(_scan, body.decode("utf-8", "replace"), catalog), 200
+    return await asyncio.to_thread(_scan, decode_text(body), catalog), 200
 
 
 def _scan(text: str, catalog: Catalog) -> list[dict[str, Any]]:
