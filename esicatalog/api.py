@@ -146,12 +146,11 @@ class Catalog:
         answer = self.identify(header.vendor_id, header.product_code, header.revision_no)
         if answer.match != "exact":
             return Verification(answer, None, image.findings, ())
-        compared = []
-        for variant in answer.variants:
-            device, _ = self._records(variant.device)
-            compared.append((variant.device, verify_image(image, header.vendor_id, device)))
-        best, differences = min(compared, key=lambda item: sum(difference.used_by_master for difference in item[1]))
-        return Verification(answer, best, image.findings, differences)
+        described = [variant.device for variant in answer.variants]
+        compared = [verify_image(image, self.export_subject(device.identity_text)) for device in described]
+        weights = [(sum(item.used_by_master for item in found), len(found)) for found in compared]
+        best = weights.index(min(weights))
+        return Verification(answer, described[best], image.findings, compared[best])
 
     def _records(self, found: "FoundDevice") -> "tuple[Device, tuple[Module, ...]]":
         """Records of a described device that has vendor, product and revision."""

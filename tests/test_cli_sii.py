@@ -1,6 +1,7 @@
 """esicatalog sii: a sheet and JSON of an EEPROM image, and the image against its description."""
 
 import json
+from pathlib import Path
 
 from sii.by_hand import WHOLE
 from snippets import device, esi, only_device, pdo
@@ -53,6 +54,33 @@ def test_verify_agrees_and_differs(tmp_path):
     ) in other.stdout.splitlines()
     found = json.loads(run("sii", "verify", tmp_path / "dump.bin", "--format", "json", db=db).stdout)
     assert (found["agrees"], found["differences"][0]["part"]) == (False, "SyncManagers")
+
+
+def every_identity(db: Path) -> list[str]:
+    with Catalog.open(db) as catalog:
+        return [found.identity_text for found in catalog.devices(all_variants=True, include_hidden=True)]
+
+
+def differences_of_exports(db: Path, tmp_path: Path) -> dict[str, str]:
+    """What verify says last about the image of each description."""
+    told = {}
+    for identity in every_identity(db):
+        assert run("export", "sii", identity, "-o", tmp_path / "e.bin", db=db).exit_code == 0
+        told[identity] = run("sii", "verify", tmp_path / "e.bin", db=db).stdout.splitlines()[-1]
+    return told
+
+
+def test_an_exported_image_is_as_described(data_db, tmp_path):
+    told = differences_of_exports(data_db, tmp_path)
+    assert len(told) == 6
+    assert set(told.values()) == {"0 differences, 0 in what a master uses (marked !)"}
+
+
+def test_of_variants_that_differ_in_names_the_right_one_counts(tmp_path):
+    db = catalog_of(tmp_path, *(esi(device(DEVICE.replace("e1", name))) for name in ("x1", "y1")))
+    told = differences_of_exports(db, tmp_path)
+    assert len(told) == 2
+    assert set(told.values()) == {"0 differences, 0 in what a master uses (marked !)"}
 
 
 def test_names_alone_do_not_count(tmp_path):

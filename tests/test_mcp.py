@@ -50,6 +50,9 @@ def test_what_is_wrong_is_told_in_words(served):
     failed, text = called(served, "find_devices", filters={"mode": "XYZ"})
     assert failed
     assert "say one of PP" in text
+    failed, text = called(served, "find_devices", filters={"bits": "8"})
+    assert failed
+    assert "give maps" in text
     failed, text = called(served, "device_sheet", identity="0x1:0x2")
     assert failed
     assert "is not in the catalog" in text

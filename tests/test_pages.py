@@ -88,6 +88,29 @@ async def test_devices_json_is_that_of_the_command(data_db):
     assert (refused.status_code, "say one of" in refused.json()["error"]) == (400, True)
 
 
+@pytest.mark.parametrize(
+    ("query", "option"),
+    [
+        ("bits=8", ("--bits", "8")),
+        ("strict=1", ("--strict",)),
+        ("vendor=0xZZ", ("--vendor", "0xZZ")),
+    ],
+)
+async def test_devices_json_refuses_what_the_command_refuses(data_db, query, option):
+    refused = await (await client(data_db)).get(f"/-/esi/devices.json?{query}")
+    done = run("devices", *option, db=data_db)
+    assert (refused.status_code, done.exit_code) == (400, 2)
+    assert done.stderr == f"esicatalog: {refused.json()['error']}\n"
+
+
+async def test_the_json_of_a_page_leaves_out_what_says_nothing_there(data_db):
+    """The form sends what is ticked; the page goes on without it, and so does its link."""
+    tree = await page(data_db, "/-/esi/?strict=1&bits=8&sync=sync1")
+    (link,) = [a for a in tree.xpath("//a/@href") if "devices.json" in a]
+    assert link.endswith("devices.json?sync=sync1")
+    assert len((await (await client(data_db)).get(link)).json()) == 1
+
+
 async def test_device_page_and_its_json(data_db):
     web = await client(data_db)
     tree = html.fromstring((await web.get(EYOU)).text)
@@ -148,7 +171,8 @@ async def test_compare_two_revisions(data_db):
 
 async def test_scan_pasted_and_dropped(data_db):
     web = await client(data_db)
-    for sent in ({"data": {"scan": SLAVES}}, {"files": {"file": ("slaves.txt", SLAVES.encode())}}):
+    files = [{"file": ("slaves.txt", SLAVES.encode(encoding))} for encoding in ("utf-8", "utf-16")]
+    for sent in ({"data": {"scan": SLAVES}}, *({"files": file} for file in files)):
         tree = html.fromstring((await web.post("/-/esi/scan", **sent)).text)
         assert texts(tree, "table.slaves td:nth-child(4)") == ["exact", "accepted", "none"]
     image = bytearray(128)
@@ -319,6 +343,13 @@ async def test_exports_take_choices_and_refuse_with_words(data_db):
     assert (await web.get("/-/esi/device/0x1/0x2/0x3/export/igh")).status_code == 404
 
 
+@pytest.mark.parametrize("path", ["identify.json", "devices.json", f"{EYOU[7:]}.json", f"{EYOU[7:]}/export/igh"])
+async def test_no_json_is_made_of_half_a_question(data_db, path):
+    refused = await (await client(data_db)).get(f"/-/esi/{path}?modul=0%3D0x1")
+    assert refused.status_code == 400
+    assert refused.json()["error"].startswith(("unknown parameter 'modul'; there are ", "unknown filter 'modul'; "))
+
+
 async def test_exported_esi_holds_vendor_and_group(data_db):
     text = (await (await client(data_db)).get(f"{EYOU}/export/esi")).content
     (info,) = read(text).document.infos
@@ -330,7 +361,7 @@ async def test_exported_esi_holds_vendor_and_group(data_db):
 
 
 async def test_start_up_values_and_findings(tmp_path):
-    """Data 0x0102 as sent is 0x0201; a finding belongs to the device in whose lines it lies."""
+    """Data 0x0102 as sent is 0x0201; a finding belongs to the device in which it lies."""
     command = (
         "<Mailbox><CoE><InitCmd><Transition>PS</Transition><Index>#x2000</Index><SubIndex>1</SubIndex>"
         "<Data>0102</Data></InitCmd></CoE></Mailbox>"

@@ -4,10 +4,12 @@ from pathlib import Path
 
 import pytest
 from snippets import device, dictionary, elements, esi, pdo, rows, write
+from test_cli import run
 from test_counts import find, number, tree
 from test_round_trip import container_of
 
 from esicatalog import Catalog, InputError
+from esicatalog.catalog.filter_texts import parse_vendor
 
 MODULAR, IO, EYOU, L6N, RT118X = "ECX-A202", "ECX-D808", "EYOU_ServoModule_V143", "L6N", "RT118X-SERVO-MOTOR"
 
@@ -249,3 +251,29 @@ def test_a_vendor_is_found_by_the_name_that_is_shown(tmp_path):
         assert {found.vendor for found in catalog.devices()} == {"Beta"}
         assert [found.product_code for found in catalog.devices(text="beta")] == [0, 1, 2]
         assert catalog.devices(text="alpha") == []
+
+
+@pytest.mark.parametrize(
+    ("text", "meant"),
+    [
+        ("3S", (None, "3S")),
+        ("3s-Smart", (None, "3s-Smart")),
+        ("4711 GmbH", (None, "4711 GmbH")),
+        ("4247", (0x1097, None)),
+        ("0x1097", (0x1097, None)),
+        ("#X1097", (0x1097, None)),
+    ],
+)
+def test_a_vendor_is_a_number_or_a_part_of_a_name(text, meant):
+    assert parse_vendor(text) == meant
+
+
+@pytest.mark.parametrize("text", ["0xZZ", "#5", "0x", "99999999999", " ", ""])
+def test_what_is_meant_as_a_vendor_id_is_no_name(text):
+    with pytest.raises(InputError, match=r"^vendor "):
+        parse_vendor(text)
+
+
+def test_a_vendor_whose_name_begins_with_a_digit(tmp_path):
+    db = catalog_of(tmp_path, esi(device(), vendor="<Id>5</Id><Name>3S-Smart Software</Name>"))
+    assert run("devices", "--vendor", "3S", db=db).stdout.count("0x00000005") == 1

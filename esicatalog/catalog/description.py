@@ -28,7 +28,7 @@ _NO_LINE = 1 << 31
 
 
 class SourceFinding(NamedTuple):
-    """What was noticed between the beginning of the Device element and that of the next device or module."""
+    """What was noticed in the Device element."""
 
     rule: str
     severity: str
@@ -88,27 +88,53 @@ def read_description(connection: sa.Connection, lookup: IdentityLookup, identity
 
 def _findings(connection: sa.Connection, device_id: int) -> tuple[SourceFinding, ...]:
     findings, placed, sources = schema.findings.c, schema.device_sources.c, schema.sources.c
-    later, modules = schema.device_sources.alias(), schema.module_sources.c
-    next_device = sa.select(sa.func.min(later.c.line)).where(
-        later.c.source_id == placed.source_id, later.c.line > placed.line
-    )
-    next_module = sa.select(sa.func.min(modules.line)).where(
-        modules.source_id == placed.source_id, modules.line > placed.line
-    )
     query = (
         sa.select(findings.rule, findings.severity, findings.message, findings.line, sources.member)
         .join(schema.device_sources, placed.source_id == findings.source_id)
         .join(schema.sources, sources.id == findings.source_id)
-        .where(
-            placed.device_id == device_id,
-            findings.line >= placed.line,
-            findings.line < sa.func.coalesce(next_device.scalar_subquery(), sa.literal(_NO_LINE)),
-            findings.line < sa.func.coalesce(next_module.scalar_subquery(), sa.literal(_NO_LINE)),
-        )
+        .where(placed.device_id == device_id, sa.or_(_below_device(), sa.and_(_without_number(), _in_lines())))
         .order_by(sources.member, findings.line, sources.location, findings.id)
         .limit(_MOST_FINDINGS)
     )
     return tuple(SourceFinding(*row) for row in connection.execute(query))
+
+
+_PATH = sa.func.replace(schema.findings.c.path, "[0]", "")
+"""A first element is written with its position or, where it is the only one of its tag, without."""
+
+
+def _below_device() -> sa.ColumnElement[bool]:
+    """Whether the path of a finding is that of the placed Device element or of something in it."""
+    placed, root = schema.device_sources.c, schema.sources.c.root
+    section = sa.case((root == "EtherCATInfoList", root + _numbered("/EtherCATInfo", placed.section)), else_=root)
+    device = section + _numbered("/Descriptions/Devices/Device", placed.position) + "/"
+    return sa.func.substr(_PATH + "/", 1, sa.func.length(device)) == device
+
+
+def _numbered(path: str, position: sa.ColumnElement[int]) -> sa.ColumnElement[str]:
+    return sa.case((position == 0, path), else_=sa.literal(path + "[") + sa.cast(position, sa.Text) + "]")
+
+
+def _without_number() -> sa.ColumnElement[bool]:
+    """Whether a path does not tell the number of a device: none is known, or the element around devices occurs again.
+
+    Broken markup has no path.
+    """
+    return sa.or_(schema.findings.c.path == "", *(_PATH.contains(tag) for tag in ("/Descriptions[", "/Devices[")))
+
+
+def _in_lines() -> sa.ColumnElement[bool]:
+    """Whether a finding lies between the placed Device element and the next device or module."""
+    placed, modules, line = schema.device_sources.c, schema.module_sources.c, schema.findings.c.line
+    later = schema.device_sources.alias().c
+    ends = [
+        sa.select(sa.func.min(other.line)).where(other.source_id == placed.source_id, other.line > placed.line)
+        for other in (later, modules)
+    ]
+    return sa.and_(
+        line >= placed.line,
+        *(line < sa.func.coalesce(end.scalar_subquery(), sa.literal(_NO_LINE)) for end in ends),
+    )
 
 
 def description_json(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 """Filters as texts: the parameters of the web pages and of devices.json, named like the options of the command."""
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -8,6 +9,7 @@ from esicatalog.errors import InputError
 from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_modes, parse_number
 
 TRUE_WORDS, FALSE_WORDS = ("1", "true", "yes", "on"), ("0", "false", "no", "off")
+_MEANT_AS_NUMBER = re.compile(r"(?:0x|#).*|[0-9]+", re.IGNORECASE | re.DOTALL)
 
 
 class Parameter(NamedTuple):
@@ -27,8 +29,12 @@ def parse_flag(text: str) -> bool:
 
 
 def parse_vendor(text: str) -> tuple[int | None, str | None]:
-    """Vendor id when the text starts like a number, else a part of the name. Raises :class:`InputError`."""
-    if text[:1].isdigit() or text[:1] == "#":
+    """Vendor id when the text is meant as a number, else a part of the name. Raises :class:`InputError`.
+
+    Meant as a number is what consists of digits or begins with 0x or #, so that a slip (0x1O97) is told instead of
+    being looked for among the names; 3S is a part of a name.
+    """
+    if _MEANT_AS_NUMBER.fullmatch(text.strip()):
         return parse_number(text, "vendor"), None
     if not text.strip():
         raise InputError("vendor is empty; give a number or a part of the name")
@@ -66,16 +72,12 @@ PARAMETERS: dict[str, Parameter] = {
     "limit": Parameter("limit", parse_number),
 }
 """All filters but ``vendor``, which is an id or a part of a name."""
-
-SHARPEN = {"strict": "mode", "bits": "maps"}
-"""Filters that only sharpen another one."""
+SHARPENS = {"strict": "mode", "bits": "maps"}
+"""Filters that only say more about another one, and are refused without it."""
 
 
 def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
-    """The filter that parameters mean; empty texts count as not given. Raises :class:`InputError`.
-
-    Parameters that only sharpen another one count for nothing without it: a form sends what is ticked.
-    """
+    """The filter that parameters mean; empty texts count as not given. Raises :class:`InputError`."""
     fields: dict[str, Any] = {}
     for name, values in texts.items():
         given = [value for value in values if value]
@@ -91,9 +93,6 @@ def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
         parameter = PARAMETERS[name]
         parsed = [_parsed(name, parameter, value) for value in given]
         fields[parameter.field] = tuple(parsed) if parameter.repeated else parsed[0]
-    for sharpening, needed in SHARPEN.items():
-        if not fields.get(PARAMETERS[needed].field):
-            fields.pop(PARAMETERS[sharpening].field, None)
     return DeviceFilter(**fields)
 
 

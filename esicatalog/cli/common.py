@@ -134,8 +134,10 @@ def read_bytes(path: Path) -> bytes:
 
 
 def read_text(path: Path) -> str:
-    """The text of a file; bytes that are no UTF-8 become replacement characters. Raises :class:`InputError`."""
-    return read_bytes(path).decode("utf-8", "replace")
+    """The text of a file, as masters and shells write it. Raises :class:`InputError`."""
+    from esicatalog.scan.text import decode_text
+
+    return decode_text(read_bytes(path))
 
 
 def print_json(value: Any) -> None:

@@ -1,6 +1,6 @@
 """Reading documents into records, with everything they refer to."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -119,15 +119,14 @@ class Reader:
             diag = read_record(DiagInfo, parsed.root, notes)
             return _result(parsed, notes, schema_version=diag.schema_version, diag_messages=diag.diag_messages)
         elements, infos = _sections(parsed.root, notes)
-        modules = "Modules/Module" if parsed.root.tag == "EtherCATModule" else "Descriptions/Modules/Module"
-        device_lines, module_lines = (
-            tuple(tuple(map(lines.of, section.findall(path))) for section in elements)
-            for path in ("Descriptions/Devices/Device", modules)
+        of_modules = "Modules/Module" if parsed.root.tag == "EtherCATModule" else "Descriptions/Modules/Module"
+        devices, modules = (
+            [section.findall(path) for section in elements] for path in ("Descriptions/Devices/Device", of_modules)
         )
         references: list[Reference] = []
         if container is not None:
             pull = _Puller(self, container, member, notes, references)
-            infos = [pull.resolve(info, devices) for info, devices in zip(infos, device_lines, strict=True)]
+            infos = [pull.resolve(*section) for section in zip(infos, devices, modules, strict=True)]
             referenced = tuple(pull.modules(info, element) for info, element in zip(infos, elements, strict=True))
         else:
             referenced = tuple(() for _ in infos)
@@ -137,8 +136,8 @@ class Reader:
             infos=tuple(infos),
             referenced_modules=referenced,
             references=tuple(references),
-            device_lines=device_lines,
-            module_lines=module_lines,
+            device_lines=tuple(tuple(map(lines.of, section)) for section in devices),
+            module_lines=tuple(tuple(map(lines.of, section)) for section in modules),
         )
 
     def _read_dictionary(self, parsed: ParsedDocument, notes: Notes) -> ReadDocument:
@@ -233,12 +232,14 @@ class _Puller:
         self._references = references
         self._pulled: dict[tuple[str, str], Any] = {}
 
-    def resolve(self, info: EsiInfo, device_lines: tuple[int, ...]) -> EsiInfo:
+    def resolve(
+        self, info: EsiInfo, device_elements: Iterable[etree._Element], module_elements: Iterable[etree._Element]
+    ) -> EsiInfo:
         """``info`` with the dictionaries and diagnosis texts of its devices and modules filled in."""
-        devices = tuple(
-            self._with_profiles(device, line) for device, line in zip(info.devices, device_lines, strict=True)
+        devices, modules = (
+            tuple(self._with_profiles(*owner) for owner in zip(records, elements, strict=True))
+            for records, elements in ((info.devices, device_elements), (info.modules, module_elements))
         )
-        modules = tuple(self._with_profiles(module, 0) for module in info.modules)
         if all(map(_same, devices, info.devices)) and all(map(_same, modules, info.modules)):
             return info
         return msgspec.structs.replace(info, devices=devices, modules=modules)
@@ -247,29 +248,29 @@ class _Puller:
         """Modules of the documents that ``info`` names by InfoReference."""
         found: list[Module] = []
         for text in info.info_references:
-            found.extend(self._pull("InfoReference", text, element.sourceline or 0) or ())
+            found.extend(self._pull("InfoReference", text, element) or ())
         return tuple(found)
 
-    def _with_profiles(self, owner: Any, line: int) -> Any:
+    def _with_profiles(self, owner: Any, element: etree._Element) -> Any:
         if not any(profile.dictionary_file or profile.diag_files for profile in owner.profiles):
             return owner
-        profiles = tuple(self._with_externals(profile, line) for profile in owner.profiles)
+        profiles = tuple(self._with_externals(profile, element) for profile in owner.profiles)
         return msgspec.structs.replace(owner, profiles=profiles)
 
-    def _with_externals(self, profile: Profile, line: int) -> Profile:
+    def _with_externals(self, profile: Profile, element: etree._Element) -> Profile:
         changes: dict[str, Any] = {}
         if profile.dictionary_file and profile.dictionary is None:
-            dictionary: Dictionary | None = self._pull("DictionaryFile", profile.dictionary_file, line)
+            dictionary: Dictionary | None = self._pull("DictionaryFile", profile.dictionary_file, element)
             if dictionary is not None:
                 changes["dictionary"] = dictionary
         if profile.diag_files and profile.diag_messages is None:
-            pulled = [self._pull("DiagFile", text, line) for text in profile.diag_files]
+            pulled = [self._pull("DiagFile", text, element) for text in profile.diag_files]
             merged = _merge_diagnostics([item for item in pulled if item is not None])
             if merged is not None:
                 changes["diag_messages"] = merged
         return msgspec.structs.replace(profile, **changes) if changes else profile
 
-    def _pull(self, kind: str, text: str, line: int) -> Any:
+    def _pull(self, kind: str, text: str, element: etree._Element) -> Any:
         key = (kind, text)
         if key in self._pulled:
             return self._pulled[key]
@@ -283,7 +284,7 @@ class _Puller:
             except DocumentError as error:
                 problem = f"cannot be used: {error}"
         if held is None:
-            self._notes.findings.append(Finding("L60", "W", f"{kind} {text!r} {problem}", line))
+            self._notes.find(element, "L60", "W", f"{kind} {text!r} {problem}")
         self._references.append(Reference(kind=kind, text=text, location=member, sha256=sha256))
         self._pulled[key] = held
         return held

@@ -2,9 +2,9 @@
 
 from typing import NamedTuple
 
-from esicatalog.esi.records.device import Device
 from esicatalog.export.sii import sii_image
 from esicatalog.export.sii_changes import FLAGS, Change, image_changes
+from esicatalog.export.subject import Subject
 from esicatalog.sii.image import SiiImage
 
 _OWN = {"serial number", "station alias"}
@@ -22,9 +22,9 @@ class ImageDifference(NamedTuple):
     """Whether a master configures the device by it; names, PDI words and maker's data do not count."""
 
 
-def verify_image(image: SiiImage, vendor_id: int | None, device: Device) -> tuple[ImageDifference, ...]:
-    """How an image differs from what the description would give, in the order of importance."""
-    described = sii_image(vendor_id, None, device)
+def verify_image(image: SiiImage, subject: Subject) -> tuple[ImageDifference, ...]:
+    """How an image differs from the one that is exported for the description, in the order of importance."""
+    described = sii_image(subject.vendor_id, subject.group, subject.device)
     return tuple(
         ImageDifference(change.part, _words(change), _is_used(change))
         for change in image_changes(described, image)

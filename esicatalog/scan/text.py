@@ -1,5 +1,6 @@
 """Text of terminals and logs, freed of what is not the master's: colours, line ends, time stamps, quoting marks."""
 
+import codecs
 import re
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -28,6 +29,16 @@ class Heading(NamedTuple):
 
     master: int | None
     position: int
+
+
+def is_utf16(content: bytes) -> bool:
+    """Whether bytes begin with the mark of UTF-16, in which the ``>`` of Windows PowerShell writes."""
+    return content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+
+
+def decode_text(content: bytes) -> str:
+    """Text of UTF-8, or of UTF-16 with its mark; what is neither becomes replacement characters."""
+    return content.decode("utf-16" if is_utf16(content) else "utf-8", "replace")
 
 
 def clean(text: str) -> str:

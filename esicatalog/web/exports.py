@@ -9,7 +9,7 @@ from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.results import json_bytes
-from esicatalog.errors import EsiCatalogError, InputError, NotFound
+from esicatalog.errors import EsiCatalogError, NotFound
 from esicatalog.esi.records.document import Vendor
 from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, parse_pdo_choice
 from esicatalog.export.configuration import Configuration, configure
@@ -25,7 +25,7 @@ from esicatalog.export.soem import soem_header
 from esicatalog.export.subject import Subject
 from esicatalog.identity import parse_number, parse_plugged
 from esicatalog.sii.encode import encode_sii
-from esicatalog.web.http import status_of
+from esicatalog.web.http import check_names, status_of
 from esicatalog.web.links import identity_of_path
 from esicatalog.web.state import catalog_for
 
@@ -99,9 +99,7 @@ def _generated(request: Any, catalog: Catalog) -> Response:
 
 
 def _choice(request: Any) -> Choice:
-    unknown = sorted(set(request.args) - set(_PARAMETERS))
-    if unknown:
-        raise InputError(f"unknown parameter {unknown[0][:40]!r}; there are {', '.join(_PARAMETERS)}")
+    check_names(request.args, _PARAMETERS)
     pdo = request.args.get("pdo")
 
     def number(name: str, default: int, limit: int) -> int:

@@ -1,7 +1,7 @@
 """Requests and responses: bounded bodies, errors as JSON or pages, ETag, CORS only where Datasette has it."""
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from datasette.utils import add_cors_headers
@@ -9,7 +9,7 @@ from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.results import json_bytes
-from esicatalog.errors import EsiCatalogError, NotFound
+from esicatalog.errors import EsiCatalogError, InputError, NotFound
 from esicatalog.version import __version__
 from esicatalog.web.state import catalog_for
 
@@ -93,6 +93,13 @@ def page_route(handler: Callable[[Any, Catalog], Awaitable[Page]], post: bool = 
         return Response(html, page.status, headers, "text/html; charset=utf-8")
 
     return view
+
+
+def check_names(given: Iterable[str], known: Sequence[str], what: str = "parameter") -> None:
+    """Raise :class:`InputError` for a name that nothing reads: a slip would otherwise change what is asked."""
+    unknown = sorted(set(given) - set(known))
+    if unknown:
+        raise InputError(f"unknown {what} {unknown[0][:40]!r}; there are {', '.join(known)}")
 
 
 def status_of(error: EsiCatalogError) -> int:

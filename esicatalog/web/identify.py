@@ -8,7 +8,8 @@ import msgspec
 from esicatalog.api import Catalog
 from esicatalog.errors import InputError
 from esicatalog.identity import UINT32_MAX, Identity, parse_identity, parse_number
-from esicatalog.web.http import HttpError, body_of
+from esicatalog.scan.text import decode_text
+from esicatalog.web.http import HttpError, body_of, check_names
 from esicatalog.web.uploads import MOST_IDENTITIES, read_uploaded_scan
 
 _PARAMETERS = ("vendor", "product", "revision")
@@ -18,9 +19,7 @@ _NAMES = {"vendor": "vendor_id", "product": "product_code", "revision": "revisio
 
 async def identify_one(request: Any, catalog: Catalog) -> tuple[Any, int]:
     """``?vendor=&product=&revision=``; 404 with the answer when nothing of the product is known."""
-    unknown = sorted(set(request.args) - set(_PARAMETERS))
-    if unknown:
-        raise HttpError(400, f"unknown parameter {unknown[0][:40]!r}; there are vendor, product and revision")
+    check_names(request.args, _PARAMETERS)
     given = {name: request.args.getlist(name) for name in _PARAMETERS}
     repeated = [name for name, texts in given.items() if len(texts) > 1]
     if repeated:
@@ -39,7 +38,7 @@ async def identify_many(request: Any, catalog: Catalog) -> tuple[Any, int]:
     body = await body_of(request)
     if body.lstrip()[:1] in (b"[", b"{"):
         return await asyncio.to_thread(_identities, body, catalog), 200
-    return await asyncio.to_thread(_scan, body.decode("utf-8", "replace"), catalog), 200
+    return await asyncio.to_thread(_scan, decode_text(body), catalog), 200
 
 
 def _scan(text: str, catalog: Catalog) -> list[dict[str, Any]]:
@@ -68,6 +67,10 @@ def _identity(item: Any, place: int) -> Identity:
             item = dict(zip(_PARAMETERS, item, strict=False))
         if not isinstance(item, dict):
             raise InputError("expected an object, a list [vendor, product, revision] or a text V:P:R")
+        check_names(item, (*_NAMES, *_NAMES.values()), "member")
+        repeated = [short for short, name in _NAMES.items() if short in item and name in item]
+        if repeated:
+            raise InputError(f"{repeated[0]} is given more than once")
         numbers = {name: _number(item.get(short, item.get(name)), short) for short, name in _NAMES.items()}
     except InputError as error:
         raise HttpError(400, f"identity {place}: {error}") from error

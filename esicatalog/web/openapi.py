@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from esicatalog.catalog.filter_texts import FALSE_WORDS, PARAMETERS, TRUE_WORDS, Parameter, parse_flag
+from esicatalog.catalog.filter_texts import FALSE_WORDS, PARAMETERS, SHARPENS, TRUE_WORDS, Parameter, parse_flag
 from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_number
 from esicatalog.version import __version__
 
@@ -31,7 +31,8 @@ _BOUNDS = {"type": "string", "pattern": "^((<=|>=|=)?-?[0-9]{1,9})?$", "examples
 _FLAG = {"type": "string", "enum": ["", *TRUE_WORDS, *FALSE_WORDS]}
 _IDENTITY_TEXT = {"type": "string", "pattern": "^(0x[0-9a-f]{1,8}:0x[0-9a-f]{1,8}(:0x[0-9a-f]{1,8})?)?$"}
 _OPTIONAL_NUMBER = {**_NUMBER, "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32})?$"}
-_VENDOR = {"type": "string", "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32}|[^0-9#\\s][\\s\\S]*)?$"}
+_VENDOR_NAME = "([1-9][0-9]*)?[^0-9#\\s][\\s\\S]*"
+_VENDOR = {"type": "string", "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32}|{_VENDOR_NAME})?$"}
 _BY_PARSER: dict[Callable[[str], Any], dict[str, Any]] = {
     parse_number: _OPTIONAL_NUMBER,
     parse_flag: _FLAG,
@@ -104,7 +105,8 @@ _SCHEMAS = {
             },
         },
         optional=("revision",),
-    ),
+    )
+    | {"additionalProperties": False},
 }
 
 
@@ -134,7 +136,10 @@ def _filters() -> list[dict[str, Any]]:
         schema = _filter_schema(parameter)
         if parameter.repeated:
             schema = _list(schema)
-        listed.append({"name": name, "in": "query", "required": False, "schema": schema})
+        entry = {"name": name, "in": "query", "required": False, "schema": schema}
+        if name in SHARPENS:
+            entry["description"] = f"Only together with {SHARPENS[name]}"
+        listed.append(entry)
     return listed
 
 

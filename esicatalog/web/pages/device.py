@@ -34,7 +34,7 @@ from esicatalog.model.words import (
 )
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
 from esicatalog.web.exports import TARGETS
-from esicatalog.web.http import Page, status_of
+from esicatalog.web.http import Page, check_names, status_of
 from esicatalog.web.links import device_path, identity_of_path
 
 _LONGEST_NUMBER = 8
@@ -63,6 +63,7 @@ async def device_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
 
 
 def _asked(request: Any, catalog: Catalog) -> tuple[DeviceDescription, dict[int, int]]:
+    check_names(request.args, ("module",))
     identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
     chosen = [parse_plugged(text) for text in request.args.getlist("module") if not text.endswith("=")]
     return catalog.device(identity), dict(chosen)

@@ -1,13 +1,14 @@
 """The home page: one search box, filters with counts, found devices."""
 
 import asyncio
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import msgspec
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.device_filter import DeviceFilter
-from esicatalog.catalog.filter_texts import PARAMETERS, SHARPEN, filter_of_texts
+from esicatalog.catalog.filter_texts import PARAMETERS, SHARPENS, filter_of_texts
 from esicatalog.catalog.listing import Listing
 from esicatalog.errors import InputError
 from esicatalog.identity import parse_number
@@ -46,7 +47,7 @@ async def home_page(request: Any, catalog: Catalog) -> Page:
     texts = {name: request.args.getlist(name) for name in request.args}
     number = _page_number(texts.pop(_PAGE, []))
     try:
-        wanted = filter_of_texts(texts)
+        wanted = filter_of_texts(_meant(texts))
     except InputError as error:
         empty = Listing((), 0, 0, {}, "")
         return Page("home.html", {**_context(texts, DeviceFilter(), empty, number), "problem": str(error)}, 400)
@@ -82,15 +83,20 @@ def _page_number(texts: list[str]) -> int:
         return 1
 
 
+def _meant(texts: Mapping[str, Sequence[str]]) -> dict[str, Sequence[str]]:
+    """The parameters that count: the form sends what is ticked, also when the mode that it is about was taken out."""
+    return {
+        name: values for name, values in texts.items() if name not in SHARPENS or any(texts.get(SHARPENS[name], ()))
+    }
+
+
 def _context(texts: dict[str, list[str]], wanted: DeviceFilter, listing: Listing, number: int) -> dict[str, Any]:
-    written = [(name, text) for name, values in texts.items() for text in values if text.strip()]
-    names = {name for name, _ in written}
-    given = [(name, text) for name, text in written if SHARPEN.get(name, name) in names]
+    given = _pairs(_meant(texts))
     chosen = _chosen(wanted)
     pages = _pages(listing)
     return {
         "given": {name: values[0] for name, values in texts.items() if values},
-        "written": {name: [text for key, text in written if key == name] for name in names},
+        "written": {name: [text for text in values if text.strip()] for name, values in texts.items()},
         "devices": [_row(item) for item in listing.devices],
         "total": listing.total,
         "facets": {
@@ -119,6 +125,10 @@ def _context(texts: dict[str, list[str]], wanted: DeviceFilter, listing: Listing
         "syncs": PARAMETERS["sync"].choices,
         "protocols": PARAMETERS["protocol"].choices,
     }
+
+
+def _pairs(texts: Mapping[str, Sequence[str]]) -> list[tuple[str, str]]:
+    return [(name, text) for name, values in texts.items() for text in values if text.strip()]
 
 
 def _chosen(wanted: DeviceFilter) -> dict[str, tuple[str, ...]]:

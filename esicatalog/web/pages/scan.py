@@ -6,6 +6,7 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, slave_words
 from esicatalog.errors import EsiCatalogError
+from esicatalog.scan.text import decode_text, is_utf16
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.files import image_bytes
 from esicatalog.sii.text import sheet_lines
@@ -33,7 +34,7 @@ async def scan_page(request: Any, catalog: Catalog) -> Page:
 def _answer(content: bytes, catalog: Catalog) -> dict[str, Any]:
     if _looks_like_image(content):
         return {"sii": _image(content, catalog)}
-    text = content.decode("utf-8", "replace")
+    text = decode_text(content)
     scan = read_uploaded_scan(text)
     return {
         "text": text,
@@ -44,7 +45,7 @@ def _answer(content: bytes, catalog: Catalog) -> dict[str, Any]:
 
 def _looks_like_image(content: bytes) -> bool:
     """Scans are text; an image holds zeros, or is Intel HEX."""
-    return b"\0" in content or content.lstrip()[:1] == b":"
+    return not is_utf16(content) and (b"\0" in content or content.lstrip()[:1] == b":")
 
 
 def _image(content: bytes, catalog: Catalog) -> dict[str, Any]:
