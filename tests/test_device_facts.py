@@ -22,6 +22,20 @@ def test_bytes_are_rounded_once_a_sync_manager():
 
 
 @pytest.mark.parametrize(
+    ("content", "sizes"),
+    [
+        ("", (0, 0)),
+        (OUTPUTS, (0, 0)),
+        (OUTPUTS + pdo("RxPdo", "#x1600", 8, attributes="Sm='0'"), (1, 0)),
+        (pdo("RxPdo", "#x1600", 8, attributes="Sm='0'"), (None, None)),
+    ],
+)
+def test_a_coupler_has_no_bytes_and_pdos_without_sync_managers_have_unknown_ones(content, sizes):
+    found = facts(content)
+    assert (found.output_bytes, found.input_bytes) == sizes
+
+
+@pytest.mark.parametrize(
     ("words", "supported", "needed", "without"),
     [
         ((), False, False, True),

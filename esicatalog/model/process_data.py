@@ -59,9 +59,11 @@ class ProcessData:
         return [signals for mode, signals in modes if not is_superseded(mode)] or self.signals
 
     def byte_size(self, usage: str) -> int | None:
-        """Length of the default process image of all SyncManagers of one usage; None without any SyncManager."""
-        sizes = [image.byte_size for image in self.images if image.usage == usage]
-        return sum(sizes) if sizes else (0 if self.sync_managers else None)
+        """Length of the default process image of all SyncManagers of one usage; None for PDOs without SyncManagers."""
+        pdos = (self.rx_pdos, self.tx_pdos, *(module.rx_pdos or module.tx_pdos for module in self.modules))
+        if any(pdos) and not self.sync_managers:
+            return None
+        return sum(image.byte_size for image in self.images if image.usage == usage)
 
     @cached_property
     def image_signature(self) -> str | None:
