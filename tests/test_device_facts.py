@@ -44,6 +44,20 @@ def test_a_pdo_of_2_to_the_63_bits_has_no_size(lengths, size):
 
 
 @pytest.mark.parametrize(
+    ("content", "sizes"),
+    [
+        ("", (0, 0)),
+        (OUTPUTS, (0, 0)),
+        (OUTPUTS + pdo("RxPdo", "#x1600", 8, attributes="Sm='0'"), (1, 0)),
+        (pdo("RxPdo", "#x1600", 8, attributes="Sm='0'"), (None, None)),
+    ],
+)
+def test_a_coupler_has_no_bytes_and_pdos_without_sync_managers_have_unknown_ones(content, sizes):
+    found = facts(content)
+    assert (found.output_bytes, found.input_bytes) == sizes
+
+
+@pytest.mark.parametrize(
     ("words", "supported", "needed", "without"),
     [
         ((), False, False, True),

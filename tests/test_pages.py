@@ -484,3 +484,18 @@ async def test_slots_beyond_those_that_are_offered(tmp_path):
     assert [len(tree.cssselect("#slots select")) for tree in (plain, chosen)] == [24, 25]
     assert texts(plain, "#slots p") == ["Slots up to 29 can be chosen in the address: ?module=29=IDENT"]
     assert ("module", "29=0x10") in chosen.cssselect("form#slots")[0].form_values()
+
+
+async def test_a_coupler_has_no_process_data(tmp_path):
+    """Everywhere 0 bytes, and not unknown ones: on its page, in filters, at the bus."""
+    db = catalog_of(tmp_path, esi(device(type_text="coupler")))
+    web = await client(db)
+    tree = html.fromstring((await web.get("/-/esi/device/0xe5c/1/1")).text)
+    facts = dict(zip(texts(tree, "dl.facts dt"), texts(tree, "dl.facts dd"), strict=True))
+    assert facts["process data"] == "0 bytes out, 0 bytes in by default"
+    assert [item["type"] for item in (await web.get("/-/esi/devices.json?bytes-in=%3C%3D0")).json()] == ["coupler"]
+    scanned = html.fromstring(
+        (await web.post("/-/esi/scan", data={"scan": "vendor,product,revision\n0xe5c,1,1\n"})).text
+    )
+    assert [texts(scanned, f"table.slaves td:nth-child({place})") for place in (7, 8)] == [["0"], ["0"]]
+    assert "sizes unknown of" not in texts(scanned, "dl.facts dt")

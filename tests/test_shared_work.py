@@ -90,7 +90,7 @@ def test_devices_with_the_same_process_data_share_what_follows_from_it():
     deriver = Deriver()
     first, second, other = (deriver.derive(item) for item in document.document.infos[0].devices)
     assert first.process_data is second.process_data is not other.process_data
-    assert first.facts == second.facts and first.facts.output_bytes == 2 and other.facts.output_bytes is None
+    assert first.facts == second.facts and first.facts.output_bytes == 2 and other.facts.output_bytes == 0
 
 
 def test_what_a_rule_finds_in_shared_process_data_is_told_of_each_device():

@@ -20,8 +20,14 @@ _MIN_CYCLE_ATTRIBUTE = re.compile(r'MinCycleTime="(\d{1,18})"')
 class DeviceFacts(Record):
     """Derived facts of a device description."""
 
-    output_bytes: Annotated[int | None, Doc("Bytes that the master writes in the default process image")] = None
-    input_bytes: Annotated[int | None, Doc("Bytes that the master reads in the default process image")] = None
+    output_bytes: Annotated[
+        int | None,
+        Doc("Bytes that the master writes in the default process image; 0 = none, NULL = PDOs without SyncManagers"),
+    ] = None
+    input_bytes: Annotated[
+        int | None,
+        Doc("Bytes that the master reads in the default process image; 0 = none, NULL = PDOs without SyncManagers"),
+    ] = None
     dc_supported: Annotated[bool, Doc("Has an OpMode with active sync unit, or TimeLoopControlOnly")] = False
     dc_needed: Annotated[bool, Doc("Has OpModes, and every valid one uses distributed clocks")] = False
     runs_without_dc: Annotated[bool, Doc("Has an OpMode without sync unit (free run or SM synchronous), or no Dc")] = (

@@ -61,10 +61,11 @@ class ProcessData:
     def byte_size(self, usage: str) -> int | None:
         """Length of the default process image of all SyncManagers of one usage.
 
-        None without any SyncManager, and where their PDOs are longer than a SyncManager can be.
+        None for PDOs without SyncManagers, and where the PDOs are longer than a SyncManager can be.
         """
         images = [image for image in self.images if image.usage == usage]
-        if not self.sync_managers or any(image.overflow for image in images):
+        pdos = (self.rx_pdos, self.tx_pdos, *(module.rx_pdos or module.tx_pdos for module in self.modules))
+        if any(image.overflow for image in images) or (any(pdos) and not self.sync_managers):
             return None
         return sum([image.byte_size for image in images])
 

@@ -33,6 +33,8 @@ _IDENTITY_TEXT = {"type": "string", "pattern": "^(0x[0-9a-f]{1,8}:0x[0-9a-f]{1,8
 _OPTIONAL_NUMBER = {**_NUMBER, "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32})?$"}
 _VENDOR_NAME = "([1-9][0-9]*)?[^0-9#\\s][\\s\\S]*"
 _VENDOR = {"type": "string", "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32}|{_VENDOR_NAME})?$"}
+_SMALL = {"type": "string", "pattern": "^[0-9]{0,4}$"}
+_LIMIT = {"type": "string", "pattern": "^[0-9]{0,5}$"}
 _BY_PARSER: dict[Callable[[str], Any], dict[str, Any]] = {
     parse_number: _OPTIONAL_NUMBER,
     parse_flag: _FLAG,
@@ -127,7 +129,9 @@ _ERRORS = {
 def _filter_schema(parameter: Parameter) -> dict[str, Any]:
     if parameter.choices:
         return {"type": "string", "enum": ["", *parameter.choices]}
-    return _BY_PARSER.get(parameter.parse, {"type": "string", "pattern": "^[0-9]{0,4}$"})
+    if parameter.field == "limit":
+        return _LIMIT
+    return _BY_PARSER.get(parameter.parse, _SMALL)
 
 
 def _filters() -> list[dict[str, Any]]:

@@ -155,12 +155,18 @@ def _facts(description: DeviceDescription, facts: DeviceFacts) -> list[tuple[str
         ("CoE", ", ".join(coe_details(mailbox))),
         ("clocks", clock_words(facts)),
         ("smallest cycle", f"{facts.min_cycle_ns} ns" if facts.min_cycle_ns is not None else None),
-        ("process data", f"{facts.output_bytes} bytes out, {facts.input_bytes} bytes in by default"),
+        ("process data", _process_data_words(facts)),
         ("CheckRevisionNo", device.check_revision_no),
         ("LRW", "not possible (UseLrdLwr)" if device.use_lrd_lwr else None),
         ("FSoE", fsoe_words(facts)),
     ]
     return [(name, value) for name, value in shown if value]
+
+
+def _process_data_words(facts: DeviceFacts) -> str:
+    if facts.output_bytes is None or facts.input_bytes is None:
+        return "unknown"
+    return f"{facts.output_bytes} bytes out, {facts.input_bytes} bytes in by default"
 
 
 def _image(image: SmImage) -> dict[str, Any]:
