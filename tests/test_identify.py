@@ -243,6 +243,15 @@ async def test_wrong_bodies_are_400_with_words(data_db, body, words):
     assert words in response.json()["error"]
 
 
+async def test_an_answer_can_be_asked_again(data_db):
+    """Its other members tell the same, or of something else: with a revision none can be meant as it."""
+    web = await client(data_db)
+    (first,) = (await web.post(ROUTE, json=["0x1097:0x2406:0x8f"])).json()
+    assert first["device"]["vendor_id_hex"] == "0x00001097"
+    (again,) = (await web.post(ROUTE, json=[first["device"]])).json()
+    assert again == first
+
+
 async def test_bounds_methods_and_etag(data_db):
     web = await client(data_db)
     assert (await web.post(ROUTE, content=b"x" * (MAX_BODY_BYTES + 1))).status_code == 413

@@ -67,7 +67,8 @@ def _identity(item: Any, place: int) -> Identity:
             item = dict(zip(_PARAMETERS, item, strict=False))
         if not isinstance(item, dict):
             raise InputError("expected an object, a list [vendor, product, revision] or a text V:P:R")
-        check_names(item, (*_NAMES, *_NAMES.values()), "member")
+        if not item.keys() & {"revision", _NAMES["revision"]}:  # Another member may be meant as the revision.
+            check_names(item, (*_NAMES, *_NAMES.values()), "member")
         repeated = [short for short, name in _NAMES.items() if short in item and name in item]
         if repeated:
             raise InputError(f"{repeated[0]} is given more than once")

@@ -93,22 +93,23 @@ _ANSWER = {
     "warnings": _list({"type": "string"}),
     "slave": {"type": "object", "description": "Place and state of the slave; in answers about a scan only"},
 }
+_ASKED_PRODUCT = {
+    name: {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER]}
+    for name in ("vendor", "product")
+}
+_ASKED = {
+    **_ASKED_PRODUCT,
+    "revision": {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER, {"type": "null"}]},
+}
 _SCHEMAS = {
     "Device": _object(_DEVICE),
     "DescribedDevice": _object({**_DEVICE, "sources": _list(_SOURCE)}),
     "Identification": _object(_ANSWER, optional=("slave",)),
     "Error": _object({"error": {"type": "string"}}),
-    "Identity": _object(
-        {
-            "vendor": {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER]},
-            "product": {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER]},
-            "revision": {
-                "oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER, {"type": "null"}]
-            },
-        },
-        optional=("revision",),
-    )
-    | {"additionalProperties": False},
+    "Identity": {
+        "anyOf": [_object(_ASKED), _object(_ASKED_PRODUCT) | {"additionalProperties": False}],
+        "description": "Without a revision other members are refused: one of them may be meant as it",
+    },
 }
 
 
