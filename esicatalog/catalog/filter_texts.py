@@ -72,7 +72,7 @@ PARAMETERS: dict[str, Parameter] = {
 }
 """All filters but ``vendor``, which is an id or a part of a name."""
 
-SHARPEN = {"strict": "mode", "bits": "maps"}
+SHARPENS = {"strict": "mode", "bits": "maps"}
 """Filters that only sharpen another one."""
 
 
@@ -96,7 +96,7 @@ def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
         parameter = PARAMETERS[name]
         parsed = [_parsed(name, parameter, value) for value in given]
         fields[parameter.field] = tuple(parsed) if parameter.repeated else parsed[0]
-    for sharpening, needed in SHARPEN.items():
+    for sharpening, needed in SHARPENS.items():
         if not fields.get(PARAMETERS[needed].field):
             fields.pop(PARAMETERS[sharpening].field, None)
     return DeviceFilter(**fields)

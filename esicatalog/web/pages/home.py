@@ -7,7 +7,7 @@ import msgspec
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.device_filter import DeviceFilter
-from esicatalog.catalog.filter_texts import PARAMETERS, SHARPEN, filter_of_texts
+from esicatalog.catalog.filter_texts import PARAMETERS, SHARPENS, filter_of_texts
 from esicatalog.catalog.listing import Listing
 from esicatalog.errors import InputError
 from esicatalog.identity import parse_number
@@ -85,7 +85,7 @@ def _page_number(texts: list[str]) -> int:
 def _context(texts: dict[str, list[str]], wanted: DeviceFilter, listing: Listing, number: int) -> dict[str, Any]:
     written = [(name, text) for name, values in texts.items() for text in values if text.strip()]
     names = {name for name, _ in written}
-    given = [(name, text) for name, text in written if SHARPEN.get(name, name) in names]
+    given = [(name, text) for name, text in written if SHARPENS.get(name, name) in names]
     chosen = _chosen(wanted)
     pages = _pages(listing)
     return {
