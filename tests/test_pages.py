@@ -161,6 +161,17 @@ async def test_objects_come_on_demand(data_db):
     assert "256 (0x100)" in modes.text_content()
 
 
+async def test_caches_keep_the_objects_and_their_page_apart(data_db):
+    web = await client(data_db)
+    script = {"sec-fetch-dest": "empty"}
+    whole, part = [await web.get(f"{EYOU}/objects", headers=headers) for headers in ({}, script)]
+    assert all("Sec-Fetch-Dest" in answer.headers["vary"] for answer in (whole, part))
+    assert whole.headers["etag"] != part.headers["etag"]
+    for headers, kept, status in ((script, part, 304), (script, whole, 200), ({}, whole, 304), ({}, part, 200)):
+        again = await web.get(f"{EYOU}/objects", headers={**headers, "if-none-match": kept.headers["etag"]})
+        assert (again.status_code, "Sec-Fetch-Dest" in again.headers["vary"]) == (status, True)
+
+
 async def test_compare_two_revisions(data_db):
     tree = await page(data_db, "/-/esi/compare?a=0xe5c:0x0d080808:0x00100000&b=0xe5c:0x0d080808:0x00110000")
     assert re.match(r"\d+ difference", texts(tree, "[role=status]")[0])

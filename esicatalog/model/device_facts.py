@@ -22,11 +22,15 @@ class DeviceFacts(Record):
 
     output_bytes: Annotated[
         int | None,
-        Doc("Bytes that the master writes in the default process image; 0 = none, NULL = PDOs without SyncManagers"),
+        Doc(
+            "Bytes that the master writes in the default process image; 0 = none, NULL = PDOs without SyncManagers or too long for them"
+        ),
     ] = None
     input_bytes: Annotated[
         int | None,
-        Doc("Bytes that the master reads in the default process image; 0 = none, NULL = PDOs without SyncManagers"),
+        Doc(
+            "Bytes that the master reads in the default process image; 0 = none, NULL = PDOs without SyncManagers or too long for them"
+        ),
     ] = None
     dc_supported: Annotated[bool, Doc("Has an OpMode with active sync unit, or TimeLoopControlOnly")] = False
     dc_needed: Annotated[bool, Doc("Has OpModes, and every valid one uses distributed clocks")] = False

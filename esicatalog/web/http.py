@@ -34,6 +34,17 @@ class Page(NamedTuple):
     status: int = 200
 
 
+class Part(NamedTuple):
+    """A request header that asks for a part of a page in place of the page: its name and the value that does."""
+
+    header: str
+    value: str
+
+    def is_asked(self, request: Any) -> bool:
+        """Whether a request asks for the part."""
+        return bool(request.headers.get(self.header.lower()) == self.value)
+
+
 class HttpError(Exception):
     """A request that cannot be answered; the text goes to the client."""
 
@@ -70,17 +81,19 @@ def json_route(handlers: dict[str, Handler]) -> View:
     return view
 
 
-def page_route(handler: Callable[[Any, Catalog], Awaitable[Page]], post: bool = False) -> View:
-    """A Datasette view that answers a page; errors become a page of their own."""
+def page_route(
+    handler: Callable[[Any, Catalog], Awaitable[Page]], post: bool = False, part: Part | None = None
+) -> View:
+    """A Datasette view that answers a page, or a part of it; errors become a page of their own."""
     methods = ("GET", "HEAD", "POST") if post else ("GET", "HEAD")
 
     async def view(request: Any, datasette: Any) -> Response:
         if request.method not in methods:
             return Response("method not allowed", 405, {"Allow": ", ".join(methods)})
         catalog = await catalog_for(datasette, request.actor)
-        headers: dict[str, str] = {}
+        headers = {"Vary": part.header} if part is not None else {}
         if request.method != "POST":
-            headers |= _validators(catalog)
+            headers |= _validators(catalog, "part" if part is not None and part.is_asked(request) else "")
             if request.headers.get("if-none-match") == headers["ETag"]:
                 return Response(b"", 304, headers)
         try:
@@ -107,9 +120,9 @@ def status_of(error: EsiCatalogError) -> int:
     return 404 if isinstance(error, NotFound) else 400
 
 
-def _validators(catalog: Catalog) -> dict[str, str]:
-    """What an answer depends on: the content of the catalog and the version that answers."""
-    return {"ETag": f'"{__version__}-{catalog.content_hash() or "changing"}"', "Cache-Control": "no-cache"}
+def _validators(catalog: Catalog, kind: str = "") -> dict[str, str]:
+    """What an answer depends on: the content of the catalog, the version that answers, and what it is of several."""
+    return {"ETag": f'"{__version__}-{catalog.content_hash() or "changing"}{kind}"', "Cache-Control": "no-cache"}
 
 
 def _json(value: Any, status: int, headers: dict[str, str]) -> Response:

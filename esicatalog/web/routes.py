@@ -14,7 +14,7 @@ from esicatalog.web.openapi import openapi_document
 from esicatalog.web.pages.compare import compare_page
 from esicatalog.web.pages.device import device_json, device_page
 from esicatalog.web.pages.home import devices_json, home_page
-from esicatalog.web.pages.objects import objects_page
+from esicatalog.web.pages.objects import PART, objects_page
 from esicatalog.web.pages.scan import scan_page
 from esicatalog.web.state import MOUNTED_AS, catalog_for
 
@@ -58,7 +58,7 @@ ROUTES: list[tuple[str, Any]] = [
     (rf"^/-/esi/device/{_IDENTITY}\.json$", json_route({"GET": device_json})),
     (rf"^/-/esi/device/{_IDENTITY}$", page_route(device_page)),
     (rf"^/-/esi/device/{_IDENTITY}/export/(?P<target>[a-z0-9]+)$", export_route),
-    (rf"^/-/esi/device/{_IDENTITY}/objects$", page_route(objects_page)),
+    (rf"^/-/esi/device/{_IDENTITY}/objects$", page_route(objects_page, part=PART)),
     (r"^/-/esi/row/(?P<number>[0-9]{1,18})$", _row),
     (r"^/-/esi/image/(?P<sha256>[0-9a-f]{64})$", _image),
     (r"^/-/esi/identify\.json$", json_route({"GET": identify_one, "POST": identify_many})),

@@ -27,7 +27,7 @@ def upgrade() -> None:
             existing_type=sa.BigInteger(),
             existing_nullable=True,
             existing_comment=comment,
-            comment=f"{comment}; 0 = none, NULL = PDOs without SyncManagers",
+            comment=f"{comment}; 0 = none, NULL = PDOs without SyncManagers or too long for them",
         )
 
 

@@ -8,23 +8,25 @@ from esicatalog.catalog.description import DeviceDescription
 from esicatalog.esi.records.common import display_text
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
 from esicatalog.model.scan_compare import access_text
-from esicatalog.web.http import Page
+from esicatalog.web.http import Page, Part
 from esicatalog.web.links import device_path, identity_of_path
+
+PART = Part("Sec-Fetch-Dest", "empty")
+"""Scripts ask so."""
 
 
 async def objects_page(request: Any, catalog: Catalog) -> Page:
-    """The objects: a part of a page for scripts (``Sec-Fetch-Dest: empty``), a page of its own for people."""
+    """The objects: a part of a page for scripts, a page of its own for people."""
     names = ("vendor", "product", "revision")
     identity = identity_of_path(**{name: request.url_vars[name] for name in names})
     description = await asyncio.to_thread(catalog.device, identity)
     objects = await asyncio.to_thread(_objects, description)
-    is_part = request.headers.get("sec-fetch-dest") == "empty"
     context = {
         "objects": objects,
         "title": description.found.type or "the device",
         "path": device_path(description.found) or "",
     }
-    return Page("objects.html" if is_part else "objects_page.html", context)
+    return Page("objects.html" if PART.is_asked(request) else "objects_page.html", context)
 
 
 def _objects(description: DeviceDescription) -> list[dict[str, Any]]:
