@@ -17,21 +17,17 @@ _MIN_CYCLE_ATTRIBUTE = re.compile(r'MinCycleTime="(\d{1,18})"')
 """Thirty years and more are no cycle."""
 
 
+_SIZE = (
+    "Bytes that the master {} in the default process image; 0 = none, NULL = PDOs without SyncManagers or too long for "
+    "them"
+)
+
+
 class DeviceFacts(Record):
     """Derived facts of a device description."""
 
-    output_bytes: Annotated[
-        int | None,
-        Doc(
-            "Bytes that the master writes in the default process image; 0 = none, NULL = PDOs without SyncManagers or too long for them"
-        ),
-    ] = None
-    input_bytes: Annotated[
-        int | None,
-        Doc(
-            "Bytes that the master reads in the default process image; 0 = none, NULL = PDOs without SyncManagers or too long for them"
-        ),
-    ] = None
+    output_bytes: Annotated[int | None, Doc(_SIZE.format("writes"))] = None
+    input_bytes: Annotated[int | None, Doc(_SIZE.format("reads"))] = None
     dc_supported: Annotated[bool, Doc("Has an OpMode with active sync unit, or TimeLoopControlOnly")] = False
     dc_needed: Annotated[bool, Doc("Has OpModes, and every valid one uses distributed clocks")] = False
     runs_without_dc: Annotated[bool, Doc("Has an OpMode without sync unit (free run or SM synchronous), or no Dc")] = (
