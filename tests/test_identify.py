@@ -243,12 +243,12 @@ async def test_wrong_bodies_are_400_with_words(data_db, body, words):
     assert words in response.json()["error"]
 
 
-async def test_an_answer_can_be_asked_again(data_db):
-    """Its other members tell the same, or of something else: with a revision none can be meant as it."""
+async def test_the_query_of_an_answer_can_be_asked_again(data_db):
+    """Its other members tell the same: with a revision none can be meant as it."""
     web = await client(data_db)
     (first,) = (await web.post(ROUTE, json=["0x1097:0x2406:0x8f"])).json()
-    assert first["device"]["vendor_id_hex"] == "0x00001097"
-    (again,) = (await web.post(ROUTE, json=[first["device"]])).json()
+    assert first["query"]["vendor_id_hex"] == "0x00001097"
+    (again,) = (await web.post(ROUTE, json=[first["query"]])).json()
     assert again == first
 
 
