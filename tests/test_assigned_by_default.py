@@ -65,8 +65,8 @@ async def test_every_answer_tells_the_same(db, product):
     with Catalog.open(db) as catalog:
         (found,) = catalog.devices(product_code=product, maps=((0x60FF, None),))
     assert found.evidence[:2] == (
-        "0x60FF:00, 32 bit, in RxPdo 0x1600 (not assigned by default)",
         "0x60FF:00, 32 bit, in RxPdo 0x1601 (default on SM2)",
+        "0x60FF:00, 32 bit, in RxPdo 0x1600 (not assigned by default)",
     )
 
     sheet = assigned_in_sheet(run("show", identity, db=db).stdout, "PDOs of the device")
@@ -117,8 +117,8 @@ def test_virtual_pdos_of_modules_are_never_assigned(tmp_path):
     with Catalog.open(db) as catalog:
         (found,) = catalog.devices(maps=((0x60FF, None),))
     assert found.evidence == (
-        "0x60FF:00, 32 bit, in RxPdo 0x1600 of module 0x1 (not assigned by default)",
         "0x60FF:00, 32 bit, in RxPdo 0x1601 of module 0x1 (default on SM2)",
+        "0x60FF:00, 32 bit, in RxPdo 0x1600 of module 0x1 (not assigned by default)",
         "0x60FF:00, 32 bit, in RxPdo 0x1602 of module 0x1 (not assigned by default)",
     )
     sheet = assigned_in_sheet(run("show", "0xe5c:1:1", db=db).stdout, "PDOs of the module")

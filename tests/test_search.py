@@ -277,3 +277,16 @@ def test_what_is_meant_as_a_vendor_id_is_no_name(text):
 def test_a_vendor_whose_name_begins_with_a_digit(tmp_path):
     db = catalog_of(tmp_path, esi(device(), vendor="<Id>5</Id><Name>3S-Smart Software</Name>"))
     assert run("devices", "--vendor", "3S", db=db).stdout.count("0x00000005") == 1
+
+
+def test_people_are_told_a_dozen_of_many_reasons_the_assigned_ones_first(tmp_path):
+    entries = [f"<Entry><Index>#x6002</Index><SubIndex>{n}</SubIndex><BitLen>8</BitLen></Entry>" for n in range(1, 21)]
+    optional = f"<TxPdo><Index>#x1A00</Index><Name>All</Name>{''.join(entries)}</TxPdo>"
+    default = f'<TxPdo Sm="0"><Index>#x1A01</Index><Name>Last</Name>{entries[-1]}</TxPdo>'
+    write(tmp_path / "in", {"a.xml": esi(device(f"<Sm>Inputs</Sm>{optional}{default}"))})
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([tmp_path / "in"], jobs=1)
+        (found,) = catalog.devices(maps=[(0x6002, None)])
+    assert len(found.evidence) == 21
+    assert found.evidence[0] == "0x6002:14, 8 bit, in TxPdo 0x1A01 (default on SM0)"
+    assert found.shown_evidence == (*found.evidence[:12], "and 9 more")

@@ -91,10 +91,13 @@ def _own_or_modular(found: sa.Select[Any], holds: Any, own_words: str, module_wo
 
 
 def maps(mapped: Mapped, bits: int | None) -> Condition:
-    """Devices with a PDO, their own or of a reachable module, that maps an entry (of this length)."""
+    """Devices with a PDO, their own or of a reachable module, that maps an entry (of this length).
+
+    What is assigned by default is told first.
+    """
 
     def evidence(connection: sa.Connection, ids: list[int]) -> dict[int, list[str]]:
-        found: dict[int, list[str]] = {}
+        found: dict[int, set[tuple[bool, str]]] = {}
         modules = schema.modules.c
         columns = (
             pdos.c.direction,
@@ -116,9 +119,9 @@ def maps(mapped: Mapped, bits: int | None) -> Condition:
             .join(pdo_entries, _OF_PDO)
             .where(*fits, _LINKS.device_id.in_(ids))
         )
-        for number, module, *facts in connection.execute(own.union_all(modular)):
-            found.setdefault(number, []).append(_mapping_words(module, *facts))
-        return {number: sorted(set(texts)) for number, texts in found.items()}
+        for number, *facts in connection.execute(own.union_all(modular)):
+            found.setdefault(number, set()).add((facts[-1] is None, _mapping_words(*facts)))
+        return {number: [words for _, words in sorted(texts)] for number, texts in found.items()}
 
     return Condition(among(_mapping_devices(mapped, bits)), evidence, _maps(mapped, bits))
 

@@ -5,6 +5,8 @@ from typing import Any
 
 import msgspec
 
+_MOST_SHOWN = 12
+
 
 class FoundDevice(msgspec.Struct, frozen=True):
     """A device description in a list."""
@@ -26,6 +28,12 @@ class FoundDevice(msgspec.Struct, frozen=True):
         parts = (self.vendor_id, self.product_code, self.revision_no)
         text = ":".join(hex32(part) or "-" for part in parts)
         return text if self.variant == 1 else f"{text}@{self.variant}"
+
+    @property
+    def shown_evidence(self) -> tuple[str, ...]:
+        """Evidence for people, who are told when there is more: an object may be mapped by hundreds of entries."""
+        more = len(self.evidence) - _MOST_SHOWN
+        return self.evidence if more <= 0 else (*self.evidence[:_MOST_SHOWN], f"and {more:,} more")
 
     def as_json(self) -> dict[str, Any]:
         """Identities as integers and as ``…_hex`` text."""

@@ -68,7 +68,7 @@ def command(db: str, vendor: str | None, output_format: str, **filters: Any) -> 
         found = catalog.devices(vendor_id=vendor_id, vendor=vendor_name, **filters)
     if output_format == "table":
         print_table(
-            [(d.identity_text, d.type or "", d.name or "", "; ".join(d.evidence)) for d in found],
+            [(d.identity_text, d.type or "", d.name or "", "; ".join(d.shown_evidence)) for d in found],
             ("identity", "type", "name", "evidence"),
         )
         click.echo(f"{len(found)} devices", err=True)

@@ -161,5 +161,5 @@ def _row(item: Any) -> dict[str, Any]:
         "image": item.image_sha256,
         "modes": item.modes,
         "signals": item.signals,
-        "evidence": device.evidence,
+        "evidence": device.shown_evidence,
     }
