@@ -362,6 +362,12 @@ def test_sync1_of_an_op_mode():
     assert (found.cycle_time_sync1_factor, found.shift_time_sync1_ns) == (-1, -7)
 
 
+def test_a_shift_time_written_as_a_large_number_is_stored_with_its_bits():
+    """4294967046 is 0xFFFFFF06, which is -250."""
+    stored = DC_MODE.write(image(f"<Dc>{op_mode('<ShiftTimeSync0>4294967046</ShiftTimeSync0>')}</Dc>").dc_modes[0])
+    assert stored[4:8].hex(" ") == "06 ff ff ff"
+
+
 def test_negative_shift_times_are_stored_as_two_s_complement():
     """Bytes 4 to 11 of an OpMode: -250 is 0xFFFFFF06, -7 is 0xFFFFFFF9."""
     content = "<ShiftTimeSync0>-250</ShiftTimeSync0><ShiftTimeSync1>-7</ShiftTimeSync1>"

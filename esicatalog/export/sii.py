@@ -206,10 +206,15 @@ def _dc_mode(op_mode: OpMode, texts: Texts) -> DcMode:
         factor = 1 if op_mode.cycle_time_sync0_ns is None else 0
     return DcMode(
         cycle_time_sync0_ns=op_mode.cycle_time_sync0_ns or 0,
-        shift_time_sync0_ns=op_mode.shift_time_sync0_ns or 0,
-        shift_time_sync1_ns=op_mode.shift_time_sync1_ns or 0,
+        shift_time_sync0_ns=_signed(op_mode.shift_time_sync0_ns),
+        shift_time_sync1_ns=_signed(op_mode.shift_time_sync1_ns),
         cycle_time_sync1_factor=op_mode.cycle_time_sync1_factor or 0,
         assign_activate=op_mode.assign_activate or 0,
         cycle_time_sync0_factor=factor,
         name_string_number=texts.number(op_mode.name),
     )
+
+
+def _signed(time_ns: int | None) -> int:
+    """A shift time as its 32 bits mean it, also where a file writes a negative one as a large number."""
+    return (((time_ns or 0) + (1 << 31)) & 0xFFFF_FFFF) - (1 << 31)
