@@ -139,7 +139,8 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     objects = ObjectTable(device, expanded)
     default = process_image(device, plugged, op_mode)
     chosen = apply_choice(device, plugged, choice.pdos, objects, default)
-    images = process_image(chosen.device, chosen.plugged, op_mode, chosen.assignment)
+    is_default = chosen.assignment is None
+    images = default if is_default else process_image(chosen.device, chosen.plugged, op_mode, chosen.assignment)
     for image in images:
         if image.overflow is not None:
             raise InputError(f"SM{image.sm}: {image.overflow}")

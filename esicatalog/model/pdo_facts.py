@@ -4,10 +4,8 @@ from collections.abc import Iterable, Mapping
 from typing import Annotated
 
 from esicatalog.esi.binding import Doc, Record
+from esicatalog.esi.numbers import MAX_STORED
 from esicatalog.esi.records.pdo import Entry, Pdo
-
-_NO_NUMBER = 1 << 63
-"""From here on a number fits no column."""
 
 
 class PdoFacts(Record):
@@ -33,7 +31,7 @@ def pdo_bits(pdo: Pdo) -> int:
 def pdo_facts(pdo: Pdo) -> PdoFacts:
     """Size and number of entries of a PDO; a sum of 2^63 or more counts as none (ESI-FACTS section 1.1)."""
     bits = pdo_bits(pdo)
-    return PdoFacts(bit_size=bits if bits < _NO_NUMBER else None, entry_count=len(pdo.entries))
+    return PdoFacts(bit_size=bits if bits <= MAX_STORED else None, entry_count=len(pdo.entries))
 
 
 def entry_facts(entry: Entry) -> EntryFacts:

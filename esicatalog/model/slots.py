@@ -131,14 +131,20 @@ def shift_problems(device: Device, plugged: PluggedModule) -> tuple[str, ...]:
 def _indices(module: Module) -> list[int]:
     """The indices that can move with the slot."""
     pdos = (*module.rx_pdos, *module.tx_pdos)
-    found = [entry.entry_index for pdo in pdos for entry in pdo.entries]
-    found += [pdo.pdo_index for pdo in pdos]
+    found = [pdo.pdo_index for pdo in pdos]
     found += [item.pdo_index for pdo in pdos for item in pdo.excludes]
-    if module.mailbox is not None:
-        found += [command.object_index for command in module.mailbox.coe_init_cmds]
-    for profile in module.profiles:
-        found += [declared.object_index for declared in profile.dictionary.objects] if profile.dictionary else ()
+    found += [index for index, _ in _object_places(module)]
     return [index for index in found if index is not None]
+
+
+def _object_places(module: Module) -> list[tuple[int | None, Entry | InitCmd | Object]]:
+    """Where objects are declared, mapped or written by InitCmds, each with its index."""
+    commands = module.mailbox.coe_init_cmds if module.mailbox is not None else ()
+    found: list[tuple[int | None, Entry | InitCmd | Object]] = [(command.object_index, command) for command in commands]
+    found += [(entry.entry_index, entry) for pdo in (*module.rx_pdos, *module.tx_pdos) for entry in pdo.entries]
+    for profile in module.profiles:
+        found += [(item.object_index, item) for item in profile.dictionary.objects] if profile.dictionary else ()
+    return found
 
 
 class SlotDependence(NamedTuple):
@@ -151,13 +157,8 @@ class SlotDependence(NamedTuple):
 
 def slot_dependences(module: Module, indices: range) -> list[SlotDependence]:
     """The ways in which objects in a range follow the slot, be they declared, mapped or written by InitCmds."""
-    commands = module.mailbox.coe_init_cmds if module.mailbox is not None else ()
-    items: list[tuple[int | None, Entry | InitCmd | Object]] = [(command.object_index, command) for command in commands]
-    items += [(entry.entry_index, entry) for pdo in (*module.rx_pdos, *module.tx_pdos) for entry in pdo.entries]
-    for profile in module.profiles:
-        items += [(item.object_index, item) for item in profile.dictionary.objects] if profile.dictionary else ()
     highest: dict[tuple[bool, bool], int] = {}
-    for index, item in items:
+    for index, item in _object_places(module):
         if index is not None and index in indices:
             way = (bool(item.depend_on_slot), bool(item.depend_on_slot_group))
             highest[way] = max(index, highest.get(way, 0))
