@@ -103,6 +103,7 @@ class Catalog:
         :class:`~esicatalog.errors.CatalogError` when the database cannot be written.
         """
         from esicatalog.ingest.plan import make_plan
+        from esicatalog.ingest.process import interrupts_wait
         from esicatalog.ingest.reading import Reading
 
         given = list(paths)
@@ -117,7 +118,8 @@ class Catalog:
                 if reading.plan is None:
                     reading.start(make_plan(given, hashed=reading.hashed()))
 
-            from esicatalog.ingest.run import ingest
+            with interrupts_wait():
+                from esicatalog.ingest.run import ingest
 
             return ingest(self._open(create=True, when_new=read_all), given, reading, prune, progress)
 

@@ -327,6 +327,36 @@ def test_an_interrupt_is_one_line_and_leaves_nobody(tmp_path, library, expected,
     assert_completed_by_running_again(db, expected, library)
 
 
+INTERRUPTED_IN_A_CALLBACK = """
+import os, sys, weakref
+from esicatalog.cli.main import cli
+
+number = int(sys.argv.pop())
+
+class Gone:
+    pass
+
+class Finder:
+    def find_spec(self, name, path, target=None):
+        if name == "sqlalchemy.sql.schema":
+            gone = Gone()
+            self.reference = weakref.ref(gone, lambda _: os.kill(os.getpid(), number))
+
+sys.meta_path.insert(0, Finder())
+cli()
+"""
+
+
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_an_interrupt_while_modules_are_loaded_is_not_lost(tmp_path, library, expected, number, code):
+    db = tmp_path / "c.db"
+    words = ["ingest", str(library), "--db", str(db), str(int(number))]
+    done = subprocess.run([sys.executable, "-c", INTERRUPTED_IN_A_CALLBACK, *words], capture_output=True, text=True)
+    assert done.stderr == "esicatalog: interrupted; nothing stored before is lost, run it again to go on\n"
+    assert done.returncode == code
+    assert_completed_by_running_again(db, expected, library)
+
+
 def test_workers_end_when_nobody_reads_their_answers(tmp_path, library):
     process = started(*ingest_command(tmp_path / "c.db", library))
     while process.poll() is None and not children(process):

@@ -87,6 +87,29 @@ def without_cycle_search() -> Iterator[None]:
             gc.enable()
 
 
+@contextlib.contextmanager
+def interrupts_wait() -> Iterator[None]:
+    """Ctrl-C, and SIGTERM where it is handled, raise their exception at the end of this.
+
+    Loading modules runs callbacks, in which an exception is reported and lost, and leaves half a module behind.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    came: list[int] = []
+    handlers = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    handlers = {number: handler for number, handler in handlers.items() if callable(handler)}
+    for number in handlers:
+        signal.signal(number, lambda number, frame: came.append(number))
+    try:
+        yield
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
+    for interrupt in came:
+        signal.raise_signal(interrupt)
+
+
 class _Process(Protocol):
     """What is needed of a process; :class:`subprocess.Popen` has it."""
 
