@@ -4,9 +4,9 @@ import os
 from pathlib import Path
 from typing import Any
 
+import yaml
 from datasette.app import Datasette
 from datasette.database import Database
-from datasette.utils import parse_metadata
 from datasette.version import __version_info__ as datasette_version
 
 from esicatalog.api import Catalog
@@ -15,6 +15,11 @@ from esicatalog.catalog.inspect_data import read_inspect_data
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 from esicatalog.web.state import MOUNTED_AS
+
+try:
+    from yaml import CSafeLoader as SafeLoader
+except ImportError:  # made without libyaml, which takes a tenth of the time
+    from yaml import SafeLoader  # type: ignore[assignment]
 
 SETTINGS = {
     "sql_time_limit_ms": 3000,
@@ -57,7 +62,7 @@ def datasette_app(path: str | os.PathLike[str], immutable: bool = False) -> Any:
         file = file.resolve()
         found = read_inspect_data(file)
         counted = {MOUNTED_AS: found} if found is not None else {}
-    metadata = parse_metadata(resource("datasette-metadata.yml").read_text(encoding="utf-8"))
+    metadata = yaml.load(resource("datasette-metadata.yml").read_bytes(), SafeLoader)
     arguments: dict[str, Any] = {"metadata": metadata, "settings": SETTINGS, "inspect_data": counted}
     if datasette_version[0] != "0":
         # Datasette 1.0 takes canned queries from the configuration.
