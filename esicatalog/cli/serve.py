@@ -5,14 +5,16 @@ import errno
 import logging
 import socket
 import webbrowser
+from pathlib import Path
 
 import click
 
 from esicatalog.cli.common import db_option, reporting_errors
-from esicatalog.errors import InputError
+from esicatalog.errors import CatalogError, InputError
 
 _IDLE_SECONDS = 75
 """Longer than browsers and clients keep an idle connection: a request sent while it is being closed is lost."""
+_URI_CHARACTERS = "?#%"
 
 
 @click.command("serve")
@@ -27,15 +29,17 @@ def command(db: str, host: str, port: int, open_browser: bool, immutable: bool) 
 
     Prints the address. The catalog is mounted as /catalog whatever its file is called.
     """
-    import uvicorn
-
-    from esicatalog.web.app import catalog_file, datasette_app
-    from esicatalog.web.state import MOUNTED_AS
-
-    # datasette-mcp, where it is installed, tells of every session otherwise.
-    logging.getLogger("mcp").setLevel(logging.WARNING)
-    application = datasette_app(catalog_file(db), immutable).app()
+    file = _catalog_file(db)
     with _listen(host, port) as listener:
+        # Loading Datasette takes a second or two; what is refused is refused before.
+        import uvicorn
+
+        from esicatalog.web.app import datasette_app
+        from esicatalog.web.state import MOUNTED_AS
+
+        # datasette-mcp, where it is installed, tells of every session otherwise.
+        logging.getLogger("mcp").setLevel(logging.WARNING)
+        application = datasette_app(file, immutable).app()
         shown = f"[{host}]" if ":" in host else host
         url = f"http://{shown}:{listener.getsockname()[1]}/{MOUNTED_AS}"
         click.echo(url)
@@ -45,6 +49,24 @@ def command(db: str, host: str, port: int, open_browser: bool, immutable: bool) 
         server = uvicorn.Server(config)
         with contextlib.suppress(KeyboardInterrupt):
             server.run(sockets=[listener])
+
+
+def _catalog_file(target: str) -> Path:
+    """The file of an SQLite catalog of the current version. Raises :class:`CatalogError`."""
+    from esicatalog.api import Catalog
+    from esicatalog.catalog.database import catalog_url, shown_target, sqlite_path
+
+    path = sqlite_path(catalog_url(target))
+    if path is None:
+        raise CatalogError(
+            f"{shown_target(target)}: the pages read SQLite files only; make one with: "
+            "esicatalog snapshot --from URL --to FILE"
+        )
+    if any(character in str(path) for character in _URI_CHARACTERS):
+        # Datasette puts the path into a URI as it stands.
+        raise CatalogError(f"{path}: Datasette opens no file with one of {' '.join(_URI_CHARACTERS)} in its path")
+    Catalog.open(path).close()
+    return path
 
 
 def _listen(host: str, port: int) -> socket.socket:

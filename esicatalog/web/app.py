@@ -9,10 +9,7 @@ from datasette.app import Datasette
 from datasette.database import Database
 from datasette.version import __version_info__ as datasette_version
 
-from esicatalog.api import Catalog
-from esicatalog.catalog.database import catalog_url, shown_target, sqlite_path
 from esicatalog.catalog.inspect_data import read_inspect_data
-from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 from esicatalog.web.state import MOUNTED_AS
 
@@ -30,23 +27,6 @@ SETTINGS = {
     "max_returned_rows": 5000,
     "truncate_cells_html": 200,
 }
-
-_URI_CHARACTERS = "?#%"
-
-
-def catalog_file(target: str | os.PathLike[str]) -> Path:
-    """The file of an SQLite catalog of the current version. Raises :class:`CatalogError`."""
-    path = sqlite_path(catalog_url(target))
-    if path is None:
-        raise CatalogError(
-            f"{shown_target(target)}: the pages read SQLite files only; make one with: "
-            "esicatalog snapshot --from URL --to FILE"
-        )
-    if any(character in str(path) for character in _URI_CHARACTERS):
-        # Datasette puts the path into a URI as it stands.
-        raise CatalogError(f"{path}: Datasette opens no file with one of {' '.join(_URI_CHARACTERS)} in its path")
-    Catalog.open(path).close()
-    return path
 
 
 def datasette_app(path: str | os.PathLike[str], immutable: bool = False) -> Any:
