@@ -9,6 +9,9 @@ PORT ?= 8001
 FUZZ_SECONDS ?= 60
 CORPUS ?= $(or $(ESICATALOG_CORPUS),../shared/corpus)
 
+# Every command and every test starts many processes: what they load is compiled once.
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: install serve test test-datasette-1 lint test-corpus fuzz faults bench bench-scale docs screenshots clean
 
 install: $(VENV)/installed

@@ -1,6 +1,7 @@
 """Fixtures that several test files use. ``corpus`` names real files that are not part of the project."""
 
 import contextlib
+import gc
 import os
 import subprocess
 import sys
@@ -17,6 +18,10 @@ CHECKOUT = Path(__file__).parent.parent
 Target = TypeVar("Target", str, Path)
 SAMPLE_ARCHIVES = ("hpmicro+hpm_sdk.zip", "AIMEtherCAT+EcatV2_AX58100_H750_Universal.zip", "ruiofang+EU_EtherCAT.zip")
 """Small archives of the corpus: modules, a document that needs recovery, plain drives."""
+
+
+# Looking for cycles as often as Python does takes a tenth of the time of all tests.
+gc.set_threshold(20_000, 20, 10)
 
 
 @pytest.fixture(scope="session")

@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+import pytest
 from sii.by_hand import WHOLE
 from snippets import device, esi, only_device, pdo
 from test_cli import one_line_error, run
@@ -97,6 +98,7 @@ def test_another_revision_is_not_compared(tmp_path):
     assert done.stdout.startswith("not compared: no exact ESI")
 
 
+@pytest.mark.corpus
 def test_real_dumps_agree_with_their_descriptions(corpus, tmp_path):
     """EK1100 and EL2004: sync managers, FMMUs, PDO layout and the rest that a master uses."""
     archive = corpus / "esi" / "DiamondLightSource+ethercat.zip"

@@ -16,12 +16,12 @@ from datasette.app import Datasette
 from datasette.utils import parse_metadata
 from lxml import html
 from snippets import device, esi
+from web_client import client
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.schema import metadata
 from esicatalog.catalog.views import FULL_TEXT, views
 from esicatalog.resources import resource
-from esicatalog.web.app import datasette_app
 from esicatalog.web.functions import hex0x, parse_hex
 
 DATASETTE_0 = datasette.__version__.startswith("0.")
@@ -55,13 +55,7 @@ QUERY_EXAMPLES: dict[str, tuple[dict[str, str], set[Any]]] = {
 @pytest.fixture
 async def browser(data_db: Path) -> Any:
     """A client of the catalog of data/, whose file is not called catalog.db."""
-    return await started(data_db)
-
-
-async def started(db: Path) -> Any:
-    application = datasette_app(db)
-    await application.invoke_startup()
-    return application.client
+    return await client(data_db)
 
 
 async def rows(browser: Any, path: str, **parameters: str) -> list[dict[str, Any]]:
@@ -180,7 +174,7 @@ async def test_device_without_codes_leads_to_its_row(tmp_path):
     document.write_text(esi(device(product="")))
     with Catalog.open(tmp_path / "catalog.db", create=True) as catalog:
         catalog.ingest([document])
-    browser = await started(tmp_path / "catalog.db")
+    browser = await client(tmp_path / "catalog.db")
     answer = await browser.get("/-/esi/row/1", follow_redirects=False)
     assert answer.headers["location"] == "/catalog/devices/1"
 
@@ -297,7 +291,7 @@ def test_serve_refuses_what_is_no_catalog(tmp_path):
 async def test_corpus_search_agrees_with_the_command(corpus_db, text):
     with Catalog.open(corpus_db) as catalog:
         expected = {device.type for device in catalog.devices(text=text, all_variants=True, include_hidden=True)}
-    assert await searched_all(await started(corpus_db), text) == expected
+    assert await searched_all(await client(corpus_db), text) == expected
     if text in ("EK1100", "0x044c2c52"):
         assert "EK1100" in expected
 
@@ -310,5 +304,5 @@ async def searched_all(browser: Any, text: str) -> set[str]:
 @pytest.mark.corpus
 @pytest.mark.parametrize("query", QUERY_EXAMPLES)
 async def test_corpus_canned_queries_answer(corpus_db, query):
-    browser = await started(corpus_db)
+    browser = await client(corpus_db)
     assert await rows(browser, f"/catalog/{query}.json", **QUERY_EXAMPLES[query][0]) is not None

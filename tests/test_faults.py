@@ -13,8 +13,9 @@ import sqlite3
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import closing, suppress
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -101,10 +102,15 @@ def remount(folder: Path, options: str) -> None:
     subprocess.run(["mount", "-o", f"remount,{options}", str(folder)], check=True)
 
 
+def some_of(cases: Iterable[tuple[object, ...]], *chosen: tuple[object, ...]) -> list[object]:
+    """All cases, of which those that are not chosen are for ``make faults``."""
+    return [case if case in chosen else pytest.param(*case, marks=pytest.mark.faults) for case in cases]
+
+
 @pytest.mark.parametrize(
-    "share", [0.05, 0.5, *(pytest.param(n, marks=pytest.mark.faults) for n in (0.01, 0.2, 0.9, 1.0))]
+    ("start", "share"),
+    some_of(product(("new", "part"), (0.01, 0.05, 0.2, 0.5, 0.9, 1.0)), ("new", 0.05), ("part", 0.5)),
 )
-@pytest.mark.parametrize("start", ["new", "part"])
 def test_a_full_disk(tmp_path, library, whole, part, expected, share, start):
     """``share`` of what the whole catalog needs is there; then the disk grows."""
     needed = whole.stat().st_size
@@ -137,8 +143,9 @@ def test_a_full_disk_is_no_obstacle_to_reading(tmp_path, whole):
         assert run("check", "--db", db).returncode == 0
 
 
-@pytest.mark.parametrize("kilobytes", [8, 500, *(pytest.param(n, marks=pytest.mark.faults) for n in (100, 2000))])
-@pytest.mark.parametrize("start", ["new", "part"])
+@pytest.mark.parametrize(
+    ("start", "kilobytes"), some_of(product(("new", "part"), (8, 100, 500, 2000)), ("new", 8), ("part", 500))
+)
 def test_files_that_may_not_grow(tmp_path, library, part, expected, kilobytes, start):
     """The limit of a process on the size of its files does not need root; the system answers EFBIG."""
     db = tmp_path / "c.db"
@@ -240,8 +247,12 @@ def test_a_locked_database_is_waited_for_and_then_named(tmp_path, whole, library
     write(library.parent / "more", {"new.xml": esi(device(product="#xABCDE"))})
     with closing(sqlite3.connect(db)) as connection:
         connection.execute("BEGIN EXCLUSIVE")
-        for words in (["devices"], ["ingest", library.parent / "more"]):
-            assert "another process is writing to it; wait for it" in one_line(run(*words, "--db", db))
+        commands = (["devices"], ["ingest", str(library.parent / "more")])
+        waiting = [started(sys.executable, "-m", "esicatalog", *words, "--db", str(db)) for words in commands]
+        for process in waiting:
+            out, said = process.communicate()
+            done = subprocess.CompletedProcess(process.args, process.returncode, out, said)
+            assert "another process is writing to it; wait for it" in one_line(done)
         connection.rollback()
     assert run("ingest", library.parent / "more", "--db", db).returncode == 0
     assert_consistent(db)
@@ -258,8 +269,9 @@ def test_a_lock_that_is_given_back_is_no_obstacle(tmp_path, whole):
     assert process.returncode == 0
 
 
-@pytest.mark.parametrize("same", [True, False], ids=["the same folder", "different folders"])
-@pytest.mark.parametrize("start", ["new", "part"])
+@pytest.mark.parametrize(
+    ("start", "same"), some_of(product(("new", "part"), (True, False)), ("new", True), ("part", False))
+)
 def test_two_ingests_at_once(tmp_path, library, part, expected, same, start):
     db = tmp_path / "c.db"
     if start == "part":

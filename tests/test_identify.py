@@ -12,6 +12,7 @@ from schemathesis import GenerationMode
 from snippets import device, esi, one, pdo, rows
 from test_cli import run
 from test_search import catalog_of
+from web_client import client, new_client
 
 from esicatalog import Catalog, CatalogError
 from esicatalog.catalog.filter_texts import SHARPENS
@@ -156,14 +157,6 @@ def test_a_damaged_catalog_is_one_line(tmp_path):
             catalog.identify(0xE5C, 1, 1)
 
 
-async def client(db: Path, **options):
-    application = datasette_app(db)
-    for name, value in options.items():
-        setattr(application, name, value)
-    await application.invoke_startup()
-    return application.client
-
-
 async def test_three_doors_one_answer(sample_db):
     """Fifty identities, some of them one beside what is described: the bytes are the same."""
     db = sample_db
@@ -265,7 +258,7 @@ async def test_bounds_methods_and_etag(data_db):
 
 
 async def test_cors_only_where_datasette_has_it(data_db):
-    web = await client(data_db, cors=True)
+    web = await new_client(data_db, cors=True)
     response = await web.get(f"{ROUTE}?vendor=1&product=1")
     assert response.headers["access-control-allow-origin"] == "*"
 
@@ -383,6 +376,7 @@ def test_wrong_usage_is_one_line(data_db, words):
     assert len(done.stderr.splitlines()) == 1
 
 
+@pytest.mark.corpus
 def test_scenario_of_real_terminals(corpus, tmp_path):
     """EL2008 exactly, EL3204 by vendor only (its code is in no file there), two invented devices not at all."""
     (text,) = (corpus / "cli").rglob("*scenario1__slaves.txt")

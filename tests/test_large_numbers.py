@@ -25,7 +25,7 @@ def numbers(held: object) -> list[int]:
     return [held] if isinstance(held, int) else []
 
 
-@pytest.mark.parametrize("text", [str(LARGEST), str(-LARGEST)])
+@pytest.mark.parametrize("text", [str(LARGEST), pytest.param(str(-LARGEST), marks=pytest.mark.faults)])
 def test_one_large_number_anywhere(text, tmp_path):
     worker, content = DocumentWorker(), MAXIMAL.read_bytes()
     for found in NUMBER.finditer(content):

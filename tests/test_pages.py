@@ -8,8 +8,9 @@ import pytest
 from lxml import html
 from snippets import device, esi, pdo, read, rows
 from test_cli import run
-from test_identify import SLAVES, client
+from test_identify import SLAVES
 from test_search import catalog_of
+from web_client import client
 
 from esicatalog import Catalog
 from esicatalog.identity import parse_identity

@@ -12,7 +12,7 @@ import sqlalchemy as sa
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from snippets import device, dictionary, esi, pdo, rows, write
-from test_identify import client
+from web_client import client
 
 from esicatalog import Catalog
 from esicatalog.catalog import identity

@@ -15,18 +15,13 @@ from urllib.parse import quote, urlsplit
 import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
+from web_client import client, new_client
 
 from esicatalog.web import http
 from esicatalog.web.app import datasette_app
 from esicatalog.web.http import MAX_BODY_BYTES
 
 SECRET = "root:x:0:0"
-
-
-async def client(db: Path) -> Any:
-    application = datasette_app(db)
-    await application.invoke_startup()
-    return application.client
 
 
 async def answer(web: Any, sql: str) -> Any:
@@ -364,7 +359,7 @@ JSON = st.recursive(
 def asked(data_db: Path) -> Iterator[Callable[..., Any]]:
     """Answers of one running application, for tests that ask many times."""
     with asyncio.Runner() as runner:
-        web = runner.run(client(data_db))
+        web = runner.run(new_client(data_db))
         yield lambda method, path, **options: runner.run(getattr(web, method)(path, **options))
 
 
