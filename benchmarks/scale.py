@@ -96,6 +96,8 @@ def build(folder: Path, shape: Shape, jobs: int, runs: int) -> Measured:
     for _ in range(runs):
         database.unlink(missing_ok=True)
         ran.append(run_ingest(library, database, jobs))
+        if ran[-1].has_failures:
+            raise SystemExit(f"{library}: documents of ours could not be read")
     ran.sort(key=lambda item: item.processor_seconds)
     return Measured(shape.devices, xml_bytes, database, ran[len(ran) // 2])
 

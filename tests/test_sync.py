@@ -7,7 +7,7 @@ from snippets import device, esi, only_device
 
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import default_op_mode, sync_signals
+from esicatalog.model.sync import default_op_mode, default_position, sync_signals
 
 
 @pytest.mark.parametrize(
@@ -73,7 +73,9 @@ def test_the_default_op_mode_is_the_first_valid_one(modes, default):
         f"<VendorSpecific><TwinCAT {mode}/></VendorSpecific></OpMode>"
         for mode in modes
     )
-    assert default_op_mode(only_device(esi(device(f"<Dc>{xml}</Dc>"))).op_modes) == default
+    op_modes = only_device(esi(device(f"<Dc>{xml}</Dc>"))).op_modes
+    assert default_position(op_modes) == default
+    assert default_op_mode(op_modes) is (op_modes[default] if default is not None else None)
 
 
 @pytest.mark.parametrize(

@@ -57,8 +57,7 @@ class DeviceDescription(NamedTuple):
     @property
     def default_op_mode(self) -> OpMode | None:
         """The OpMode that counts without a choice."""
-        position = default_op_mode(self.device.op_modes)
-        return self.device.op_modes[position] if position is not None else None
+        return default_op_mode(self.device.op_modes)
 
     def images(self, choice: Mapping[int, int]) -> list[SmImage]:
         """Process images with these modules (ModuleIdent by slot) in place of the default ones.

@@ -15,10 +15,11 @@ from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
+from esicatalog.model.pdo_facts import pdo_bits
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import default_op_mode, sync_signals
+from esicatalog.model.sync import default_position, sync_signals
 from esicatalog.model.words import (
     INIT_CMD_PROTOCOLS,
     clock_words,
@@ -194,7 +195,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
         for position, pdo in enumerate(pdos):
             sm = sms.get((direction, position))
             flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
-            bits = sum(entry.bit_length or 0 for entry in pdo.entries)
+            bits = pdo_bits(pdo)
             rows.append(
                 [
                     direction,
@@ -242,7 +243,7 @@ def _init_cmds(mailbox: Mailbox, title: str) -> Iterator[str]:
 
 
 def _dc_modes(op_modes: tuple[OpMode, ...]) -> Iterator[str]:
-    default = default_op_mode(op_modes)
+    default = default_position(op_modes)
     rows = []
     for position, mode in enumerate(op_modes):
         signals = sync_signals(mode.assign_activate)

@@ -11,7 +11,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.model.sync import SyncSignals, default_op_mode, sync_signals
+from esicatalog.model.sync import SyncSignals, default_position, sync_signals
 
 _UINT32_MAX, _INT32_MAX = 0xFFFF_FFFF, 0x7FFF_FFFF
 _TIME_LOOP_CONTROL_ONLY = (
@@ -93,7 +93,7 @@ def chosen_op_mode(device: Device, modules: tuple[Module, ...], wanted: str | No
 
 
 def _by_modules(device: Device, modules: tuple[Module, ...]) -> tuple[int | None, list[str]]:
-    default = default_op_mode(device.op_modes)
+    default = default_position(device.op_modes)
     asked = dict.fromkeys(module.dc_op_mode_name for module in modules if module.dc_op_mode_name)
     positions = {mode.name: position for position, mode in reversed(list(enumerate(device.op_modes)))}
     known = [name for name in asked if name in positions]

@@ -29,7 +29,7 @@ from esicatalog.model.compare_words import (
     text,
     yes_no,
 )
-from esicatalog.model.sync import default_op_mode, sync_signals
+from esicatalog.model.sync import default_position, sync_signals
 
 _SIGNALS = {
     "dc_active": "sync unit active",
@@ -149,7 +149,7 @@ def _compare_default(
     left: Device, right: Device, pairs: list[tuple[OpMode | None, OpMode | None]]
 ) -> Iterator[Difference]:
     """The default OpMode; it counts where the clocks are in use on a side."""
-    ours, theirs = (default_op_mode(device.op_modes) for device in (left, right))
+    ours, theirs = (default_position(device.op_modes) for device in (left, right))
     mode, other = (
         device.op_modes[position] if position is not None else None
         for device, position in ((left, ours), (right, theirs))

@@ -45,11 +45,10 @@ from esicatalog.model.process_image import SmImage, default_process_image, proce
 from esicatalog.model.slots import (
     PluggedModule,
     SlotDependence,
-    accepts,
     default_modules,
     expand_module,
+    fitting_modules,
     furthest_move,
-    numbered_slots,
     slot_dependences,
 )
 from esicatalog.model.sync import default_op_mode, is_superseded, sync_signals
@@ -177,16 +176,14 @@ def _declared_axes(module: Module, known: DictionaryViews) -> list[tuple[int, li
 def _plugged(device: Device, modules: Sequence[Module]) -> Iterator[PluggedModule]:
     """Every module in every slot that it fits, those that are there by default first."""
     yield from default_modules(device, modules)
-    fitting = {id(slot): [module for module in modules if accepts(slot, module)] for slot in device.slots}
-    for number, slot, _ in numbered_slots(device):
-        for module in fitting[id(slot)]:
+    for number, slot, fitting in fitting_modules(device, modules):
+        for module in fitting:
             yield PluggedModule(number, slot, module)
 
 
 def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int, known: DictionaryViews) -> Part:
     module = expand_module(device, plugged).module
-    default = default_op_mode(device.op_modes)
-    op_mode = device.op_modes[default] if default is not None else None
+    op_mode = default_op_mode(device.op_modes)
     modes = [mode for mode in device.op_modes if module.dc_op_mode_name in (None, mode.name)]
     return Part(
         shift // AXIS_STEP,
@@ -349,8 +346,8 @@ def _op_mode(device: Device, mode: DriveMode) -> str | None:
         for op_mode in device.op_modes:
             if sync_signals(op_mode.assign_activate).sync0 and not is_superseded(op_mode):
                 return op_mode.name
-    position = default_op_mode(device.op_modes)
-    return device.op_modes[position].name if position is not None else None
+    default = default_op_mode(device.op_modes)
+    return default.name if default is not None else None
 
 
 def _mode_of_operation_step(mode: DriveMode, parts: list[Part], pdos: list[Pdo]) -> str:

@@ -44,8 +44,7 @@ class ProcessData:
     @cached_property
     def default_op_mode(self) -> OpMode | None:
         """The OpMode that counts without a choice."""
-        position = default_op_mode(self.op_modes)
-        return self.op_modes[position] if position is not None else None
+        return default_op_mode(self.op_modes)
 
     @cached_property
     def signals(self) -> list[SyncSignals]:

@@ -96,9 +96,7 @@ class _Candidate(NamedTuple):
 
 def default_process_image(device: Device, modules: Sequence[Module] = ()) -> list[SmImage]:
     """The process image without any choice: default OpMode, default modules."""
-    position = default_op_mode(device.op_modes)
-    op_mode = device.op_modes[position] if position is not None else None
-    return process_image(device, default_modules(device, modules), op_mode)
+    return process_image(device, default_modules(device, modules), default_op_mode(device.op_modes))
 
 
 def process_image(

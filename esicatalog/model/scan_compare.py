@@ -15,7 +15,7 @@ from esicatalog.model.base_types import base_type
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.process_image import default_process_image
-from esicatalog.model.slots import SlotShift, accepts, numbered_slots
+from esicatalog.model.slots import SlotShift, fitting_modules, numbered_slots
 from esicatalog.scan.records import ScannedDictionary, ScannedObjectEntry, ScannedPdo, ScannedPdos
 
 _MOST_PLACES = 2_000_000
@@ -62,12 +62,9 @@ class _AnySlot:
         self._most = _MOST_PLACES // (1 + len(modules) + parts)
 
     def __iter__(self) -> Iterator[tuple[Module, SlotShift]]:
-        fitting: dict[int, list[Module]] = {}
-        for number, slot, _ in itertools.islice(numbered_slots(self._device), self._most):
-            if id(slot) not in fitting:
-                fitting[id(slot)] = [module for module in self._modules if accepts(slot, module)]
+        for number, slot, fitting in itertools.islice(fitting_modules(self._device, self._modules), self._most):
             shift = SlotShift(self._device, slot, number)
-            for module in fitting[id(slot)]:
+            for module in fitting:
                 yield module, shift
 
     def left_out(self) -> Iterator[str]:

@@ -63,6 +63,15 @@ def numbered_slots(device: Device) -> Iterator[tuple[int, Slot, int]]:
             number += 1
 
 
+def fitting_modules(device: Device, modules: Sequence[Module]) -> Iterator[tuple[int, Slot, list[Module]]]:
+    """Every slot with its number and the modules that it accepts."""
+    fitting: dict[int, list[Module]] = {}
+    for number, slot, _ in numbered_slots(device):
+        if id(slot) not in fitting:
+            fitting[id(slot)] = [module for module in modules if accepts(slot, module)]
+        yield number, slot, fitting[id(slot)]
+
+
 def default_modules(device: Device, modules: Sequence[Module]) -> list[PluggedModule]:
     """What is plugged without a choice: in required slots the module marked Default, else the only one that fits."""
     by_ident = {module.module_ident: module for module in reversed(modules)}

@@ -4,6 +4,7 @@ AssignActivate is written to the registers 0x0980 (low byte) and 0x0981 (high by
 SYNC1 needs bit 0x0400 and the unit's bit 0x0100; a CycleTimeSync1 alone says nothing.
 """
 
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Annotated
 
@@ -57,7 +58,13 @@ def is_superseded(op_mode: OpMode) -> bool:
     return any(element.get("IgnoreFromBuildNo") for element in etree.fromstring(text).iter())
 
 
-def default_op_mode(op_modes: tuple[OpMode, ...]) -> int | None:
+def default_op_mode(op_modes: Sequence[OpMode]) -> OpMode | None:
+    """The OpMode that counts without a choice: the one at :func:`default_position`."""
+    position = default_position(op_modes)
+    return op_modes[position] if position is not None else None
+
+
+def default_position(op_modes: Sequence[OpMode]) -> int | None:
     """Position of the default OpMode: the first one that is not superseded, else the first."""
     for position, op_mode in enumerate(op_modes):
         if not is_superseded(op_mode):

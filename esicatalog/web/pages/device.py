@@ -17,12 +17,12 @@ from esicatalog.esi.records.slots import Slot
 from esicatalog.identity import parse_plugged
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
-from esicatalog.model.pdo_facts import symmetric_exclusions
+from esicatalog.model.pdo_facts import pdo_bits, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
-from esicatalog.model.slots import accepts, chosen_modules, numbered_slots
+from esicatalog.model.slots import chosen_modules, fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import default_op_mode, sync_signals
+from esicatalog.model.sync import default_position, sync_signals
 from esicatalog.model.words import (
     INIT_CMD_PROTOCOLS,
     clock_words,
@@ -76,7 +76,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
     slots = _slots(description, choice)
     last_slot = sum(1 for _ in numbered_slots(device)) - 1
     op_modes = device.op_modes
-    default = default_op_mode(op_modes)
+    default = default_position(op_modes)
     path = device_path(found) or ""
     return {
         "found": found,
@@ -208,7 +208,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
             "index": pdo.pdo_index,
             "name": display_text(pdo.names) or "",
             "sm": sms.get((direction, position)),
-            "bits": sum(entry.bit_length or 0 for entry in pdo.entries),
+            "bits": pdo_bits(pdo),
             "flags": [flag for flag in ("fixed", "mandatory", "virtual") if getattr(pdo, flag)],
             "excludes": exclusions.get(pdo.pdo_index, ()),
             "entries": [
@@ -262,11 +262,11 @@ def _slots(description: DeviceDescription, choice: Mapping[int, int]) -> list[di
             "plugged": plugged.get(number),
             "modules": [
                 (module.module_ident, display_text(module.names) or module.type or "")
-                for module in modules
-                if module.module_ident is not None and accepts(slot, module)
+                for module in fitting
+                if module.module_ident is not None
             ],
         }
-        for number, slot, _ in numbered_slots(device)
+        for number, slot, fitting in fitting_modules(device, modules)
         if number < _MOST_SLOTS or number in choice
     ]
 
