@@ -58,7 +58,8 @@ order by {_ORDER}
 select device_id, {_IDENTITY},
   group_concat(ifnull(name || ' ', '') || assign_activate_hex, ', ') as op_modes, max(is_default) as in_default_mode
 from device_dc_modes
-where sync1 = 1 and variant = 1 and (:vendor = '' or vendor like '%' || :vendor || '%')
+where sync1 = 1 and device_id in (select device_id from device_facts where supports_sync1 = 1)
+  and variant = 1 and (:vendor = '' or vendor like '%' || :vendor || '%')
 group by device_id
 order by {_ORDER}
 """,

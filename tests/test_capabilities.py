@@ -263,7 +263,9 @@ def test_mode_queries_use_an_index(data_db):
         text = str(query.compile(connection, compile_kwargs={"literal_binds": True}))
         plan = [row[3] for row in connection.exec_driver_sql(f"EXPLAIN QUERY PLAN {text}")]
     assert any("ix_drive_modes_kind_mode" in line for line in plan)
-    assert not [line for line in plan if line.startswith("SCAN") and "devices" not in line and "dc_modes" not in line]
+    assert not [
+        line for line in plan if line.startswith("SCAN") and "devices" not in line and "device_facts" not in line
+    ]
 
 
 def test_modes_in_any_case():

@@ -53,6 +53,13 @@ def test_another_order_is_told_from_the_first_to_the_last_one():
     ]
 
 
+def test_the_writes_of_an_object_in_another_order():
+    """With count 1 at the end one PDO is assigned, with count 0 none."""
+    clear, fill, count = command("#x1C12", "00"), command("#x1C12", "0016", 1), command("#x1C12", "01")
+    words = "0x1C12:00 = 00, 0x1C12:01, 0x1C12:00 = 01", "0x1C12:00 = 01, 0x1C12:01, 0x1C12:00 = 00"
+    assert commands((clear, fill, count), (count, fill, clear)) == [("CoE InitCmd order", *words, True)]
+
+
 def test_an_object_written_several_times():
     """The writes of a PDO assignment: count 0, entries, count n; one entry more in between."""
     clear, fill, count = command("#x1C12", "00"), command("#x1C12", "0016", 1), command("#x1C12", "01")

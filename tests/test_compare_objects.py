@@ -162,6 +162,22 @@ def test_subindices_have_access_and_values_of_their_own():
     ]
 
 
+@pytest.mark.parametrize(
+    ("left", "right", "expected"),
+    [
+        ("<DefaultData>0200</DefaultData>", "<DefaultData>02FF</DefaultData>", ("default data", "0200", "02FF", True)),
+        ("<DefaultData>0200</DefaultData>", "", ("default data", "0200", None, False)),
+        ("<MinValue>1</MinValue>", "<MinValue>2</MinValue>", ("minimum", "1", "2", True)),
+        ("<MaxData>0A</MaxData>", "<MaxData>0B</MaxData>", ("maximum data", "0A", "0B", True)),
+    ],
+)
+def test_a_record_as_a_whole_has_values(left, right, expected):
+    ours, theirs = (RECORD.replace("</Object>", f"<Info>{values}</Info></Object>") for values in (left, right))
+    assert told(objects(ours, types=record(GAIN)), objects(theirs, types=record(GAIN))) == [
+        (f"0x8000 {expected[0]}", *expected[1:])
+    ]
+
+
 def enumeration(*values: tuple[int, str]) -> str:
     infos = "".join(f"<EnumInfo><Text>{words}</Text><Enum>{number}</Enum></EnumInfo>" for number, words in values)
     return f"<DataType><Name>DT0800EN08</Name><BaseType>USINT</BaseType><BitSize>8</BitSize>{infos}</DataType>"

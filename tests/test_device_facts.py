@@ -18,6 +18,14 @@ def op_modes(*words: str) -> str:
     return f"<Dc>{modes}</Dc>"
 
 
+def test_a_device_that_uses_the_dc_time_only_generates_no_signals():
+    """Dc/@TimeLoopControlOnly, as EL6692 has it; AssignActivate 0x0730 would mean SYNC0, SYNC1 and both latches."""
+    without = facts(op_modes("#x0730"))
+    found = facts(op_modes("#x0730").replace("<Dc>", '<Dc TimeLoopControlOnly="1">'))
+    assert (without.supports_sync0, without.supports_sync1) == (True, True)
+    assert (found.supports_sync0, found.supports_sync1, found.dc_supported) == (False, False, True)
+
+
 def test_bytes_are_rounded_once_a_sync_manager():
     assert facts(OUTPUTS + pdo("RxPdo", "#x1600", 3, 3, 3, attributes="Sm='0'")).output_bytes == 2
 

@@ -97,6 +97,40 @@ def test_the_lists_of_the_default_op_mode_win():
     assert indices(found[3]) == [0x1A00], "a SyncManager without a list keeps its default"
 
 
+def test_pdos_of_the_other_direction_are_not_exchanged():
+    """SMC EX250-SEN1 has a TxPDO on a SyncManager for Outputs: the master writes the RxPDO's 2 bytes there, not 6."""
+    found = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + pdo("TxPdo", "#x1A00", 32, attributes='Sm="2"'))
+    assert (indices(found[2]), found[2].byte_size) == ([0x1600], 2)
+    assert found[2].remarks == ("PDO 0x1A00 is left out: it is a TxPdo, SM2 is for Outputs",)
+
+
+def test_of_listed_pdos_with_one_index_that_of_the_direction_counts():
+    same = pdo("RxPdo", "#x1A00", 16) + pdo("TxPdo", "#x1A00", 32)
+    listed = op_mode('<Sm No="3"><Pdo>#x1A00</Pdo></Sm>')
+    found = images(same + f"<Dc>{listed}</Dc>")
+    assert [(placed.direction, found[3].byte_size) for placed in found[3].pdos] == [("TxPdo", 4)]
+
+
+def test_defaults_of_two_sync_managers_may_exclude_each_other():
+    sms = "<Sm>MBoxOut</Sm><Sm>MBoxIn</Sm><Sm>Outputs</Sm><Sm>Inputs</Sm><Sm>Outputs</Sm>"
+    first = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"', extra="<Exclude>#x1601</Exclude>")
+    second = pdo("RxPdo", "#x1601", 16, attributes='Sm="4"')
+    info = read(esi(device(sms + first + second))).document.infos[0]
+    found = {image.sm: image for image in default_process_image(info.devices[0])}
+    assert (indices(found[2]), indices(found[4])) == ([0x1600], [])
+    assert found[4].remarks == ("PDO 0x1601 is left out: 0x1600 excludes it",)
+
+
+def test_the_op_mode_that_a_plugged_module_asks_for_counts():
+    """DcOpModeName of the default module: its OpMode lists 0x1601, the first one 0x1600."""
+    dc = op_mode('<Sm No="2"><Pdo>#x1600</Pdo></Sm>') + op_mode(LISTED).replace("<Name>m<", "<Name>asked<")
+    slot = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">#x30</ModuleIdent></Slot></Slots>'
+    pdos = pdo("RxPdo", "#x1600", 8) + pdo("RxPdo", "#x1601", 32)
+    head = '<Type ModuleIdent="#x30">M</Type><Name>M</Name>'
+    module = f"<Module>{head}{pdos}<DcOpModeName>asked</DcOpModeName></Module>"
+    assert indices(images(f"<Dc>{dc}</Dc>{slot}", module)[2]) == [0x1601]
+
+
 def test_the_lists_of_superseded_and_later_op_modes_do_not_count():
     assert indices(images(PDOS + f"<Dc>{op_mode()}{op_mode(LISTED)}</Dc>")[2]) == [0x1600]
     superseded = op_mode(LISTED, 'IgnoreFromBuildNo="1"')

@@ -49,6 +49,17 @@ def test_filters_on_our_examples(data_db, wanted, found):
     assert types(data_db, include_hidden=True, **wanted) == found
 
 
+def test_signals_of_a_device_that_uses_the_dc_time_only(tmp_path):
+    mode = "<OpMode><Name>DC</Name><AssignActivate>#x0300</AssignActivate></OpMode>"
+    devices = [
+        device(f"<Dc>{mode}</Dc>", "1", type_text="signal"),
+        device(f'<Dc TimeLoopControlOnly="1">{mode}</Dc>', "2", type_text="time"),
+    ]
+    db = catalog_of(tmp_path, esi("".join(devices)))
+    assert types(db, sync="sync0") == ["signal"]
+    assert rows(db, "SELECT device_type FROM device_overview WHERE sync0") == [("signal",)]
+
+
 def test_profile_numbers_count_wherever_they_stand(tmp_path):
     slots = '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>1</ModuleIdent></Slot></Slots>'
     channel = "<Profile><ChannelInfo><ProfileNo>402</ProfileNo></ChannelInfo></Profile>"

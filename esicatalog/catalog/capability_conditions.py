@@ -80,8 +80,8 @@ def drive_mode(mode: str, strict: bool) -> Condition:
 
 
 def sync(signal: str) -> Condition:
-    """Devices with an OpMode that generates SYNC0 or SYNC1."""
-    column = dc_modes.c[signal]
+    """Devices with an OpMode in which they generate SYNC0 or SYNC1."""
+    column, facts = dc_modes.c[signal], device_facts.c
     query = sa.select(dc_modes.c.device_id, dc_modes.c.name, dc_modes.c.assign_activate).where(column == sa.true())
 
     def words(name: str | None, assign_activate: int) -> str:
@@ -89,7 +89,7 @@ def sync(signal: str) -> Condition:
 
     ordered = query.order_by(dc_modes.c.device_id, dc_modes.c.position)
     evidence = by_row(ordered, dc_modes.c.device_id, words)
-    return with_row(dc_modes.c.device_id, column == sa.true(), evidence=evidence)
+    return _of_device(facts[f"supports_{signal}"], facts[f"supports_{signal}"] == sa.true(), evidence=evidence)
 
 
 def protocol(name: str) -> Condition:

@@ -13,14 +13,13 @@ from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.results import DeviceSource, FoundDevice
 from esicatalog.catalog.siblings import Revision, revisions_of, same_layout
 from esicatalog.esi.records.common import display_text
-from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import Identity
 from esicatalog.model.derivation import derive
-from esicatalog.model.process_image import SmImage, process_image
+from esicatalog.model.process_image import SmImage, plugged_process_image
 from esicatalog.model.slots import chosen_modules
-from esicatalog.model.sync import default_op_mode
+from esicatalog.model.sync import default_position
 
 _MOST_FINDINGS = 200
 _NO_LINE = 1 << 31
@@ -54,10 +53,13 @@ class DeviceDescription(NamedTuple):
     """How many descriptions of this identity there are."""
     findings: tuple[SourceFinding, ...]
 
-    @property
-    def default_op_mode(self) -> OpMode | None:
-        """The OpMode that counts without a choice."""
-        return default_op_mode(self.device.op_modes)
+    def default_position(self, choice: Mapping[int, int]) -> int | None:
+        """Position of the OpMode that counts with these modules (ModuleIdent by slot) in place of the default ones.
+
+        Raises :class:`InputError` for a choice that does not fit.
+        """
+        plugged = chosen_modules(self.device, self.modules, choice)
+        return default_position(self.device.op_modes, [item.module for item in plugged])
 
     def images(self, choice: Mapping[int, int]) -> list[SmImage]:
         """Process images with these modules (ModuleIdent by slot) in place of the default ones.
@@ -65,7 +67,7 @@ class DeviceDescription(NamedTuple):
         Raises :class:`InputError` for a choice that does not fit.
         """
         plugged = chosen_modules(self.device, self.modules, choice)
-        return process_image(self.device, plugged, self.default_op_mode)
+        return plugged_process_image(self.device, plugged)
 
 
 def read_description(connection: sa.Connection, lookup: IdentityLookup, identity: Identity) -> DeviceDescription:

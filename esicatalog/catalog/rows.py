@@ -28,7 +28,6 @@ from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.memo import IdentityMemo
 from esicatalog.model.resolver import TypeSet
 from esicatalog.model.slots import reachable_modules
-from esicatalog.model.sync import default_position
 
 _MAX_PLACES = 1_000
 
@@ -235,7 +234,7 @@ class RowMaker:
             rows = DeviceRows(
                 **self._owner(device, key, vendor_id, places),
                 modules=module_keys,
-                default_op_mode=default_position(device.op_modes),
+                default_op_mode=derived.process_data.default_position,
                 derived=derived_rows(derived),
             )
             rows.element_count += sum(self._module_counts[module] for module in module_keys)

@@ -288,10 +288,6 @@ def _overview(dialect: str) -> View:
     def count(table: str, condition: str = "") -> str:
         return _integer(f"(SELECT count(*) FROM {table} x WHERE x.device_id = d.id{condition})")
 
-    def signal(name: str) -> str:
-        activated = f"max(CASE WHEN x.{name} THEN 1 ELSE 0 END)"
-        return _integer(f"(SELECT {activated} FROM dc_modes x WHERE x.device_id = d.id)")
-
     profile_no = (
         "(SELECT min(coalesce(p.profile_no, c.profile_no)) FROM profiles p "
         "LEFT JOIN profile_channels c ON c.profile_id = p.id WHERE p.device_id = d.id)"
@@ -303,11 +299,11 @@ def _overview(dialect: str) -> View:
         f"SELECT {_device_identity(dialect)}, d.group_type, d.physics, d.e_bus_current_ma, d.invisible, "
         f"{_integer(profile_no)} AS profile_no, "
         "b.coe, b.eoe, b.foe, b.soe, b.aoe, b.voe, b.coe_complete_access, b.coe_sdo_info, "
-        f"{count('dc_modes')} AS dc_modes, {signal('sync0')} AS sync0, {signal('sync1')} AS sync1, "
+        f"{count('dc_modes')} AS dc_modes, {_flag('f.supports_sync0')} AS sync0, {_flag('f.supports_sync1')} AS sync1, "
         f"""{count("pdos", " AND x.direction = 'RxPdo'")} AS rx_pdos, """
         f"""{count("pdos", " AND x.direction = 'TxPdo'")} AS tx_pdos, """
         f"{count('slots')} AS slots, {count('device_modules')} AS modules, {count('device_sources')} AS sources "
-        f"{_DEVICES} LEFT JOIN mailboxes b ON b.device_id = d.id",
+        f"{_DEVICES} JOIN device_facts f ON f.device_id = d.id LEFT JOIN mailboxes b ON b.device_id = d.id",
     )
 
 

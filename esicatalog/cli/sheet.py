@@ -6,7 +6,6 @@ from typing import Any
 from esicatalog.catalog.description import DeviceDescription
 from esicatalog.cli.common import table_lines
 from esicatalog.esi.records.common import display_text
-from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
@@ -19,7 +18,7 @@ from esicatalog.model.pdo_facts import pdo_bits
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import default_position, sync_signals
+from esicatalog.model.sync import generated_signals
 from esicatalog.model.words import (
     INIT_CMD_PROTOCOLS,
     clock_words,
@@ -46,7 +45,7 @@ def sheet_lines(description: DeviceDescription, choice: Mapping[int, int]) -> It
     for module in description.modules:
         yield from _module(module)
     yield from _mailbox(description.device.mailbox)
-    yield from _dc_modes(description.device.op_modes)
+    yield from _dc_modes(description.device, description.default_position(choice))
     yield from _drive_modes(derived.modes)
     yield from _neighbours(description)
 
@@ -242,11 +241,10 @@ def _init_cmds(mailbox: Mailbox, title: str) -> Iterator[str]:
     yield from _section(title, ("", "transition", "target", "data (as sent)", "comment"), rows)
 
 
-def _dc_modes(op_modes: tuple[OpMode, ...]) -> Iterator[str]:
-    default = default_position(op_modes)
+def _dc_modes(device: Device, default: int | None) -> Iterator[str]:
     rows = []
-    for position, mode in enumerate(op_modes):
-        signals = sync_signals(mode.assign_activate)
+    for position, mode in enumerate(device.op_modes):
+        signals = generated_signals(mode, device.dc_time_loop_control_only)
         words = [name for name, on in (("SYNC0", signals.sync0), ("SYNC1", signals.sync1)) if on]
         if signals.time_only:
             words.append("DC time only")

@@ -11,7 +11,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.model.sync import SyncSignals, default_position, sync_signals
+from esicatalog.model.sync import SyncSignals, asked_positions, default_position, sync_signals
 
 _UINT32_MAX, _INT32_MAX = 0xFFFF_FFFF, 0x7FFF_FFFF
 _TIME_LOOP_CONTROL_ONLY = (
@@ -94,17 +94,16 @@ def chosen_op_mode(device: Device, modules: tuple[Module, ...], wanted: str | No
 
 def _by_modules(device: Device, modules: tuple[Module, ...]) -> tuple[int | None, list[str]]:
     default = default_position(device.op_modes)
-    asked = dict.fromkeys(module.dc_op_mode_name for module in modules if module.dc_op_mode_name)
-    positions = {mode.name: position for position, mode in reversed(list(enumerate(device.op_modes)))}
-    known = [name for name in asked if name in positions]
-    if not known:
+    asked = asked_positions(device.op_modes, modules)
+    if not asked:
         return default, []
+    names = [repr(device.op_modes[position].name) for position in asked]
     remarks = []
-    if positions[known[0]] != default:
-        remarks.append(f"OpMode {known[0]!r} is not the default one: a plugged module asks for it (DcOpModeName)")
-    if len(known) > 1:
-        remarks.append(f"plugged modules ask for different OpModes: {', '.join(map(repr, known))}")
-    return positions[known[0]], remarks
+    if asked[0] != default:
+        remarks.append(f"OpMode {names[0]} is not the first valid one: a plugged module asks for it (DcOpModeName)")
+    if len(asked) > 1:
+        remarks.append(f"plugged modules ask for different OpModes: {', '.join(names)}")
+    return asked[0], remarks
 
 
 def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int) -> tuple[Clocks | None, tuple[str, ...]]:

@@ -1,5 +1,6 @@
 """Comparison of mailboxes: protocols, their options, and the commands that a master sends at state changes."""
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
@@ -119,13 +120,22 @@ def _compare_order(
     protocol: str, left: Sequence[InitCmd], right: Sequence[InitCmd], kept: Sequence[tuple[int, int]]
 ) -> Iterator[Difference]:
     """The commands that both have, from the first to the last one that comes at another place."""
-    ours = [_target(left[position]) for position, _ in sorted(kept)]
-    theirs = [_target(right[position]) for position in sorted(position for _, position in kept)]
+    ours, theirs = sorted(kept), sorted(kept, key=lambda pair: pair[1])
     apart = [at for at, pair in enumerate(zip(ours, theirs, strict=True)) if pair[0] != pair[1]]
     if apart:
-        first, behind = apart[0], apart[-1] + 1
-        shown, other = ", ".join(ours[first:behind]), ", ".join(theirs[first:behind])
+        part = slice(apart[0], apart[-1] + 1)
+        shown = _order_words([left[position] for position, _ in ours[part]])
+        other = _order_words([right[position] for _, position in theirs[part]])
         yield difference(INIT_CMD, f"{protocol} InitCmd order", shown, other, True)
+
+
+def _order_words(commands: Sequence[InitCmd]) -> str:
+    """Targets of commands in their order, with the data where a target alone does not tell one from another."""
+    counts = Counter(map(_target, commands))
+    return ", ".join(
+        _target(command) + (f" = {hex_data(command.data)}" if counts[_target(command)] > 1 else "")
+        for command in commands
+    )
 
 
 def _sent(command: InitCmd) -> tuple[str, str | None, tuple[str, ...]]:

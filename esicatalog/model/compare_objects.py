@@ -120,6 +120,17 @@ _OBJECT = (
     Fact("overwritten_by_module", "OverwrittenByModule", always, yes_no),
     Fact("scaling", "scaling", always),
 )
+_WHOLE_VALUES = (
+    Fact("default_data", "default data", contradicted),
+    Fact("default_value", "default value", contradicted),
+    Fact("default_string", "default text", contradicted),
+    Fact("min_data", "minimum data", always),
+    Fact("min_value", "minimum", raised, _number),
+    Fact("max_data", "maximum data", always),
+    Fact("max_value", "maximum", lowered, _number),
+    Fact("unit", "unit", lost, h8),
+)
+"""Of an object with subindices, which as a whole has values of its own in real files (ESI-FACTS section 7.1)."""
 _WHOLE_SIZE = (Fact("bit_size", "size", never, unit("bit")),)
 """Of an object with subindices: told where its entries do not explain it, and nothing follows from it."""
 _OBJECT_FLAGS = (
@@ -224,6 +235,8 @@ def _compare_object(left: _Declared, right: _Declared) -> Iterator[Difference]:
     ]
     if composite and not inside:
         yield from compare_facts(OBJECTS, place, left.object, right.object, _WHOLE_SIZE)
+    if composite:
+        yield from compare_facts(OBJECTS, place, left.object, right.object, _WHOLE_VALUES)
     yield from inside
     yield from _compare_places(place, pairs)
 

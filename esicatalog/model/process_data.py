@@ -16,7 +16,8 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.process_image import SmImage, default_process_image
-from esicatalog.model.sync import SyncSignals, default_op_mode, is_superseded, sync_signals
+from esicatalog.model.slots import default_modules
+from esicatalog.model.sync import SyncSignals, default_position, generated_signals, is_superseded
 
 _MAX_KNOWN = 1_000
 
@@ -44,12 +45,19 @@ class ProcessData:
     @cached_property
     def default_op_mode(self) -> OpMode | None:
         """The OpMode that counts without a choice."""
-        return default_op_mode(self.op_modes)
+        position = self.default_position
+        return self.op_modes[position] if position is not None else None
+
+    @cached_property
+    def default_position(self) -> int | None:
+        """Position of the OpMode that counts without a choice."""
+        plugged = default_modules(self._device, self.modules) if self.modules else ()
+        return default_position(self.op_modes, [item.module for item in plugged])
 
     @cached_property
     def signals(self) -> list[SyncSignals]:
         """What the OpModes make of the clocks."""
-        return [sync_signals(mode.assign_activate) for mode in self.op_modes]
+        return [generated_signals(mode, self._device.dc_time_loop_control_only) for mode in self.op_modes]
 
     @cached_property
     def valid_signals(self) -> list[SyncSignals]:
@@ -112,4 +120,5 @@ def _key(device: Device, modules: Sequence[Module]) -> Hashable:
     if device.slots:  # seldom equal in all that slots and modules add
         return id(device), identities(modules)
     small = (device.sync_managers, device.op_modes, device.module_pdo_group, device.module_pdo_groups)
-    return identities(device.rx_pdos), identities(device.tx_pdos), _encode(small)
+    clocks = device.dc_time_loop_control_only
+    return identities(device.rx_pdos), identities(device.tx_pdos), _encode((*small, clocks))

@@ -14,7 +14,7 @@ from lxml import etree
 
 from esicatalog.esi.numbers import parse_hex_dec
 from esicatalog.esi.records.dc import OpMode
-from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.model.pdo_facts import pdo_bits, symmetric_exclusions
@@ -96,7 +96,12 @@ class _Candidate(NamedTuple):
 
 def default_process_image(device: Device, modules: Sequence[Module] = ()) -> list[SmImage]:
     """The process image without any choice: default OpMode, default modules."""
-    return process_image(device, default_modules(device, modules), default_op_mode(device.op_modes))
+    return plugged_process_image(device, default_modules(device, modules))
+
+
+def plugged_process_image(device: Device, plugged: Sequence[PluggedModule]) -> list[SmImage]:
+    """The process image with these modules and the OpMode that counts with them."""
+    return process_image(device, plugged, default_op_mode(device.op_modes, [item.module for item in plugged]))
 
 
 def process_image(
@@ -119,10 +124,12 @@ def process_image(
         assigned[number], remarks[number] = _with_mandatory(number, wanted, candidates)
     numbers = {c.pdo.sm for c in candidates if c.pdo.sm is not None} | assigned.keys()
     numbers |= {n for n, sm in enumerate(device.sync_managers) if sm.usage in _DIRECTION_OF_USAGE}
-    return [
-        _image(device, number, candidates, assigned.get(number), factors, [*problems, *remarks.get(number, ())])
-        for number in sorted(numbers)
-    ]
+    chosen: dict[int, list[_Candidate]] = {}
+    for number in sorted(numbers):
+        said = remarks[number] = [*problems, *remarks.get(number, ())]
+        chosen[number] = _chosen(_sync_manager(device, number), number, candidates, assigned.get(number), said)
+    rivals = _Rivals(candidate.pdo for of_sm in chosen.values() for candidate in of_sm)
+    return [_image(device, number, of_sm, factors, rivals, remarks[number]) for number, of_sm in chosen.items()]
 
 
 def _with_mandatory(number: int, wanted: Sequence[int], candidates: list[_Candidate]) -> tuple[list[int], list[str]]:
@@ -165,23 +172,68 @@ def _lists(op_mode: OpMode | None) -> dict[int, list[tuple[int, int]]]:
     }
 
 
-def _image(
-    device: Device,
+def _sync_manager(device: Device, number: int) -> SyncManager | None:
+    return device.sync_managers[number] if 0 <= number < len(device.sync_managers) else None
+
+
+def _chosen(
+    sm: SyncManager | None,
     number: int,
     candidates: list[_Candidate],
     assigned: Sequence[int] | None,
-    factors: Mapping[int, int],
     remarks: list[str],
-) -> SmImage:
-    sm = device.sync_managers[number] if 0 <= number < len(device.sync_managers) else None
+) -> list[_Candidate]:
+    """The PDOs of a SyncManager; those of the other direction are not exchanged there (ESI-FACTS section 18)."""
     if assigned is not None:
-        by_index = {c.pdo.pdo_index: c for c in reversed(candidates)}
+        by_index: dict[int | None, list[_Candidate]] = {}
+        for candidate in candidates:
+            by_index.setdefault(candidate.pdo.pdo_index, []).append(candidate)
         indices = dict.fromkeys(assigned)
         remarks += [f"PDO 0x{index:04X} is listed but not described" for index in indices if index not in by_index]
-        chosen = [by_index[index] for index in indices if index in by_index]
+        meant = [by_index[index] for index in indices if index in by_index]
     else:
-        chosen = [candidate for candidate in candidates if candidate.pdo.sm == number]
-    builder = _ImageBuilder(device, chosen, factors, remarks)
+        meant = [[candidate] for candidate in candidates if candidate.pdo.sm == number]
+    direction = _DIRECTION_OF_USAGE.get(sm.usage or "") if sm is not None else None
+    chosen = []
+    for alike in meant:
+        fitting = next((candidate for candidate in alike if direction in (None, candidate.direction)), None)
+        if fitting is not None:
+            chosen.append(fitting)
+        elif sm is not None:
+            other = f"PDO {_hex(alike[0].pdo.pdo_index)} is left out: it is a {alike[0].direction}"
+            remarks.append(f"{other}, SM{number} is for {sm.usage}")
+    return chosen
+
+
+class _Rivals:
+    """PDOs that exclude each other, be they of one SyncManager or of several."""
+
+    def __init__(self, pdos: Iterable[Pdo]) -> None:
+        known = list(pdos)
+        self._exclusions = symmetric_exclusions(known)
+        self._mandatory = {pdo.pdo_index for pdo in known if pdo.mandatory and not pdo.virtual}
+        self._taken: set[int | None] = set()
+
+    def rival(self, pdo: Pdo) -> int | None:
+        """What excludes a PDO: one that was taken before or, unless itself mandatory, one that is."""
+        stronger = self._taken if pdo.mandatory else self._taken | self._mandatory
+        return next((index for index in self._exclusions.get(pdo.pdo_index, ()) if index in stronger), None)
+
+    def take(self, pdo: Pdo) -> None:
+        """A PDO is assigned."""
+        self._taken.add(pdo.pdo_index)
+
+
+def _image(
+    device: Device,
+    number: int,
+    chosen: Iterable[_Candidate],
+    factors: Mapping[int, int],
+    rivals: _Rivals,
+    remarks: list[str],
+) -> SmImage:
+    sm = _sync_manager(device, number)
+    builder = _ImageBuilder(device, factors, rivals, remarks)
     for candidate in chosen:
         if sm is not None and sm.virtual and not candidate.pdo.virtual:
             remarks.append(f"PDO {_hex(candidate.pdo.pdo_index)} is described, not transported: SM{number} is virtual")
@@ -195,16 +247,11 @@ def _image(
 class _ImageBuilder:
     """Puts PDOs one behind the other, bit by bit; groups of module PDOs end on their alignment."""
 
-    def __init__(
-        self, device: Device, chosen: Iterable[_Candidate], factors: Mapping[int, int], remarks: list[str]
-    ) -> None:
-        pdos = [candidate.pdo for candidate in chosen]
+    def __init__(self, device: Device, factors: Mapping[int, int], rivals: _Rivals, remarks: list[str]) -> None:
         self._factors = factors
         self._groups = device.module_pdo_groups
+        self._rivals = rivals
         self._remarks = remarks
-        self._exclusions = symmetric_exclusions(pdos)
-        self._mandatory = {pdo.pdo_index for pdo in pdos if pdo.mandatory and not pdo.virtual}
-        self._taken: set[int | None] = set()
         self._group: _Candidate | None = None
         self._group_start = 0
         self.placed: list[PlacedPdo] = []
@@ -217,8 +264,7 @@ class _ImageBuilder:
         if pdo.virtual:
             self._remarks.append(f"PDO {_hex(pdo.pdo_index)} is virtual: described, not transported")
             return
-        stronger = self._taken if pdo.mandatory else self._taken | self._mandatory
-        rival = next((index for index in self._exclusions.get(pdo.pdo_index, ()) if index in stronger), None)
+        rival = self._rivals.rival(pdo)
         if rival is not None:
             self._remarks.append(f"PDO {_hex(pdo.pdo_index)} is left out: {_hex(rival)} excludes it")
             return
@@ -242,7 +288,7 @@ class _ImageBuilder:
                 tuple(entries),
             )
         )
-        self._taken.add(pdo.pdo_index)
+        self._rivals.take(pdo)
 
     def _repeat(self, pdo: Pdo) -> int:
         factor = self._factors.get(pdo.pdo_index) if pdo.pdo_index is not None else None

@@ -4,7 +4,7 @@ AssignActivate is written to the registers 0x0980 (low byte) and 0x0981 (high by
 SYNC1 needs bit 0x0400 and the unit's bit 0x0100; a CycleTimeSync1 alone says nothing.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import Annotated
 
@@ -12,6 +12,7 @@ from lxml import etree
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.module import Module
 
 SYNC_UNIT_ACTIVE = 0x0100
 SYNC0_PULSE = 0x0200
@@ -50,6 +51,25 @@ def sync_signals(assign_activate: int | None) -> SyncSignals:
     )
 
 
+def generated_signals(op_mode: OpMode, time_loop_control_only: bool | None) -> SyncSignals:
+    """The signals that a device generates in an OpMode.
+
+    With Dc/@TimeLoopControlOnly it uses the DC time alone, no SYNC and no LATCH signal (ESI-FACTS section 11).
+    """
+    signals = sync_signals(op_mode.assign_activate)
+    if not time_loop_control_only or not signals.dc_active:
+        return signals
+    return SyncSignals(
+        dc_active=True,
+        sync0=False,
+        sync1=False,
+        time_only=True,
+        sync_unit_pdi=False,
+        latch0_pdi=False,
+        latch1_pdi=False,
+    )
+
+
 def is_superseded(op_mode: OpMode) -> bool:
     """Whether newer tools ignore the OpMode: VendorSpecific/TwinCAT/@IgnoreFromBuildNo."""
     text = op_mode.vendor_specific
@@ -58,15 +78,26 @@ def is_superseded(op_mode: OpMode) -> bool:
     return any(element.get("IgnoreFromBuildNo") for element in etree.fromstring(text).iter())
 
 
-def default_op_mode(op_modes: Sequence[OpMode]) -> OpMode | None:
+def default_op_mode(op_modes: Sequence[OpMode], modules: Iterable[Module] = ()) -> OpMode | None:
     """The OpMode that counts without a choice: the one at :func:`default_position`."""
-    position = default_position(op_modes)
+    position = default_position(op_modes, modules)
     return op_modes[position] if position is not None else None
 
 
-def default_position(op_modes: Sequence[OpMode]) -> int | None:
-    """Position of the default OpMode: the first one that is not superseded, else the first."""
+def default_position(op_modes: Sequence[OpMode], modules: Iterable[Module] = ()) -> int | None:
+    """Position of the default OpMode: the first that plugged modules ask for, else the first one that is not
+    superseded, else the first.
+    """
+    for position in asked_positions(op_modes, modules):
+        return position
     for position, op_mode in enumerate(op_modes):
         if not is_superseded(op_mode):
             return position
     return 0 if op_modes else None
+
+
+def asked_positions(op_modes: Sequence[OpMode], modules: Iterable[Module]) -> list[int]:
+    """Positions of the OpModes that modules ask for by DcOpModeName, each once (ESI-FACTS section 12)."""
+    asked = dict.fromkeys(module.dc_op_mode_name for module in modules if module.dc_op_mode_name)
+    names = [op_mode.name for op_mode in op_modes] if asked else []
+    return [names.index(name) for name in asked if name in names]

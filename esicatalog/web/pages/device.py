@@ -22,7 +22,7 @@ from esicatalog.model.process_image import SmImage, alternative_assignments, ass
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import chosen_modules, fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import default_position, sync_signals
+from esicatalog.model.sync import generated_signals
 from esicatalog.model.words import (
     INIT_CMD_PROTOCOLS,
     clock_words,
@@ -75,8 +75,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
     images = description.images(choice) if choice else derived.images
     slots = _slots(description, choice)
     last_slot = sum(1 for _ in numbered_slots(device)) - 1
-    op_modes = device.op_modes
-    default = default_position(op_modes)
+    default = description.default_position(choice)
     path = device_path(found) or ""
     return {
         "found": found,
@@ -112,11 +111,11 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         "op_modes": [
             {
                 "mode": mode,
-                "signals": sync_signals(mode.assign_activate),
+                "signals": generated_signals(mode, device.dc_time_loop_control_only),
                 "is_default": position == default,
                 "drawing": dc_timing_svg(mode),
             }
-            for position, mode in enumerate(op_modes)
+            for position, mode in enumerate(device.op_modes)
         ],
         "verdicts": derived.modes.verdicts,
         "evidence": derived.modes.evidence,
