@@ -162,6 +162,50 @@ def test_what_the_drive_plugin_needs_is_told(data):
     assert '<param name="position">5</param>' in ros2_slave(l6n(data, position=5))
 
 
+def mode_content(mode: str, *entries: str) -> str:
+    """A device whose InitCmd writes a mode of operation, and that maps these entries."""
+    command = init_cmd("PS", "#x6060", mode).replace("<SubIndex>1<", "<SubIndex>0<")
+    return SMS + rx("#x1600", *entries) + COE.replace('"1"/>', f'"1">{command}</CoE>')
+
+
+MODE = entry("#x6060", 8, "Modes of operation", 0, "SINT")
+DRIVE_402 = "<Profile><ProfileNo>402</ProfileNo></Profile>"
+
+
+def channels_of(content: str, key: str = "rpdo") -> dict[int, dict]:
+    return {channel["index"]: channel for item in slave_of(content)[key] for channel in item["channels"]}
+
+
+def test_the_default_of_a_mapped_mode_is_that_of_the_start_up_command_on_any_device():
+    """FD is -3, a manufacturer's mode."""
+    assert channels_of(mode_content("FD", MODE))[0x6060]["default"] == -3
+    unsigned = channels_of(mode_content("FD", MODE.replace("SINT", "USINT")))[0x6060]
+    assert (unsigned["type"], unsigned["default"]) == ("uint8", 0xFD)
+
+
+@pytest.mark.parametrize("name", ["Mode of operation", "Modes of operation"])
+def test_the_default_of_a_mapped_mode_does_not_depend_on_names_of_other_entries(name):
+    found = channels_of(DRIVE_402 + mode_content("08", MODE, entry("#x2010", 8, name, 0, "USINT")))
+    assert (found[0x6060]["command_interface"], found[0x6060]["default"]) == ("mode_of_operation", 8)
+    assert found[0x2010]["default"] == 0
+
+
+@pytest.mark.parametrize(
+    ("key", "interface", "position", "velocity"),
+    [("rpdo", "command_interface", "607A", "60FF"), ("tpdo", "state_interface", "6064", "606C")],
+)
+def test_entries_of_a_vendor_do_not_take_the_names_of_the_profile(key, interface, position, velocity):
+    entries = [entry(f"#x201{n}", 32, name, 0, "DINT") for n, name in enumerate(("Position", "Velocity", "Effort"))]
+    entries += [entry(f"#x{index}", 32, "of the profile", 0, "DINT") for index in (position, velocity)]
+    content = rx("#x1600", *entries)
+    if key == "tpdo":
+        content = content.replace("RxPdo", "TxPdo").replace("#x1600", "#x1A00").replace('Sm="2"', 'Sm="3"')
+    found = channels_of(DRIVE_402 + SMS + content, key)
+    names = {index: channel[interface] for index, channel in found.items()}
+    assert (names[int(position, 16)], names[int(velocity, 16)]) == ("position", "velocity")
+    assert (names[0x2010], names[0x2011], names[0x2012]) == ("position_2010_00", "velocity_2011_00", "effort")
+
+
 def test_other_devices_have_no_keys_of_drives():
     assert not slave_of(SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')).keys() & {
         "auto_fault_reset",
