@@ -325,6 +325,18 @@ def test_a_sync_manager_whose_content_is_unknown_is_left_to_the_device():
     assert "SM3 Inputs, ControlByte 0x20: watchdog trigger off: entries of its PDOs are not described; left out" in text
 
 
+@needs_gcc
+def test_entries_behind_a_pdo_without_described_entries_are_found_by_the_master_bit_by_bit(tmp_path):
+    """Nothing tells whether they begin on a byte, so the bit that the master registers counts."""
+    behind = rx("#x1601", entry("#x7000", 1, "flag", 1, "BOOL"), entry("#x7000", 16, "word", 2, "UINT"))
+    text = header_of(SMS + rx("#x1600") + behind)
+    assert "unsigned int word; /* 0x7000:02, 16 bits, SM2, place not known */" in text
+    assert "&d_offsets.word, &d_offsets.word_bit_position}" in text
+    assert "esicatalog_write_bits(data + offsets->word, offsets->word_bit_position, 16," in text
+    assert "PDO 0x1600 of SM2 has no described entries" in text
+    check_syntax(tmp_path, [text], IGH_16)
+
+
 def test_what_the_structures_cannot_hold():
     long = SMS + rx("#x1600", entry("#x7000", 256, "block", 1))
     assert re.findall(r"\{0x7000, 0x01, (\d+)\}", header_of(long)) == ["248", "8"]
