@@ -259,9 +259,9 @@ def test_start_up_commands(tmp_path):
             init_cmd("SP", "#x1C13", "0A"),
         )
     )
-    content = (
-        SMS + f"<Mailbox><CoE>{coe}</CoE>{soe}</Mailbox>" + "<ESC><Reg0400>2498</Reg0400><Reg0420>100</Reg0420></ESC>"
-    )
+    mapped = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("TxPdo", "#x1A01", 8, attributes='Sm="3"')
+    watchdog = "<ESC><Reg0400>2498</Reg0400><Reg0420>100</Reg0420></ESC>"
+    content = f"{SMS}{mapped}<Mailbox><CoE>{coe}</CoE>{soe}</Mailbox>{watchdog}"
     text = header_of(content)
     lines = igh_output(tmp_path, text, f"{CONFIGURE} d_send_so(NULL, 3); d_send_sp(NULL, 4); d_send_op(NULL, 5);")
     assert [line for line in lines if not line.startswith(("slave", "sm "))] == [
@@ -277,6 +277,17 @@ def test_start_up_commands(tmp_path):
     ]
     assert text.count("left out, ecrt_slave_config_pdos() writes PDO assignment and mapping") == 3
     assert "left out, IgH sends complete access from subindex 0 only" in text
+
+
+@needs_gcc
+def test_commands_on_pdos_that_the_master_does_not_write_are_sent(tmp_path):
+    """SM2 has a PDO without described entries, so the tables leave it out; 0x1A05 is assigned nowhere."""
+    commands = "".join(init_cmd("PS", f"#x{index}", "01") for index in ("1C12", "1600", "1A05", "1C13", "1A00"))
+    mapped = rx("#x1600") + pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"')
+    text = header_of(f"{SMS}{mapped}<Mailbox><CoE>{commands}</CoE></Mailbox>")
+    sent = [line for line in igh_output(tmp_path, text, CONFIGURE) if line.startswith("sdo")]
+    assert sent == ["sdo 0x1c12:01 01", "sdo 0x1600:01 01", "sdo 0x1a05:01 01"]
+    assert text.count("left out, ecrt_slave_config_pdos() writes PDO assignment and mapping") == 2
 
 
 @needs_gcc

@@ -14,6 +14,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.export.choice import parse_pdo_choice
 from esicatalog.export.configuration import configure
+from esicatalog.export.linuxcnc import linuxcnc_configuration
 from esicatalog.export.ros2 import ros2_slave
 from esicatalog.export.subject import subjects_of_document
 
@@ -313,6 +314,18 @@ def test_commands():
     words = " ".join(text.replace("#", "").split())
     for place in ("PS 0x2003:01", "PS 0x2005:01", "PS 0x1C12:01", "SO 0x2006:01"):
         assert f"{place} is left out" in words
+
+
+@pytest.mark.parametrize("export", [ros2_slave, linuxcnc_configuration])
+def test_commands_on_pdos_that_the_master_does_not_write_are_sent(export):
+    """SM2 has a PDO without described entries, so the file leaves it out; 0x1A05 is assigned nowhere."""
+    commands = "".join(init_cmd("PS", f"#x{index}", "01") for index in ("1C12", "1600", "1A05", "1C13", "1A00"))
+    inputs = pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"')
+    text = export(configured(f"{SMS}{rx('#x1600')}{inputs}<Mailbox><CoE>{commands}</CoE></Mailbox>"))
+    left_out = [place for place in re.findall(r"PS (0x\w+):01", text) if f"PS {place}:01 is left out" in text]
+    assert left_out == ["0x1C13", "0x1A00"]
+    sent = re.findall(r'sdoConfig idx="(\w+)"|- {index: 0x(1c12|1600|1a05), sub_index: 1, type: uint8', text)
+    assert [first or second for first, second in sent] == ["1c12", "1600", "1a05"]
 
 
 def test_the_list_of_modules_is_written_one_by_one(data):
