@@ -89,7 +89,8 @@ def bus_reports(
     ``pdos`` and ``dictionaries`` of the same bus are compared with the descriptions. Raises :class:`InputError` when
     one of them does not say to which of several slaves it belongs, or belongs to none.
     """
-    for item in (*pdos, *dictionaries):
+    lists: list[ScannedPdos | ScannedDictionary] = [*pdos, *dictionaries]
+    for item in lists:
         _check_place(item, scan)
     buses: dict[int, list[ScannedSlave]] = defaultdict(list)
     for slave in scan.slaves:
