@@ -133,7 +133,7 @@ class Catalog:
         """Who the slaves of a scan or ENI file are, bus by bus, and what is to be known of each bus.
 
         ``pdos`` and ``dictionaries``, as a master printed them, are compared with the descriptions. Raises
-        :class:`~esicatalog.errors.InputError` when they do not say to which slave they belong.
+        :class:`~esicatalog.errors.InputError` when they do not say to which slave they belong, or belong to none.
         """
         from esicatalog.catalog.bus import bus_reports
 

@@ -111,6 +111,21 @@ def test_an_entry_without_a_length_is_refused_where_it_is_mapped(length):
     assert configured(content.replace('Sm="2"', "")).images(OUTPUT) == ()
 
 
+def test_a_pdo_without_described_entries_makes_unknown_what_lies_behind_it():
+    """Nothing tells how long it is; what lies before it keeps its place."""
+    content = SMS + rx("#x1600", entry("#x7000", 12)) + rx("#x1601") + rx("#x1602", entry("#x7001", 8))
+    (sm,) = configured(content).images(OUTPUT)
+    assert [(item.entry_index, item.is_placed) for item in sm.entries] == [(0x7000, True), (0x7001, False)]
+    assert sm.placed_bit_size == 12
+    found = configured(content)
+    assert found.remarks == (
+        "PDO 0x1601 of SM2 has no described entries: how long it is and where the entries behind it lie is not known",
+    )
+    assert list(choice_lines(found)) == ["SM2:      output of unknown length: 0x1600, 0x1601, 0x1602"]
+    (several,) = configured(content + rx("#x1603")).remarks
+    assert several.startswith("PDO 0x1601, 0x1603 of SM2 have no described entries: how long they are")
+
+
 def test_a_gap_of_no_bits_moves_nothing_and_one_without_a_length_is_refused():
     def around(gap: str) -> str:
         return SMS + rx("#x1600", entry("#x6041", 16), f"<Entry><Index>0</Index>{gap}</Entry>", entry("#x6061", 8))

@@ -259,9 +259,9 @@ def test_start_up_commands(tmp_path):
             init_cmd("SP", "#x1C13", "0A"),
         )
     )
-    content = (
-        SMS + f"<Mailbox><CoE>{coe}</CoE>{soe}</Mailbox>" + "<ESC><Reg0400>2498</Reg0400><Reg0420>100</Reg0420></ESC>"
-    )
+    mapped = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("TxPdo", "#x1A01", 8, attributes='Sm="3"')
+    watchdog = "<ESC><Reg0400>2498</Reg0400><Reg0420>100</Reg0420></ESC>"
+    content = f"{SMS}{mapped}<Mailbox><CoE>{coe}</CoE>{soe}</Mailbox>{watchdog}"
     text = header_of(content)
     lines = igh_output(tmp_path, text, f"{CONFIGURE} d_send_so(NULL, 3); d_send_sp(NULL, 4); d_send_op(NULL, 5);")
     assert [line for line in lines if not line.startswith(("slave", "sm "))] == [
@@ -277,6 +277,17 @@ def test_start_up_commands(tmp_path):
     ]
     assert text.count("left out, ecrt_slave_config_pdos() writes PDO assignment and mapping") == 3
     assert "left out, IgH sends complete access from subindex 0 only" in text
+
+
+@needs_gcc
+def test_commands_on_pdos_that_the_master_does_not_write_are_sent(tmp_path):
+    """SM2 has a PDO without described entries, so the tables leave it out; 0x1A05 is assigned nowhere."""
+    commands = "".join(init_cmd("PS", f"#x{index}", "01") for index in ("1C12", "1600", "1A05", "1C13", "1A00"))
+    mapped = rx("#x1600") + pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"')
+    text = header_of(f"{SMS}{mapped}<Mailbox><CoE>{commands}</CoE></Mailbox>")
+    sent = [line for line in igh_output(tmp_path, text, CONFIGURE) if line.startswith("sdo")]
+    assert sent == ["sdo 0x1c12:01 01", "sdo 0x1600:01 01", "sdo 0x1a05:01 01"]
+    assert text.count("left out, ecrt_slave_config_pdos() writes PDO assignment and mapping") == 2
 
 
 @needs_gcc
@@ -323,6 +334,18 @@ def test_a_sync_manager_whose_content_is_unknown_is_left_to_the_device():
     assert "{2, EC_DIR_OUTPUT, 1, d_pdos + 0, EC_WD_DEFAULT}" in text
     assert "{3," not in text
     assert "SM3 Inputs, ControlByte 0x20: watchdog trigger off: entries of its PDOs are not described; left out" in text
+
+
+@needs_gcc
+def test_entries_behind_a_pdo_without_described_entries_are_found_by_the_master_bit_by_bit(tmp_path):
+    """Nothing tells whether they begin on a byte, so the bit that the master registers counts."""
+    behind = rx("#x1601", entry("#x7000", 1, "flag", 1, "BOOL"), entry("#x7000", 16, "word", 2, "UINT"))
+    text = header_of(SMS + rx("#x1600") + behind)
+    assert "unsigned int word; /* 0x7000:02, 16 bits, SM2, place not known */" in text
+    assert "&d_offsets.word, &d_offsets.word_bit_position}" in text
+    assert "esicatalog_write_bits(data + offsets->word, offsets->word_bit_position, 16," in text
+    assert "PDO 0x1600 of SM2 has no described entries" in text
+    check_syntax(tmp_path, [text], IGH_16)
 
 
 def test_what_the_structures_cannot_hold():

@@ -77,6 +77,14 @@ def test_the_l6n_drive(data):
     assert (inputs.statusword, inputs.velocity_actual_value) == (0x1237, -1)
 
 
+def test_the_structure_ends_before_a_pdo_without_described_entries():
+    behind = rx("#x1601") + rx("#x1602", entry("#x7002", 16, "behind"), entry("#x7002", 4, "bits", 1))
+    module = module_of(SMS + rx("#x1600", entry("#x7000", 16, "first")) + behind)
+    assert bytes(module.Outputs(first=0x102)) == b"\2\1"
+    assert not hasattr(module.Outputs, "behind") and not hasattr(module.Outputs, "bits")
+    assert not hasattr(module_of(SMS + behind), "Outputs")
+
+
 def test_another_device_is_refused(data):
     module = imported(l6n(data))
     slave = FakeSlave(0x4321, 0xE3)
@@ -203,6 +211,10 @@ def test_modules_of_the_whole_corpus(corpus):
     for found in configurations(corpus):
         module = imported(found)
         for direction, name in ((OUTPUT, "Outputs"), (INPUT, "Inputs")):
-            size = sum(sm.byte_size for sm in found.images(direction))
+            size = 0
+            for sm in (sm for sm in found.sync_managers if sm.direction == direction and sm.pdos):
+                size += -(-sm.placed_bit_size // 8)
+                if not sm.is_described:
+                    break
             assert (len(bytes(getattr(module, name)())) if hasattr(module, name) else 0) == size
         calls(module, "setup", *(["config_dc"] if hasattr(module, "config_dc") else []))

@@ -14,6 +14,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.export.choice import parse_pdo_choice
 from esicatalog.export.configuration import configure
+from esicatalog.export.linuxcnc import linuxcnc_configuration
 from esicatalog.export.ros2 import ros2_slave
 from esicatalog.export.subject import subjects_of_document
 
@@ -162,6 +163,50 @@ def test_what_the_drive_plugin_needs_is_told(data):
     assert '<param name="position">5</param>' in ros2_slave(l6n(data, position=5))
 
 
+def mode_content(mode: str, *entries: str) -> str:
+    """A device whose InitCmd writes a mode of operation, and that maps these entries."""
+    command = init_cmd("PS", "#x6060", mode).replace("<SubIndex>1<", "<SubIndex>0<")
+    return SMS + rx("#x1600", *entries) + COE.replace('"1"/>', f'"1">{command}</CoE>')
+
+
+MODE = entry("#x6060", 8, "Modes of operation", 0, "SINT")
+DRIVE_402 = "<Profile><ProfileNo>402</ProfileNo></Profile>"
+
+
+def channels_of(content: str, key: str = "rpdo") -> dict[int, dict]:
+    return {channel["index"]: channel for item in slave_of(content)[key] for channel in item["channels"]}
+
+
+def test_the_default_of_a_mapped_mode_is_that_of_the_start_up_command_on_any_device():
+    """FD is -3, a manufacturer's mode."""
+    assert channels_of(mode_content("FD", MODE))[0x6060]["default"] == -3
+    unsigned = channels_of(mode_content("FD", MODE.replace("SINT", "USINT")))[0x6060]
+    assert (unsigned["type"], unsigned["default"]) == ("uint8", 0xFD)
+
+
+@pytest.mark.parametrize("name", ["Mode of operation", "Modes of operation"])
+def test_the_default_of_a_mapped_mode_does_not_depend_on_names_of_other_entries(name):
+    found = channels_of(DRIVE_402 + mode_content("08", MODE, entry("#x2010", 8, name, 0, "USINT")))
+    assert (found[0x6060]["command_interface"], found[0x6060]["default"]) == ("mode_of_operation", 8)
+    assert found[0x2010]["default"] == 0
+
+
+@pytest.mark.parametrize(
+    ("key", "interface", "position", "velocity"),
+    [("rpdo", "command_interface", "607A", "60FF"), ("tpdo", "state_interface", "6064", "606C")],
+)
+def test_entries_of_a_vendor_do_not_take_the_names_of_the_profile(key, interface, position, velocity):
+    entries = [entry(f"#x201{n}", 32, name, 0, "DINT") for n, name in enumerate(("Position", "Velocity", "Effort"))]
+    entries += [entry(f"#x{index}", 32, "of the profile", 0, "DINT") for index in (position, velocity)]
+    content = rx("#x1600", *entries)
+    if key == "tpdo":
+        content = content.replace("RxPdo", "TxPdo").replace("#x1600", "#x1A00").replace('Sm="2"', 'Sm="3"')
+    found = channels_of(DRIVE_402 + SMS + content, key)
+    names = {index: channel[interface] for index, channel in found.items()}
+    assert (names[int(position, 16)], names[int(velocity, 16)]) == ("position", "velocity")
+    assert (names[0x2010], names[0x2011], names[0x2012]) == ("position_2010_00", "velocity_2011_00", "effort")
+
+
 def test_other_devices_have_no_keys_of_drives():
     assert not slave_of(SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')).keys() & {
         "auto_fault_reset",
@@ -269,6 +314,18 @@ def test_commands():
     words = " ".join(text.replace("#", "").split())
     for place in ("PS 0x2003:01", "PS 0x2005:01", "PS 0x1C12:01", "SO 0x2006:01"):
         assert f"{place} is left out" in words
+
+
+@pytest.mark.parametrize("export", [ros2_slave, linuxcnc_configuration])
+def test_commands_on_pdos_that_the_master_does_not_write_are_sent(export):
+    """SM2 has a PDO without described entries, so the file leaves it out; 0x1A05 is assigned nowhere."""
+    commands = "".join(init_cmd("PS", f"#x{index}", "01") for index in ("1C12", "1600", "1A05", "1C13", "1A00"))
+    inputs = pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"')
+    text = export(configured(f"{SMS}{rx('#x1600')}{inputs}<Mailbox><CoE>{commands}</CoE></Mailbox>"))
+    left_out = [place for place in re.findall(r"PS (0x\w+):01", text) if f"PS {place}:01 is left out" in text]
+    assert left_out == ["0x1C13", "0x1A00"]
+    sent = re.findall(r'sdoConfig idx="(\w+)"|- {index: 0x(1c12|1600|1a05), sub_index: 1, type: uint8', text)
+    assert [first or second for first, second in sent] == ["1c12", "1600", "1a05"]
 
 
 def test_the_list_of_modules_is_written_one_by_one(data):

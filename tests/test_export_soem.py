@@ -85,6 +85,28 @@ def test_commands_on_the_pdo_configuration_are_not_sent_twice(tmp_path):
         assert [line.removeprefix("sdo 3 ") for line in lines][: len(sent)] == sent
 
 
+NOT_DESCRIBED = rx("#x1601") + rx("#x1602", entry("#x7002", 16, "behind"))
+
+
+@needs_gcc
+@pytest.mark.parametrize("version", VERSIONS)
+def test_the_structure_ends_before_a_pdo_without_described_entries(tmp_path, version):
+    """What lies behind it, in later SyncManagers of the direction too, has no known place."""
+    later = "<Sm>Outputs</Sm>" + rx("#x1610", entry("#x7010", 16, "later"), attributes='Sm="4"')
+    first = rx("#x1600", entry("#x7000", 16, "first"), entry("#x7000", 4, "bits", 1))
+    header = header_of(SMS + later + first + NOT_DESCRIBED, version)
+    assert "sizeof(d_outputs_t) == 3," in header
+    assert "d_set_bits" in header
+    assert "7002" not in header and "7010" not in header
+    words = " ".join(header.replace("*", "").split())
+    assert "PDO 0x1601 of SM2 has no described entries" in words
+    assert "the structure of the outputs ends before PDO 0x1601 of SM2, which has no described entries" in words
+    check_syntax(tmp_path, [header], CALLS[version][2])
+    begins = header_of(SMS + later + NOT_DESCRIBED, version)
+    assert "d_outputs_t" not in begins
+    assert "there is no structure of the outputs: they begin with PDO 0x1601" in " ".join(begins.split())
+
+
 @needs_gcc
 def test_the_mapping_of_samples(tmp_path):
     """Three samples of 0x7000:01, 16 bits, OSIndexInc 16."""

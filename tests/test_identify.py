@@ -335,6 +335,61 @@ def test_pdos_and_objects_beside_a_scan(data_db, tmp_path):
     assert "does not name its slave; write POSITION=FILE" in unnamed.stderr
 
 
+LIST = """\
+=== Master 0, Slave {} ===
+SM1: PhysAddr 0x1000, DefaultSize    1, ControlRegister 0x00, Enable 1
+  TxPDO 0x1aff "X"
+"""
+OF_TWO_MASTERS = SLAVES.replace("Master 0, Slave 1", "Master 1, Slave 0").replace(
+    "Master 0, Slave 2", "Master 1, Slave 1"
+)
+
+
+def compared(db: Path, folder: Path, slaves: str, pdos: str, place: str = ""):
+    """``identify --slaves`` with a list of PDOs beside it."""
+    (folder / "slaves.txt").write_text(slaves)
+    (folder / "pdos.txt").write_text(pdos)
+    words = ("--slaves", folder / "slaves.txt", "--pdos", f"{place}{folder / 'pdos.txt'}")
+    return run("identify", *map(str, words), "--format", "json", db=db)
+
+
+@pytest.mark.parametrize(
+    "slaves",
+    [
+        "vendor,product,revision\n0xe5c,0x0d080808,0x110000\n0xe5c,0x0d080808,0x110000\n",
+        "0  0:0  PREOP  +  0x00000e5c:0x0d080808\n1  0:1  PREOP  +  0x00000e5c:0x0d080808\n",
+    ],
+)
+def test_lists_of_a_master_fit_scans_that_name_none(data_db, tmp_path, slaves):
+    first, second = json.loads(compared(data_db, tmp_path, slaves, LIST.format(1)).stdout)
+    assert first["slave"]["differences"] == []
+    assert "TxPDO 0x1AFF: not described" in second["slave"]["differences"]
+
+
+@pytest.mark.parametrize(
+    ("slaves", "position", "place", "words"),
+    [
+        (SLAVES, 7, "", "of slave 7 of master 0, which the scan has not"),
+        (SLAVES, 0, "7=", "of slave 7 of master 0, which the scan has not"),
+        (OF_TWO_MASTERS.replace("Master 0", "Master 2"), 0, "", "of slave 0 of master 0, which the scan has not"),
+        ("0 0:0 PREOP + A\n0 0:0 PREOP + 0x00000e5c:0x0d080808\n", 0, "", "fits slave 0 of several buses"),
+    ],
+)
+def test_lists_of_no_slave_or_of_several_are_refused(data_db, tmp_path, slaves, position, place, words):
+    done = compared(data_db, tmp_path, slaves, LIST.format(position), place)
+    assert (done.exit_code, len(done.stderr.splitlines())) == (2, 1)
+    assert words in done.stderr
+
+
+def test_a_list_beside_a_scan_of_two_masters_names_its_own(data_db, tmp_path):
+    unnamed = compared(data_db, tmp_path, OF_TWO_MASTERS, LIST.format(0).partition("\n")[2], "0=")
+    assert unnamed.exit_code == 2
+    assert "put the heading of its master before it (=== Master N, Slave 0 ===)" in unnamed.stderr
+    named = compared(data_db, tmp_path, OF_TWO_MASTERS, LIST.format(0).replace("Master 0", "Master 1"))
+    told = [bool(item["slave"]["differences"]) for item in json.loads(named.stdout)]
+    assert told == [False, True, False]
+
+
 def test_a_master_configuration(data_db, tmp_path):
     eni = (
         "<EtherCATConfig><Config><Slave><Info><Name>Term</Name><PhysAddr>1001</PhysAddr><VendorId>3676</VendorId>"

@@ -43,6 +43,12 @@ def test_a_pdo_that_is_not_described_and_another_assignment():
     ]
 
 
+def test_a_sync_manager_without_pdos_is_told_where_the_description_assigns_some():
+    assert pdos("") == ["SM2: assigned are none; the default is 0x1600"]
+    (slave,) = read_pdos(HEAD.replace("SM2", "SM3")).slaves
+    assert compare_pdos(DESCRIBED, (), slave) == []
+
+
 def test_pdos_of_modules_count_in_any_slot(data: Path):
     (info,) = read((data / "two_axis_modular_drive.xml").read_bytes()).document.infos
     modular = info.devices[0]

@@ -234,6 +234,22 @@ def test_another_listing_of_the_same_master_is_kept():
     assert messages(scan) == [(67, "positions are listed again with other slaves; kept apart as another bus")]
 
 
+@pytest.mark.parametrize(
+    ("text", "first", "second"),
+    [
+        (STABLE, "0x000001a4", "0x000001a5"),
+        (STABLE, "Alias: 4711", "Alias: 4712"),
+        ("0  0:0  PREOP  +  Coupler\n1  0:1  PREOP  +  Drive A\n", "Drive A", "Drive B"),
+        ("0  0:0  PREOP  +  Coupler\n1  7:0  PREOP  +  Drive\n", "7:0", "8:0"),
+    ],
+)
+def test_other_slaves_are_known_by_name_serial_number_and_alias_too(text, first, second):
+    assert len(read_scan(text + text).slaves) == 2
+    scan = read_scan(text + text.replace(first, second))
+    assert [(slave.bus, slave.position) for slave in scan.slaves] == [(0, 0), (0, 1), (1, 0), (1, 1)]
+    assert messages(scan)[-1][1] == "positions are listed again with other slaves; kept apart as another bus"
+
+
 def test_single_slaves_printed_one_after_the_other_are_one_bus():
     first, second = STABLE[: STABLE.index("=== Master 0, Slave 1")], STABLE[STABLE.index("=== Master 0, Slave 1") :]
     scan = read_scan(second + first)

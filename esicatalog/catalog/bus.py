@@ -87,11 +87,11 @@ def bus_reports(
     """Identify all slaves of a scan; unknown ones stay in the list.
 
     ``pdos`` and ``dictionaries`` of the same bus are compared with the descriptions. Raises :class:`InputError` when
-    one of them does not say to which of several slaves it belongs.
+    one of them does not say to which of several slaves it belongs, or belongs to none.
     """
-    places = [item.position for item in pdos] + [item.position for item in dictionaries]
-    if len(scan.slaves) > 1 and None in places:
-        raise InputError("a list of PDOs or objects does not name its slave; write POSITION=FILE")
+    lists: list[ScannedPdos | ScannedDictionary] = [*pdos, *dictionaries]
+    for item in lists:
+        _check_place(item, scan)
     buses: dict[int, list[ScannedSlave]] = defaultdict(list)
     for slave in scan.slaves:
         buses[slave.bus].append(slave)
@@ -134,5 +134,23 @@ def _differences(
         yield from compare_objects(device, modules, dictionary)
 
 
+def _check_place(item: ScannedPdos | ScannedDictionary, scan: Scan) -> None:
+    """Raise :class:`InputError` unless the list belongs to exactly one slave."""
+    if len(scan.slaves) > 1 and item.position is None:
+        raise InputError("a list of PDOs or objects does not name its slave; write POSITION=FILE")
+    found = sum(_belongs(item, slave) for slave in scan.slaves)
+    if not found:
+        of_master = f" of master {item.master}" if item.master is not None else ""
+        raise InputError(f"a list of PDOs or objects is of slave {item.position}{of_master}, which the scan has not")
+    if found > 1:
+        raise InputError(
+            f"a list of PDOs or objects fits slave {item.position} of several buses; put the heading of its master "
+            f"before it (=== Master N, Slave {item.position} ===), or give the scan of one bus"
+        )
+
+
 def _belongs(item: ScannedPdos | ScannedDictionary, slave: ScannedSlave) -> bool:
-    return item.position in (None, slave.position) and item.master in (None, slave.master)
+    """Whether a list is of this slave; tables, lists of identities and SOEM name no master."""
+    return item.position in (None, slave.position) and (
+        item.master is None or slave.master is None or item.master == slave.master
+    )

@@ -34,8 +34,8 @@ def byte_count(entry: MappedEntry) -> int:
 
 
 def on_byte(entry: MappedEntry) -> bool:
-    """Whether the value begins with the lowest bit of a byte."""
-    return entry.bit_offset % 8 == 0
+    """Whether the value is known to begin with the lowest bit of a byte."""
+    return entry.is_placed and entry.bit_offset % 8 == 0
 
 
 def whole_bytes(entry: MappedEntry) -> bool:

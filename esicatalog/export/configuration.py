@@ -1,5 +1,6 @@
 """What all generators get: a device with everything chosen, every entry with its place, type and name."""
 
+import itertools
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
@@ -40,6 +41,8 @@ class MappedEntry(NamedTuple):
     identifier: str
     """Unique in the device; empty for a gap."""
     value: ValueType
+    is_placed: bool = True
+    """Whether ``bit_offset`` holds on the bus; behind a PDO without described entries nothing tells the place."""
 
     @property
     def is_gap(self) -> bool:
@@ -75,11 +78,18 @@ class SmConfiguration(NamedTuple):
     """None when PDOs name a SyncManager that the device does not describe."""
     pdos: tuple[AssignedPdo, ...]
     bit_size: int
+    """All described bits."""
 
     @property
     def byte_size(self) -> int:
         """Length in bytes: all bits, rounded up once."""
         return (self.bit_size + 7) // 8
+
+    @property
+    def placed_bit_size(self) -> int:
+        """Bits whose place is known: those before the first PDO without described entries."""
+        described = itertools.takewhile(lambda pdo: pdo.entries, self.pdos)
+        return sum(entry.bit_length for pdo in described for entry in pdo.entries)
 
     @property
     def is_described(self) -> bool:
@@ -240,18 +250,31 @@ def _sync_managers(
             continue
         if described is None:
             remarks.append(f"PDOs name SM{number}, which the device does not describe")
-        pdos = tuple(
-            _assigned_pdo(placed, [identifiers.get((number, at, n), "") for n in range(len(placed.entries))], objects)
-            for at, placed in enumerate(placed_pdos)
-        )
+        pdos: list[AssignedPdo] = []
+        is_placed = True
+        for at, placed in enumerate(placed_pdos):
+            names = [identifiers.get((number, at, n), "") for n in range(len(placed.entries))]
+            pdos.append(_assigned_pdo(placed, names, objects, is_placed))
+            is_placed = is_placed and bool(pdos[-1].entries)
+        remarks.extend(_not_described(number, pdos))
         direction = _direction(number, described, pdos, remarks)
         yield SmConfiguration(
             number,
             described.usage or "" if described is not None else "",
             direction,
             described,
-            pdos,
+            tuple(pdos),
             image.bit_size if image is not None else 0,
+        )
+
+
+def _not_described(number: int, pdos: Sequence[AssignedPdo]) -> Iterator[str]:
+    indices = [f"0x{pdo.pdo_index:04X}" for pdo in pdos if not pdo.entries]
+    if indices:
+        has, it_is, it = ("has", "it is", "it") if len(indices) == 1 else ("have", "they are", "them")
+        yield (
+            f"PDO {', '.join(indices)} of SM{number} {has} no described entries: how long {it_is} and where the "
+            f"entries behind {it} lie is not known"
         )
 
 
@@ -269,7 +292,7 @@ def _direction(number: int, described: SyncManager | None, pdos: Sequence[Assign
     return direction
 
 
-def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: ObjectTable) -> AssignedPdo:
+def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: ObjectTable, is_placed: bool) -> AssignedPdo:
     pdo = placed.pdo
     name = " ".join((display_text(pdo.names) or "").split())
     if pdo.pdo_index is None or not 0 < pdo.pdo_index <= _MAX_INDEX:
@@ -299,6 +322,7 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
                 text if index else "",
                 entry_identifier,
                 value,
+                is_placed,
             )
         )
     return AssignedPdo(pdo.pdo_index, name, placed.direction, bool(pdo.fixed), placed.slot_number, tuple(entries))

@@ -57,7 +57,8 @@ def choice_lines(configuration: Configuration) -> Iterator[str]:
         if sm.pdos:
             indices = ", ".join(f"0x{pdo.pdo_index:04X}" for pdo in sm.pdos)
             unit = "byte" if sm.byte_size == 1 else "bytes"
-            yield f"SM{sm.number}:      {sm.byte_size} {unit} {sm.direction}: {indices}"
+            what = f"{sm.byte_size} {unit} {sm.direction}" if sm.is_described else f"{sm.direction} of unknown length"
+            yield f"SM{sm.number}:      {what}: {indices}"
 
 
 def op_mode_words(configuration: Configuration) -> str:

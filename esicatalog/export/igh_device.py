@@ -195,8 +195,9 @@ def _registrations(configuration: Configuration) -> Iterator[Registration]:
 def _members(registrations: Iterable[Registration]) -> Iterator[str]:
     for item in registrations:
         entry = item.entry
-        where = f"SM{item.sm} byte {entry.bit_offset // 8}"
-        where += f" bit {entry.bit_offset % 8}" if item.has_bit_position else ""
+        where = f"SM{item.sm}"
+        where += f" byte {entry.bit_offset // 8}" if entry.is_placed else ", place not known"
+        where += f" bit {entry.bit_offset % 8}" if entry.is_placed and item.has_bit_position else ""
         bits = f"{entry.bit_length} bit{'s' if entry.bit_length > 1 else ''}"
         yield f"unsigned int {entry.identifier}; /* {entry.place}, {bits}, {where} */"
         if item.has_bit_position:

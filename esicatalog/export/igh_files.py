@@ -4,12 +4,12 @@ Such a program configures the SyncManagers that its file lists, sends SDOs befor
 and subindex alone.
 """
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration, MappedEntry, SmConfiguration
-from esicatalog.export.igh_limits import check_limits
+from esicatalog.export.igh_limits import check_limits, master_written
 from esicatalog.export.init_cmds import StartCommand
 
 _SDO_TRANSITIONS = ("IP", "PS")
@@ -37,7 +37,8 @@ def listed(configuration: Configuration, program: str) -> Listed:
             raise InputError(f"{program} needs the entries of all PDOs, and the description leaves some out")
         raise InputError(f"the device exchanges no process data: {program} has nothing to configure")
     repeated = list(_repeated(configuration))
-    remarks = [*_left_out_sync_managers(configuration), *_left_out_commands(configuration, program)]
+    written = master_written(configuration)
+    remarks = [*_left_out_sync_managers(configuration), *_left_out_commands(configuration, program, written)]
     remarks += [
         f"{entry.place} {entry.name} is mapped again: {program} finds entries by index and subindex, and reaches the "
         "first one only"
@@ -45,7 +46,7 @@ def listed(configuration: Configuration, program: str) -> Listed:
     ]
     return Listed(
         tuple(sm for sm in configuration.sync_managers if sm.is_described or _is_mailbox(sm)),
-        tuple(command for command in configuration.commands if _why_left_out(command) is None),
+        tuple(command for command in configuration.commands if _why_left_out(command, written) is None),
         frozenset(entry.identifier for entry in repeated),
         tuple(remarks),
     )
@@ -62,17 +63,17 @@ def _left_out_sync_managers(configuration: Configuration) -> Iterator[str]:
             yield f"SM{sm.number} is left out: the entries of its PDOs are not described"
 
 
-def _left_out_commands(configuration: Configuration, program: str) -> Iterator[str]:
+def _left_out_commands(configuration: Configuration, program: str, written: Container[StartCommand]) -> Iterator[str]:
     for command in configuration.commands:
-        why = _why_left_out(command)
+        why = _why_left_out(command, written)
         if why is not None:
             yield f"{command.transition} {command.place} {command.comment}".rstrip() + f" is left out: {program} {why}"
 
 
-def _why_left_out(command: StartCommand) -> str | None:
+def _why_left_out(command: StartCommand, written: Container[StartCommand]) -> str | None:
     if command.protocol != "CoE":
         return "cannot send SoE commands"
-    if command.writes_pdo_configuration:
+    if command in written:
         return "writes PDO assignment and mapping itself"
     if command.transition not in _SDO_TRANSITIONS:
         return "sends commands before SAFE-OP only"

@@ -1,9 +1,13 @@
-"""What the structures of IgH EtherLab can hold (ecrt.h 1.5 and 1.6), for all that is built on that master."""
+"""What the structures of IgH EtherLab can hold (ecrt.h 1.5 and 1.6), for all that is built on that master.
+
+And what the master does with them: it writes assignment and mapping of the SyncManagers that it is given PDOs for.
+"""
 
 from collections.abc import Iterator
 
 from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration
+from esicatalog.export.init_cmds import PDO_ASSIGNMENT, StartCommand
 
 MAX_SYNC_MANAGERS = 16
 """EC_MAX_SYNC_MANAGERS."""
@@ -19,6 +23,21 @@ def pieces(bit_length: int) -> Iterator[int]:
         yield _PIECE_BITS
         bit_length -= _PIECE_BITS
     yield bit_length
+
+
+def master_written(configuration: Configuration) -> frozenset[StartCommand]:
+    """Start-up commands on assignments and mappings that the master writes itself.
+
+    A SyncManager without described entries is not configured: what the description writes for it nobody else does.
+    """
+    configured = [sm for sm in configuration.sync_managers if sm.is_described]
+    written = {PDO_ASSIGNMENT.start + sm.number for sm in configured}
+    written |= {pdo.pdo_index for sm in configured for pdo in sm.pdos}
+    return frozenset(
+        command
+        for command in configuration.commands
+        if command.writes_pdo_configuration and command.object_index in written
+    )
 
 
 def check_limits(configuration: Configuration) -> None:

@@ -1,6 +1,6 @@
 """What an IgH header configures before the master is activated, and the commands that are left to the application."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterator
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
@@ -15,6 +15,7 @@ from esicatalog.export.esc_registers import (
     settable,
 )
 from esicatalog.export.headings import op_mode_words
+from esicatalog.export.igh_limits import master_written
 from esicatalog.export.init_cmds import TRANSITIONS, StartCommand
 
 _SDO_TRANSITIONS = ("IP", "PS")
@@ -83,12 +84,13 @@ def startup(configuration: Configuration) -> Startup:
     """The start-up of a device: its own commands and those of its modules, clocks, timeouts, watchdog."""
     at_start = [command for command in configuration.commands if _is_sent_by_master(command)]
     later = [command for command in configuration.commands if not _is_sent_by_master(command)]
+    written = master_written(configuration)
     return Startup(
         watchdog(configuration.subject.device),
         tuple(_timeouts(configuration.subject.device)),
-        tuple(_sent(command, _config_call) for command in at_start),
+        tuple(_sent(command, _config_call, written) for command in at_start),
         tuple(
-            LaterCommands(transition, tuple(_sent(command, _run_time_call) for command in commands))
+            LaterCommands(transition, tuple(_sent(command, _run_time_call, written) for command in commands))
             for transition in TRANSITIONS
             if (commands := [command for command in later if command.transition == transition])
         ),
@@ -124,16 +126,16 @@ def _timeouts(device: Device) -> Iterator[StateTimeout]:
                 yield StateTimeout(before, after, timeout_ms)
 
 
-def _sent(command: StartCommand, call: Callable[[StartCommand], str]) -> SentCommand:
+def _sent(command: StartCommand, call: Callable[[StartCommand], str], written: Container[StartCommand]) -> SentCommand:
     words = f"{command.transition} {command.place} {command.comment}".rstrip()
-    why = _left_out(command)
+    why = _left_out(command, written)
     if why is not None:
         return SentCommand(comment_text(f"{words}: left out, {why}"))
     return SentCommand(comment_text(words), call(command), c_bytes(command.data))
 
 
-def _left_out(command: StartCommand) -> str | None:
-    if command.writes_pdo_configuration:
+def _left_out(command: StartCommand, written: Container[StartCommand]) -> str | None:
+    if command in written:
         return "ecrt_slave_config_pdos() writes PDO assignment and mapping"
     if command.complete_access and command.subindex:
         return f"IgH sends complete access from subindex 0 only, and this begins at {command.subindex}"

@@ -1,6 +1,7 @@
 """The process image that an application of SOEM sees in one direction.
 
-Its SyncManagers lie one after the other, each in whole bytes.
+Its SyncManagers lie one after the other, each in whole bytes. Behind a PDO without described entries nothing tells
+where anything lies: there the layout ends.
 """
 
 from collections.abc import Iterator, Sequence
@@ -42,19 +43,25 @@ class ImageLayout(NamedTuple):
 def image_layout(configuration: Configuration, direction: str) -> ImageLayout:
     """The image of one direction; without members when nothing is exchanged."""
     entries, byte_size, bit_size = [], 0, 0
-    images = configuration.images(direction)
+    images = [sm for sm in configuration.sync_managers if sm.direction == direction and sm.pdos]
+    remarks = []
     for sm in images:
         for entry in sm.entries:
-            entries.append(entry._replace(bit_offset=entry.bit_offset + byte_size * _BITS_OF_BYTE))
-        byte_size += sm.byte_size
-        bit_size += sm.bit_size
-    needed = -(-bit_size // _BITS_OF_BYTE)
-    remarks = []
-    if byte_size != needed:
-        remarks.append(
-            f"the {direction}s take {byte_size} bytes in {len(images)} SyncManagers, and SOEM maps only the {needed} "
-            "that the sum of their bits needs: what lies behind is not exchanged"
-        )
+            if entry.is_placed:
+                entries.append(entry._replace(bit_offset=entry.bit_offset + byte_size * _BITS_OF_BYTE))
+        byte_size += _bytes(sm.placed_bit_size)
+        bit_size += sm.placed_bit_size
+        if not sm.is_described:
+            end = next(pdo for pdo in sm.pdos if not pdo.entries)
+            remarks.append(_end_words(direction, byte_size, f"PDO 0x{end.pdo_index:04X} of SM{sm.number}"))
+            break
+    else:
+        needed = _bytes(bit_size)
+        if byte_size != needed:
+            remarks.append(
+                f"the {direction}s take {byte_size} bytes in {len(images)} SyncManagers, and SOEM maps only the "
+                f"{needed} that the sum of their bits needs: what lies behind is not exchanged"
+            )
     return ImageLayout(
         direction,
         byte_size,
@@ -62,6 +69,19 @@ def image_layout(configuration: Configuration, direction: str) -> ImageLayout:
         tuple(_members(entries, byte_size)),
         tuple(entry for entry in entries if not _is_member(entry)),
         tuple(remarks),
+    )
+
+
+def _bytes(bits: int) -> int:
+    return -(-bits // _BITS_OF_BYTE)
+
+
+def _end_words(direction: str, byte_size: int, end: str) -> str:
+    if not byte_size:
+        return f"there is no structure of the {direction}s: they begin with {end}, which has no described entries"
+    return (
+        f"the structure of the {direction}s ends before {end}, which has no described entries: the device exchanges "
+        "more than it has"
     )
 
 

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from esicatalog.errors import InputError
 from esicatalog.export.c_access import on_byte
 from esicatalog.export.c_text import comment_text, wrapped
+from esicatalog.export.cia402_names import CIA402_NAMES
 from esicatalog.export.configuration import INPUT, OUTPUT, Configuration, MappedEntry, SmConfiguration
 from esicatalog.export.esc_registers import left_out
 from esicatalog.export.headings import heading_lines, op_mode_words
@@ -18,22 +19,26 @@ from esicatalog.export.igh_limits import pieces
 from esicatalog.export.init_cmds import MODULE_IDENT_LIST, StartCommand, single_accesses
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
+from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, MODES_DISPLAY, MODES_OF_OPERATION, STATUSWORD
+from esicatalog.model.drive_evidence import MAX_AXES
 
 PROGRAM = "ethercat_driver_ros2"
 _INTERFACES = {
-    "controlword": "control_word",
-    "statusword": "status_word",
-    "modes_of_operation": "mode_of_operation",
-    "modes_of_operation_display": "mode_of_operation",
-    "target_position": "position",
-    "target_velocity": "velocity",
-    "target_torque": "effort",
-    "position_actual_value": "position",
-    "velocity_actual_value": "velocity",
-    "torque_actual_value": "effort",
+    CONTROLWORD: "control_word",
+    STATUSWORD: "status_word",
+    MODES_OF_OPERATION: "mode_of_operation",
+    MODES_DISPLAY: "mode_of_operation",
+    0x607A: "position",
+    0x60FF: "velocity",
+    0x6071: "effort",
+    0x6064: "position",
+    0x606C: "velocity",
+    0x6077: "effort",
 }
-"""Names that ros2_control and the controllers of the driver use, by those of CiA 402."""
-_MODE = "mode_of_operation"
+"""Names that ros2_control and the controllers of the driver use, by the CiA 402 object of the first axis."""
+_INTERFACES_BY_NAME = {CIA402_NAMES[index]: interface for index, interface in _INTERFACES.items()}
+"""The same for drives that have such values elsewhere: motion terminals (profile 5001) and SoE."""
+_MODES = frozenset(MODES_OF_OPERATION + axis * AXIS_STEP for axis in range(MAX_AXES))
 _HELD_BY = {0x6061, 0x6064}
 """Mapped, they let the CiA 402 plugin hold the actual position."""
 _NOT_PLAIN = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null"))
@@ -113,12 +118,11 @@ def _pdo_list(configuration: Configuration, found: Listed, direction: str, remar
         else:
             remarks.append(f"{entry.place} {entry.name} has no interface: {PROGRAM} has no type for it at its place")
     remarks += _type_remarks(reached, side)
-    names = unique_names([_interface(configuration, entry.identifier) for entry in reached])
-    interfaces = {entry.identifier: name for entry, name in zip(reached, names, strict=True)}
+    interfaces = _interfaces(configuration, reached)
     modes = {
-        (sdo.object_index, sdo.subindex): int.from_bytes(sdo.data, "little", signed=True)
+        sdo.object_index: sdo.data
         for sdo in found.sdos
-        if not sdo.complete_access
+        if sdo.object_index in _MODES and not sdo.subindex and not sdo.complete_access
     }
     pdos = (
         PdoRows(
@@ -145,30 +149,48 @@ def _type_remarks(entries: Sequence[MappedEntry], side: Side) -> Iterator[str]:
         yield f"older versions of {PROGRAM} clear the rest of the byte when they write a bitN"
 
 
-def _interface(configuration: Configuration, identifier: str) -> tuple[str, ...]:
-    stem, separator, axis = identifier.partition("_axis")
-    if not configuration.is_drive or stem not in _INTERFACES or (separator and not axis.isdecimal()):
-        return (identifier,)
-    return (f"{_INTERFACES[stem]}{separator}{axis}", identifier)
+def _interfaces(configuration: Configuration, entries: Sequence[MappedEntry]) -> dict[str, str]:
+    """Interface by identifier. Objects of CiA 402 choose first, whatever the vendor calls entries of his own."""
+    names = {
+        index + axis * AXIS_STEP: f"{name}_axis{axis}" if axis else name
+        for axis in configuration.axes
+        for index, name in _INTERFACES.items()
+    }
+    standard = [entry for entry in entries if entry.entry_index in names and not entry.subindex]
+    others = [entry for entry in entries if entry.entry_index not in names or entry.subindex]
+    first = unique_names([(names[entry.entry_index], entry.identifier) for entry in standard])
+    then = unique_names([_candidates(configuration, entry) for entry in others], first)
+    return {entry.identifier: name for entry, name in zip((*standard, *others), (*first, *then), strict=True)}
+
+
+def _candidates(configuration: Configuration, entry: MappedEntry) -> tuple[str, ...]:
+    """Names of an entry that is no object of CiA 402, from plain to precise."""
+    own = (entry.identifier, f"{entry.identifier}_{entry.entry_index:04x}_{entry.subindex:02x}")
+    stem, separator, axis = entry.identifier.partition("_axis")
+    if not configuration.is_drive or stem not in _INTERFACES_BY_NAME or (separator and not axis.isdecimal()):
+        return own
+    return (f"{_INTERFACES_BY_NAME[stem]}{separator}{axis}", *own)
 
 
 def _channels(
-    entry: MappedEntry, side: Side, interfaces: Mapping[str, str], modes: Mapping[tuple[int, int], int]
+    entry: MappedEntry, side: Side, interfaces: Mapping[str, str], modes: Mapping[int, bytes]
 ) -> Iterator[Row]:
     """One row for an entry; several for one that is longer than IgH can say."""
     place, comment = f"index: 0x{entry.entry_index:04x}, sub_index: {entry.subindex}", comment_text(entry.name or "gap")
     name = interfaces.get(entry.identifier)
-    default = 0
-    if name is not None and name.startswith(_MODE):
-        # The cyclic value must not undo the mode that a start-up command sets.
-        default = modes.get((entry.entry_index, entry.subindex), 0)
-    ending = f", default: {default}" if side.key == "rpdo" else ""
+    ending = f", default: {_default(entry, modes)}" if side.key == "rpdo" else ""
     if name is None:
         for length in pieces(entry.bit_length):
             yield Row(f"{place}, type: bit{length}, mask: 0{ending}", comment)
         return
     written = f'"{name}"' if name in _NOT_PLAIN else name
     yield Row(f"{place}, {_value(entry, side)}, {side.interface}: {written}{ending}", comment)
+
+
+def _default(entry: MappedEntry, modes: Mapping[int, bytes]) -> int:
+    """What is sent without a command: 0, or the mode of a start-up command, which the cyclic value must not undo."""
+    data = modes.get(entry.entry_index, b"") if not entry.subindex else b""
+    return int.from_bytes(data, "little", signed=entry.value.kind == "int")
 
 
 def _value(entry: MappedEntry, side: Side) -> str:

@@ -42,12 +42,15 @@ def compare_pdos(device: Device, modules: Sequence[Module], seen: ScannedPdos) -
         for pdo in sync_manager.pdos:
             found.extend(_pdo_differences(pdo, known))
         now = [pdo.index for pdo in sync_manager.pdos]
-        default = assigned.get(sync_manager.number, [])
-        if now and now != default:
-            listed = ", ".join(f"0x{index:04X}" for index in default if index is not None) or "none"
-            shown = ", ".join(f"0x{index:04X}" for index in now)
-            found.append(f"SM{sync_manager.number}: assigned are {shown}; the default is {listed}")
+        default = [index for index in assigned.get(sync_manager.number, ()) if index is not None]
+        if now != default:
+            words = f"assigned are {_pdo_words(now)}; the default is {_pdo_words(default)}"
+            found.append(f"SM{sync_manager.number}: {words}")
     return [*found, *slots.left_out()]
+
+
+def _pdo_words(indices: Sequence[int]) -> str:
+    return ", ".join(f"0x{index:04X}" for index in indices) or "none"
 
 
 class _AnySlot:

@@ -12,7 +12,7 @@ def separate_buses(slaves: list[ScannedSlave]) -> tuple[tuple[ScannedSlave, ...]
     """Number the buses of a text in ``bus``; drop a listing that repeats an earlier one of the same bus.
 
     A listing is a run of rising positions under one master and interface. Listings of one master or interface belong
-    to one bus unless their positions overlap: then equal identities mean the same output twice (``slaveinfo`` and
+    to one bus unless their positions overlap: then the same slaves mean the same output twice (``slaveinfo`` and
     ``slaveinfo -map`` pasted together), others mean another bus or a changed one, which is kept apart and told.
     """
     numbered: list[ScannedSlave] = []
@@ -55,5 +55,17 @@ def _key(slave: ScannedSlave) -> _Key:
     return slave.master, slave.interface
 
 
-def _identities(listing: _Listing) -> list[tuple[int | None, ...]]:
-    return [(slave.position, slave.vendor_id, slave.product_code, slave.revision_no) for slave in listing]
+def _identities(listing: _Listing) -> list[tuple[object, ...]]:
+    """Who the slaves are: by their name too, for tables show it instead of the identity."""
+    return [
+        (
+            slave.position,
+            slave.vendor_id,
+            slave.product_code,
+            slave.revision_no,
+            slave.serial_no,
+            slave.alias,
+            slave.name,
+        )
+        for slave in listing
+    ]
