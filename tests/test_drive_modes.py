@@ -39,6 +39,12 @@ def rx_pdo(*entries: tuple[str, int], name: str = "Outputs") -> str:
     return f'<RxPdo Sm="2"><Index>#x1600</Index><Name>{name}</Name>{rows}</RxPdo>'
 
 
+def init_cmd(mode: int) -> str:
+    """A start-up command that writes a mode's code to 0x6060."""
+    command = f"<Transition>PS</Transition><Index>#x6060</Index><SubIndex>0</SubIndex><Data>{mode:02X}</Data>"
+    return f"<Mailbox><CoE><InitCmd>{command}</InitCmd></CoE></Mailbox>"
+
+
 DC = "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
 
 
@@ -129,6 +135,23 @@ def test_declared_absent_beats_inference():
     assert (csv.verdict, csv.conflict) == ("no", True)
 
 
+@pytest.mark.parametrize(
+    ("angle", "rank", "verdict"), [([("60EA", 16)], "B1", "yes"), ([], "C2", "likely")], ids=["with angle", "without"]
+)
+def test_the_commutation_angle_is_a_setpoint_too(angle, rank, verdict):
+    body = "</Profile>" + rx_pdo(("6040", 16), ("6071", 16), *angle) + init_cmd(11)
+    found = one_drive(body)
+    (evidence,) = [item for item in found.evidence if item.mode == "CSTCA"]
+    assert (evidence.rank, verdicts(found)["CSTCA"]) == (rank, verdict)
+    assert "its setpoint 0x6071 and 0x60EA" in evidence.evidence
+
+
+def test_the_recipe_names_all_objects_of_the_setpoint():
+    found = one_drive(dictionary(supported_modes("00040000")) + rx_pdo(("6040", 16), ("6071", 16)))
+    (cstca,) = [item for item in found.verdicts if item.mode == "CSTCA"]
+    assert cstca.recipe.startswith("map the setpoint 0x6071 and 0x60EA into an RxPDO")
+
+
 def test_second_axis_needs_its_own_controlword():
     with_axis = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32), ("6840", 16), ("68FF", 32)) + DC
     without = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32), ("68FF", 32)) + DC
@@ -155,6 +178,17 @@ def test_soe_drive_is_unknown():
         ("CSV file export", set()),
         ("IP address", set()),
         ("Application parameters", set()),
+        ("Cyclic synchronous torque mode with commutation angle", {"CSTCA"}),
+        ("Cyclic Synchronous Torque with Commutation Angle Mode (CSTCA)", {"CSTCA"}),
+        ("Cyclic synchronous torque mode (CSTCA)", {"CSTCA"}),
+        ("Cyclic synchronous torque mode (CST)", {"CST"}),
+        ("cst, cstca", {"CST", "CSTCA"}),
+        ("Profile Position Mode (DC)", {"PP"}),
+        ("Cyclic_Synchronous_Velocity", {"CSV"}),
+        ("Cyclic-synchronous velocity", {"CSV"}),
+        ("Cyclic Sync. Position", {"CSP"}),
+        ("Profile-Velocity", {"PV"}),
+        ("CSV_file", set()),
         ("DCSPeed", set()),
     ],
 )
@@ -275,6 +309,18 @@ def test_profile_402_of_a_module_counts_in_every_slot():
     """Without a controlword the module in the second slot was no drive, the one in the first slot was."""
     found = modular_drive(slot(2, 2), drive_module(2, "60FF"))
     assert [item.axis for item in found.verdicts if item.mode == "CSV"] == [0, 1]
+
+
+def test_the_name_of_cstca_is_no_cst():
+    """Its words begin with those of CST: the command to run it seemed to go against the name."""
+    module = drive_module(2, "6040", "6071", "60EA", name="Outputs", moves=False)
+    module = module.replace("<Name>Module</Name>", "<Name>Cyclic synchronous torque mode with commutation angle</Name>")
+    found = modular_drive(slot(2, is_default=True), module.replace("<Profile>", init_cmd(11) + "<Profile>"))
+    assert {(item.mode, item.rank) for item in found.evidence if item.rank[0] in "BC"} == {
+        ("CSTCA", "B1"),
+        ("CSTCA", "C1"),
+    }
+    assert verdicts(found)["CSTCA"] == "yes"
 
 
 def corpus_devices(corpus: Path, archive: str, member_part: str):

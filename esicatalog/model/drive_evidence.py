@@ -255,12 +255,12 @@ def _init_commands(part: Part) -> Iterator[ModeEvidence]:
             listed = ", ".join(sorted(named))
             text = f"{words}, but the module's name {part.name!r} lists {listed}"
             yield _finding(part, mode, "C3", text, conflict=True, object_index=index)
-        elif pdo is not None or mode.setpoint is None:
-            mapped = f"; {pdo_words(pdo)} maps its setpoint 0x{part.at(mode.setpoint or 0):04X}" if pdo else ""
+        elif pdo is not None or not mode.setpoints:
+            mapped = f"; {pdo_words(pdo)} maps its setpoint {setpoint_words(part, mode)}" if pdo else ""
             pdo_index = pdo.pdo_index if pdo else None
             yield _finding(part, mode, "B1", words + mapped, object_index=index, pdo_index=pdo_index)
         else:
-            text = f"{words}, but no RxPDO maps its setpoint 0x{part.at(mode.setpoint):04X}"
+            text = f"{words}, but no RxPDO maps its setpoint {setpoint_words(part, mode)}"
             yield _finding(part, mode, "C2", text, conflict=True, object_index=index)
 
 
@@ -278,7 +278,7 @@ def _named(part: Part) -> Iterator[ModeEvidence]:
         mode = DRIVE_MODES[name]
         pdo = mapping_pdo(part, mode)
         if pdo is not None:
-            text = f"module name {part.name!r} names {name}; {pdo_words(pdo)} maps 0x{part.at(mode.setpoint or 0):04X}"
+            text = f"module name {part.name!r} names {name}; {pdo_words(pdo)} maps {setpoint_words(part, mode)}"
             yield _finding(part, mode, "C1", text, pdo_index=pdo.pdo_index)
     for pdo in part.rx_pdos:
         for name in sorted(named_modes(display_text(pdo.names) or "")):
@@ -329,8 +329,9 @@ def _mappable(part: Part) -> Iterator[ModeEvidence]:
 
 
 def maps_setpoint(part: Part, pdo: Pdo, mode: DriveMode) -> bool:
-    """Whether a PDO maps the setpoint of a mode."""
-    return mode.setpoint is not None and any(e.entry_index == part.at(mode.setpoint) for e in pdo.entries)
+    """Whether a PDO maps the setpoint of a mode, all objects of it."""
+    wanted = {part.at(index) for index in mode.setpoints}
+    return bool(wanted) and wanted.issubset([entry.entry_index for entry in pdo.entries])
 
 
 def mapping_pdo(part: Part, mode: DriveMode) -> Pdo | None:
@@ -343,6 +344,11 @@ def maps_mode_of_operation(part: Part, pdos: Sequence[Pdo]) -> Pdo | None:
     """The RxPDO among ``pdos`` that maps 0x6060."""
     index = part.at(MODES_OF_OPERATION)
     return next((pdo for pdo in pdos if any(entry.entry_index == index for entry in pdo.entries)), None)
+
+
+def setpoint_words(part: Part, mode: DriveMode) -> str:
+    """The objects of a mode's setpoint in words."""
+    return " and ".join(f"0x{part.at(index):04X}" for index in mode.setpoints)
 
 
 def pdo_words(pdo: Pdo) -> str:

@@ -39,6 +39,7 @@ from esicatalog.model.drive_evidence import (
     maps_mode_of_operation,
     may_be_drive,
     pdo_words,
+    setpoint_words,
     written_mode,
 )
 from esicatalog.model.process_image import SmImage, default_process_image, process_image
@@ -321,8 +322,8 @@ def _with_recipe(
         steps.append(
             f"{pdo_words(pdo)} maps the setpoint" + ("" if pdo_is_default else "; it is not assigned by default")
         )
-    elif mode.setpoint is not None:
-        steps.append(f"map the setpoint 0x{parts[-1].at(mode.setpoint):04X} into an RxPDO")
+    elif mode.setpoints:
+        steps.append(f"map the setpoint {setpoint_words(parts[-1], mode)} into an RxPDO")
     op_mode = (module.dc_op_mode_name if module is not None else None) or _op_mode(device, mode)
     if op_mode is not None:
         steps.append(f"OpMode {op_mode!r}")
