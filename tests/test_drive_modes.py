@@ -152,6 +152,17 @@ def test_the_recipe_names_all_objects_of_the_setpoint():
     assert cstca.recipe.startswith("map the setpoint 0x6071 and 0x60EA into an RxPDO")
 
 
+def test_a_setpoint_in_a_virtual_pdo_is_not_mapped():
+    """Nothing transports it: neither inference nor a name nor a command finds it there."""
+    virtual = rx_pdo(("6040", 16), ("60FF", 32), name="csv").replace("<RxPdo ", '<RxPdo Virtual="1" ')
+    assert [item.rank for item in one_drive("</Profile>" + virtual + DC).evidence] == ["F"]
+    (commanded,) = one_drive("</Profile>" + virtual + init_cmd(9) + DC).evidence
+    assert (commanded.mode, commanded.rank) == ("CSV", "C2")
+    real = rx_pdo(("6040", 16), ("60FF", 32)).replace("1600", "1601")
+    (csv,) = [item for item in one_drive("</Profile>" + virtual + real + DC).verdicts if item.mode == "CSV"]
+    assert csv.rx_pdo_index == 0x1601
+
+
 def test_second_axis_needs_its_own_controlword():
     with_axis = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32), ("6840", 16), ("68FF", 32)) + DC
     without = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32), ("68FF", 32)) + DC

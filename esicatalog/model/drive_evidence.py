@@ -291,6 +291,8 @@ def _named(part: Part) -> Iterator[ModeEvidence]:
 def _mapped(part: Part) -> Iterator[ModeEvidence]:
     """Setpoints in RxPDOs, with and without a DC mode and the companions of profile modes."""
     for pdo in part.rx_pdos:
+        if pdo.virtual:
+            continue
         mapped = {entry.entry_index for entry in pdo.entries if entry.entry_index}
         for setpoint, (profile, cyclic) in PROFILE_AND_CYCLIC.items():
             if part.at(setpoint) not in mapped:
@@ -329,9 +331,12 @@ def _mappable(part: Part) -> Iterator[ModeEvidence]:
 
 
 def maps_setpoint(part: Part, pdo: Pdo, mode: DriveMode) -> bool:
-    """Whether a PDO maps the setpoint of a mode, all objects of it."""
+    """Whether a PDO maps the setpoint of a mode, all objects of it.
+
+    A virtual PDO is a description only, nothing transports it (ESI-FACTS sections 9 and 18).
+    """
     wanted = {part.at(index) for index in mode.setpoints}
-    return bool(wanted) and wanted.issubset([entry.entry_index for entry in pdo.entries])
+    return bool(wanted) and not pdo.virtual and wanted.issubset([entry.entry_index for entry in pdo.entries])
 
 
 def mapping_pdo(part: Part, mode: DriveMode) -> Pdo | None:
