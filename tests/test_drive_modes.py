@@ -117,6 +117,31 @@ def test_setpoint_with_sync0_is_likely_cyclic():
     assert verdicts(one_drive(body)) == {"CSV": "likely"}
 
 
+SUPERSEDED = DC.replace("</OpMode>", '<VendorSpecific><TwinCAT IgnoreFromBuildNo="1"/></VendorSpecific></OpMode>')
+TIME_ONLY = DC.replace("<Dc>", '<Dc TimeLoopControlOnly="1">')
+
+
+@pytest.mark.parametrize("dc", [SUPERSEDED, TIME_ONLY], ids=["superseded", "time only"])
+def test_no_mode_is_inferred_from_an_op_mode_without_sync0(dc):
+    """One that newer tools ignore, and one of a device that uses the DC time alone."""
+    own = one_drive("</Profile>" + rx_pdo(("6040", 16), ("60FF", 32)) + dc)
+    module = drive_module(2, "6040", "60FF", name="Outputs", moves=False)
+    of_module = modular_drive(slot(2, is_default=True), module, dc=dc)
+    by_name = modular_drive(slot(2, is_default=True), asking_for_dc(module), dc=dc)
+    for found in (own, of_module, by_name):
+        assert verdicts(found) == {"PV": "possible", "CSV": "possible"}
+
+
+def test_a_module_may_ask_for_the_op_mode_with_sync0():
+    module = asking_for_dc(drive_module(2, "6040", "60FF", name="Outputs", moves=False))
+    assert verdicts(modular_drive(slot(2, is_default=True), module, dc=DC)) == {"CSV": "likely"}
+
+
+def asking_for_dc(module: str) -> str:
+    """The module with the OpMode that it asks for."""
+    return module.replace("</Module>", "<DcOpModeName>DC</DcOpModeName></Module>")
+
+
 def test_setpoint_without_dc_is_possible_for_both():
     body = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32))
     assert verdicts(one_drive(body)) == {"PP": "possible", "CSP": "possible"}
@@ -256,8 +281,8 @@ def slot(ident: int, instances: int = 1, *, is_default: bool = False) -> str:
     )
 
 
-def modular_drive(slots: str, modules: str, *, profile: str = "", increment: str = "#x800") -> DriveModes:
-    content = f'{profile}<Slots SlotIndexIncrement="{increment}" SlotPdoIncrement="16">{slots}</Slots>'
+def modular_drive(slots: str, modules: str, *, profile: str = "", increment: str = "#x800", dc: str = "") -> DriveModes:
+    content = f'{profile}{dc}<Slots SlotIndexIncrement="{increment}" SlotPdoIncrement="16">{slots}</Slots>'
     info = Reader().read(snippets.esi(snippets.device(content), modules).encode()).document.infos[0]
     return drive_modes(info.devices[0], reachable_modules(info.devices[0], info.modules))
 

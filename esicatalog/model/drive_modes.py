@@ -12,6 +12,7 @@ import msgspec
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import DataType
 from esicatalog.esi.records.module import Module
@@ -52,7 +53,7 @@ from esicatalog.model.slots import (
     furthest_move,
     slot_dependences,
 )
-from esicatalog.model.sync import default_op_mode, is_superseded, sync_signals
+from esicatalog.model.sync import default_op_mode, generated_signals, is_superseded
 
 YES_FROM, LIKELY_FROM, POSSIBLE_FROM = 0.8, 0.5, 0.2
 _CAP_AGAINST_DECLARATION = 0.2
@@ -128,7 +129,7 @@ def drive_modes(
 def _device_parts(device: Device, known: DictionaryViews, images: Sequence[SmImage]) -> list[Part]:
     views = known.of(device.profiles)
     assigned = _assigned(images, None)
-    sync0 = any(sync_signals(mode.assign_activate).sync0 for mode in device.op_modes)
+    sync0 = bool(_with_sync0(device))
     commands = device.mailbox.coe_init_cmds if device.mailbox is not None else ()
     return [
         Part(
@@ -185,7 +186,6 @@ def _plugged(device: Device, modules: Sequence[Module]) -> Iterator[PluggedModul
 def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int, known: DictionaryViews) -> Part:
     module = expand_module(device, plugged).module
     op_mode = default_op_mode(device.op_modes)
-    modes = [mode for mode in device.op_modes if module.dc_op_mode_name in (None, mode.name)]
     return Part(
         shift // AXIS_STEP,
         plugged.slot_number,
@@ -196,10 +196,16 @@ def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int,
         _assigned(process_image(device, [plugged], op_mode), plugged.slot_number),
         module.mailbox.coe_init_cmds if module.mailbox is not None else (),
         module.profiles if first == 0 else (),
-        any(sync_signals(mode.assign_activate).sync0 for mode in modes),
+        any(module.dc_op_mode_name in (None, mode.name) for mode in _with_sync0(device)),
         shift,
         module.dc_op_mode_name,
     )
+
+
+def _with_sync0(device: Device) -> list[OpMode]:
+    """The OpModes that generate SYNC0 and are not superseded (ESI-FACTS section 11)."""
+    time_only = device.dc_time_loop_control_only
+    return [mode for mode in device.op_modes if generated_signals(mode, time_only).sync0 and not is_superseded(mode)]
 
 
 def _assigned(images: Sequence[SmImage], slot_number: int | None) -> tuple[Pdo, ...]:
@@ -341,14 +347,9 @@ def _with_recipe(
 
 def _op_mode(device: Device, mode: DriveMode) -> str | None:
     """OpMode to choose: for cyclic modes the first valid one with SYNC0, else the default."""
-    if not device.op_modes:
-        return None
-    if mode.cyclic:
-        for op_mode in device.op_modes:
-            if sync_signals(op_mode.assign_activate).sync0 and not is_superseded(op_mode):
-                return op_mode.name
-    default = default_op_mode(device.op_modes)
-    return default.name if default is not None else None
+    with_sync0 = _with_sync0(device) if mode.cyclic else []
+    chosen = with_sync0[0] if with_sync0 else default_op_mode(device.op_modes)
+    return chosen.name if chosen is not None else None
 
 
 def _mode_of_operation_step(mode: DriveMode, parts: list[Part], pdos: list[Pdo]) -> str:

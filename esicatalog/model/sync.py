@@ -50,6 +50,25 @@ def sync_signals(assign_activate: int | None) -> SyncSignals:
     )
 
 
+def generated_signals(op_mode: OpMode, time_loop_control_only: bool | None) -> SyncSignals:
+    """The signals that a device generates in an OpMode.
+
+    With Dc/@TimeLoopControlOnly it uses the DC time alone, no SYNC and no LATCH signal (ESI-FACTS section 11).
+    """
+    signals = sync_signals(op_mode.assign_activate)
+    if not time_loop_control_only or not signals.dc_active:
+        return signals
+    return SyncSignals(
+        dc_active=True,
+        sync0=False,
+        sync1=False,
+        time_only=True,
+        sync_unit_pdi=False,
+        latch0_pdi=False,
+        latch1_pdi=False,
+    )
+
+
 def is_superseded(op_mode: OpMode) -> bool:
     """Whether newer tools ignore the OpMode: VendorSpecific/TwinCAT/@IgnoreFromBuildNo."""
     text = op_mode.vendor_specific
