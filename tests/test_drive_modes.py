@@ -195,6 +195,19 @@ def test_second_axis_needs_its_own_controlword():
     assert verdicts(one_drive(without), axis=1) == {}
 
 
+def test_listed_modes_of_a_motion_terminal_are_likely():
+    """They weigh as much as a list of 0x6060, which is no "yes" either."""
+    types = (
+        "<DataType><Name>MODES</Name><BaseType>USINT</BaseType><BitSize>8</BitSize>"
+        "<EnumInfo><Text>Cyclic synchronous velocity mode (CSV)</Text><Enum>9</Enum></EnumInfo></DataType>"
+        "<DataType><Name>DT8010</Name><BitSize>24</BitSize><SubItem><SubIdx>1</SubIdx><Name>Mode</Name>"
+        "<Type>MODES</Type><BitSize>8</BitSize><BitOffs>16</BitOffs></SubItem></DataType>"
+    )
+    settings = "<Object><Index>#x8010</Index><Name>m</Name><Type>DT8010</Type><BitSize>24</BitSize></Object>"
+    (csv,) = one_drive("<AddInfo>742</AddInfo>" + dictionary(settings, types=types), profile="5001").verdicts
+    assert (csv.kind, csv.mode, csv.verdict, csv.score) == ("MDP 742", "CSV", "likely", 0.75)
+
+
 def test_soe_drive_is_unknown():
     body = "</Profile><Mailbox><SoE/></Mailbox>"
     (found,) = one_drive(body, profile="0").verdicts

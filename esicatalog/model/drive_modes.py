@@ -292,17 +292,15 @@ def _verdict(axis: int, mode: DriveMode, findings: list[ModeEvidence]) -> DriveM
         score, conflict = min(score, LIKELY_FROM), True
     if best is None:
         return None
-    word = next(
-        (
-            word
-            for word, least in (("yes", YES_FROM), ("likely", LIKELY_FROM), ("possible", POSSIBLE_FROM))
-            if score >= least
-        ),
-        "unknown",
-    )
     return DriveModeVerdict(
-        axis=axis, mode=mode.name, verdict=word, score=score, conflict=conflict, evidence=best.evidence
+        axis=axis, mode=mode.name, verdict=_word(score), score=score, conflict=conflict, evidence=best.evidence
     )
+
+
+def _word(score: float) -> str:
+    """The verdict that a score means."""
+    words = ((YES, YES_FROM), ("likely", LIKELY_FROM), ("possible", POSSIBLE_FROM))
+    return next((word for word, least in words if score >= least), "unknown")
 
 
 def _with_recipe(
@@ -370,9 +368,10 @@ def _other_systems(device: Device, views: DictionaryViews) -> list[DriveModeVerd
         text = "SoE drive: its operation modes are in IDN S-0-0032 and following, not in CiA 402 objects"
         return [DriveModeVerdict(mode="SoE", kind="SoE", verdict="unknown", evidence=text)]
     found = []
+    _, score = RANKS["B2"]
     for index, name, text in _motion_terminal_modes(device, views):
         words = f"values of 0x{index:04X} list {text!r}; no CiA 402 object"
-        found.append(DriveModeVerdict(mode=name, kind="MDP 742", verdict="yes", score=RANKS["B2"][1], evidence=words))
+        found.append(DriveModeVerdict(mode=name, kind="MDP 742", verdict=_word(score), score=score, evidence=words))
     return found
 
 
