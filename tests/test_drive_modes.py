@@ -171,6 +171,17 @@ def test_the_commutation_angle_is_a_setpoint_too(angle, rank, verdict):
     assert "its setpoint 0x6071 and 0x60EA" in evidence.evidence
 
 
+@pytest.mark.parametrize(("excluded", "rank"), [("", "B1"), ("<Exclude>#x1600</Exclude>", "C2")])
+def test_objects_of_the_setpoint_may_lie_in_two_pdos(excluded, rank):
+    """Drives with one object a PDO assign both, where these do not exclude each other."""
+    angle = rx_pdo(("60EA", 16)).replace(' Sm="2"', "").replace("1600", "1601").replace("</Name>", f"</Name>{excluded}")
+    found = one_drive("</Profile>" + rx_pdo(("6040", 16), ("6071", 16)) + angle + init_cmd(11))
+    assert [item.rank for item in found.evidence if item.mode == "CSTCA"] == [rank]
+    (cstca,) = [item for item in found.verdicts if item.mode == "CSTCA"]
+    in_two = "RxPDO 0x1600 and RxPDO 0x1601 map the setpoint; not all are assigned by default"
+    assert (in_two in cstca.recipe) == (rank == "B1")
+
+
 def test_the_recipe_names_all_objects_of_the_setpoint():
     found = one_drive(dictionary(supported_modes("00040000")) + rx_pdo(("6040", 16), ("6071", 16)))
     (cstca,) = [item for item in found.verdicts if item.mode == "CSTCA"]
@@ -301,6 +312,64 @@ def modular_drive(slots: str, modules: str, *, profile: str = "", increment: str
 
 
 IO_MODULE = '<Module><Type ModuleIdent="1">IO</Type><Name>I/O</Name></Module>'
+
+
+def declaring(module: str, data: str) -> str:
+    """The module with this default of 0x6502."""
+    return module.replace("<ProfileNo>402</ProfileNo></Profile>", dictionary(supported_modes(data)))
+
+
+def placeholder(mark: str = ' OverwrittenByModule="1"') -> str:
+    """The profile of a device whose 0x6502, CSP, is marked."""
+    objects = supported_modes("80000000").replace("<Index>", f"<Index{mark}>")
+    return f"<Profile><ProfileNo>402</ProfileNo>{dictionary(objects)}"
+
+
+CSV_MODULE = declaring(drive_module(2, "6040", "60FF", name="Outputs", moves=False), "00010000")
+
+
+def test_an_object_marked_overwritten_by_module_yields_to_the_module():
+    """The placeholder gave a CSP that the module denies, and held down its CSV."""
+    found = modular_drive(slot(2, is_default=True), CSV_MODULE, profile=placeholder())
+    csv, csp = (next(item for item in found.verdicts if item.mode == mode) for mode in ("CSV", "CSP"))
+    assert (csv.verdict, csv.conflict, csv.module_ident) == ("yes", False, 2)
+    assert (csp.verdict, csp.conflict) == ("no", False)
+    assert {item.module_ident for item in found.evidence} == {2}
+
+
+def test_an_object_that_is_not_marked_counts_beside_the_modules():
+    found = modular_drive(slot(2, is_default=True), CSV_MODULE, profile=placeholder(mark=""))
+    csv = next(item for item in found.verdicts if item.mode == "CSV")
+    assert (csv.verdict, csv.conflict) == ("likely", True)
+    assert verdicts(found)["CSP"] == "yes"
+
+
+def test_a_marked_object_counts_while_the_slot_is_empty():
+    found = modular_drive(slot(2), CSV_MODULE, profile=placeholder() + rx_pdo(("6040", 16), ("6071", 16)))
+    answers = {item.mode: (item.verdict, item.conflict, item.module_ident) for item in found.verdicts}
+    assert (answers["CSP"], answers["CSV"]) == (("yes", False, None), ("yes", False, 2))
+    assert len(found.evidence) == len(set(found.evidence))
+
+
+def test_a_marked_object_counts_beside_a_module_without_it():
+    """The slot is never empty: it is the alternative that leaves the device's object in place."""
+    either = (
+        '<Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">2</ModuleIdent><ModuleIdent>3</ModuleIdent>'
+    )
+    plain = drive_module(3, "6040", "607A", name="Outputs", moves=False)
+    found = modular_drive(f"{either}</Slot>", CSV_MODULE + plain, profile=placeholder())
+    answers = {item.mode: (item.verdict, item.module_ident) for item in found.verdicts}
+    assert (answers["CSP"], answers["CSV"]) == (("yes", 3), ("yes", 2))
+    assert [item.module_ident for item in found.evidence if (item.mode, item.rank) == ("CSP", "A+")] == [None]
+
+
+def test_a_marked_object_yields_to_what_every_module_of_a_needed_slot_declares():
+    needed = '<Slot MinInstances="1" MaxInstances="1"><ModuleIdent>2</ModuleIdent><ModuleIdent>3</ModuleIdent></Slot>'
+    other = (
+        CSV_MODULE.replace('ModuleIdent="2"', 'ModuleIdent="3"').replace("60FF", "6071").replace("00010000", "00020000")
+    )
+    found = modular_drive(needed, CSV_MODULE + other, profile=placeholder())
+    assert {item.mode: item.module_ident for item in found.verdicts if item.verdict == "yes"} == {"CSV": 2, "CST": 3}
 
 
 def test_a_drive_behind_eight_slots_of_inputs_is_found():

@@ -31,26 +31,32 @@ from esicatalog.model.drive_evidence import (
     NO,
     RANKS,
     YES,
+    Contents,
     ModeEvidence,
     Part,
     axes_of,
     find_evidence,
     has_cia402,
-    mapping_pdo,
+    mapping_pdos,
+    mapping_words,
     maps_mode_of_operation,
+    marked_objects,
     may_be_drive,
     pdo_words,
     setpoint_words,
     written_mode,
+    yielding,
 )
 from esicatalog.model.process_image import SmImage, default_process_image, process_image
 from esicatalog.model.slots import (
     PluggedModule,
     SlotDependence,
+    accepts,
     default_modules,
     expand_module,
     fitting_modules,
     furthest_move,
+    numbered_slots,
     slot_dependences,
 )
 from esicatalog.model.sync import default_op_mode, generated_signals, is_superseded
@@ -102,16 +108,21 @@ def drive_modes(
         return DriveModes(verdicts=tuple(_other_systems(device, views)))
     own = _device_parts(device, views, default_process_image(device, modules) if images is None else images)
     own_axes = {part.axis for part in own if has_cia402(part)}
+    is_marked = any(map(marked_objects, own))
+    contents = _slot_contents(device, modules, views) if is_marked else {}
+    own = [yielding(part, contents) for part in own]
     plugged = _module_parts(device, modules if own_axes else drives, views)
     defaults = {(item.slot_number, item.module.module_ident) for item in default_modules(device, modules)}
     evidence: list[ModeEvidence] = []
     verdicts: list[DriveModeVerdict] = []
     by_part = {}
-    for part in [*own, *(part for parts in plugged.values() for part in parts)]:
-        is_drive = part.axis in own_axes or has_cia402(part)
-        by_part[id(part)] = list(find_evidence(part)) if is_drive else []
-        evidence.extend(by_part[id(part)])
-    groups = _configurations(own, plugged) if evidence else {}
+    groups = _configurations(own, plugged, contents)
+    in_groups = [part for configurations in groups.values() for parts in configurations for part in parts]
+    for part in [*own, *(part for parts in plugged.values() for part in parts), *in_groups]:
+        if id(part) not in by_part:
+            is_drive = part.axis in own_axes or has_cia402(part)
+            by_part[id(part)] = list(find_evidence(part)) if is_drive else []
+            evidence += [item for item in by_part[id(part)] if not is_marked or item not in evidence]
     for axis, configurations in sorted(groups.items()):
         for mode in DRIVE_MODES.values():
             verdict = _best(device, axis, mode, configurations, by_part, defaults)
@@ -218,13 +229,29 @@ def _assigned(images: Sequence[SmImage], slot_number: int | None) -> tuple[Pdo, 
     )
 
 
-def _configurations(own: list[Part], plugged: dict[int, list[Part]]) -> dict[int, list[list[Part]]]:
+def _slot_contents(device: Device, modules: Sequence[Module], known: DictionaryViews) -> Contents:
+    """What is in slots that are not left empty: the default module, else any that fits."""
+    held = {item.slot_number: [item] for item in default_modules(device, modules)}
+    for number, slot, instance in numbered_slots(device):
+        if number not in held and instance < (slot.min_instances or 0):
+            held[number] = [PluggedModule(number, slot, module) for module in modules if accepts(slot, module)]
+    return {
+        number: [known.of(expand_module(device, plugged).module.profiles) for plugged in alternatives]
+        for number, alternatives in held.items()
+        if alternatives
+    }
+
+
+def _configurations(own: list[Part], plugged: dict[int, list[Part]], contents: Contents) -> dict[int, list[list[Part]]]:
     """Per axis the sets of parts that act together: the device's own, and with it each alternative module."""
     axes = {part.axis for part in own} | plugged.keys()
     found = {}
     for axis in axes:
         base = [part for part in own if part.axis == axis]
-        found[axis] = [base, *([*base, part] for part in plugged.get(axis, ()))]
+        found[axis] = [base]
+        for module in plugged.get(axis, ()):
+            with_module = {**contents, module.slot_number: [module.views]}
+            found[axis].append([*(yielding(part, with_module) for part in base), module])
     return found
 
 
@@ -318,26 +345,24 @@ def _with_recipe(
     if module is not None:
         which = ["default" if is_default else "not the default", *(f"or {ident}" for ident in alternatives)]
         steps.append(f"plug module 0x{module.module_ident:X} into slot {module.slot_number} ({', '.join(which)})")
-    mapped = next(((part, pdo) for part in reversed(parts) if (pdo := mapping_pdo(part, mode)) is not None), None)
-    pdo, pdo_is_default = None, None
-    if mapped is not None:
-        part, pdo = mapped
-        pdo_is_default = pdo in part.assigned
-        steps.append(
-            f"{pdo_words(pdo)} maps the setpoint" + ("" if pdo_is_default else "; it is not assigned by default")
-        )
+    part, pdos = next(((part, pdos) for part in reversed(parts) if (pdos := mapping_pdos(part, mode))), (parts[-1], []))
+    pdos_are_default = all(pdo in part.assigned for pdo in pdos)
+    if pdos:
+        subject = "it is not" if len(pdos) == 1 else "not all are"
+        assigned = "" if pdos_are_default else f"; {subject} assigned by default"
+        steps.append(f"{mapping_words(pdos)} the setpoint{assigned}")
     elif mode.setpoints:
-        steps.append(f"map the setpoint {setpoint_words(parts[-1], mode)} into an RxPDO")
+        steps.append(f"map the setpoint {setpoint_words(part, mode)} into an RxPDO")
     op_mode = (module.dc_op_mode_name if module is not None else None) or _op_mode(device, mode)
     if op_mode is not None:
         steps.append(f"OpMode {op_mode!r}")
-    steps.append(_mode_of_operation_step(mode, parts, [pdo] if pdo is not None else []))
+    steps.append(_mode_of_operation_step(mode, parts, pdos))
     return msgspec.structs.replace(
         verdict,
         module_ident=module.module_ident if module is not None else None,
         module_is_default=is_default if module is not None else None,
-        rx_pdo_index=pdo.pdo_index if pdo is not None else None,
-        rx_pdo_is_default=pdo_is_default,
+        rx_pdo_index=pdos[0].pdo_index if pdos else None,
+        rx_pdo_is_default=pdos_are_default if pdos else None,
         op_mode=op_mode,
         recipe="; ".join(steps),
     )
