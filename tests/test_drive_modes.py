@@ -39,6 +39,12 @@ def rx_pdo(*entries: tuple[str, int], name: str = "Outputs") -> str:
     return f'<RxPdo Sm="2"><Index>#x1600</Index><Name>{name}</Name>{rows}</RxPdo>'
 
 
+def init_cmd(mode: int) -> str:
+    """A start-up command that writes a mode's code to 0x6060."""
+    command = f"<Transition>PS</Transition><Index>#x6060</Index><SubIndex>0</SubIndex><Data>{mode:02X}</Data>"
+    return f"<Mailbox><CoE><InitCmd>{command}</InitCmd></CoE></Mailbox>"
+
+
 DC = "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
 
 
@@ -111,6 +117,31 @@ def test_setpoint_with_sync0_is_likely_cyclic():
     assert verdicts(one_drive(body)) == {"CSV": "likely"}
 
 
+SUPERSEDED = DC.replace("</OpMode>", '<VendorSpecific><TwinCAT IgnoreFromBuildNo="1"/></VendorSpecific></OpMode>')
+TIME_ONLY = DC.replace("<Dc>", '<Dc TimeLoopControlOnly="1">')
+
+
+@pytest.mark.parametrize("dc", [SUPERSEDED, TIME_ONLY], ids=["superseded", "time only"])
+def test_no_mode_is_inferred_from_an_op_mode_without_sync0(dc):
+    """One that newer tools ignore, and one of a device that uses the DC time alone."""
+    own = one_drive("</Profile>" + rx_pdo(("6040", 16), ("60FF", 32)) + dc)
+    module = drive_module(2, "6040", "60FF", name="Outputs", moves=False)
+    of_module = modular_drive(slot(2, is_default=True), module, dc=dc)
+    by_name = modular_drive(slot(2, is_default=True), asking_for_dc(module), dc=dc)
+    for found in (own, of_module, by_name):
+        assert verdicts(found) == {"PV": "possible", "CSV": "possible"}
+
+
+def test_a_module_may_ask_for_the_op_mode_with_sync0():
+    module = asking_for_dc(drive_module(2, "6040", "60FF", name="Outputs", moves=False))
+    assert verdicts(modular_drive(slot(2, is_default=True), module, dc=DC)) == {"CSV": "likely"}
+
+
+def asking_for_dc(module: str) -> str:
+    """The module with the OpMode that it asks for."""
+    return module.replace("</Module>", "<DcOpModeName>DC</DcOpModeName></Module>")
+
+
 def test_setpoint_without_dc_is_possible_for_both():
     body = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32))
     assert verdicts(one_drive(body)) == {"PP": "possible", "CSP": "possible"}
@@ -129,11 +160,63 @@ def test_declared_absent_beats_inference():
     assert (csv.verdict, csv.conflict) == ("no", True)
 
 
+@pytest.mark.parametrize(
+    ("angle", "rank", "verdict"), [([("60EA", 16)], "B1", "yes"), ([], "C2", "likely")], ids=["with angle", "without"]
+)
+def test_the_commutation_angle_is_a_setpoint_too(angle, rank, verdict):
+    body = "</Profile>" + rx_pdo(("6040", 16), ("6071", 16), *angle) + init_cmd(11)
+    found = one_drive(body)
+    (evidence,) = [item for item in found.evidence if item.mode == "CSTCA"]
+    assert (evidence.rank, verdicts(found)["CSTCA"]) == (rank, verdict)
+    assert "its setpoint 0x6071 and 0x60EA" in evidence.evidence
+
+
+@pytest.mark.parametrize(("excluded", "rank"), [("", "B1"), ("<Exclude>#x1600</Exclude>", "C2")])
+def test_objects_of_the_setpoint_may_lie_in_two_pdos(excluded, rank):
+    """Drives with one object a PDO assign both, where these do not exclude each other."""
+    angle = rx_pdo(("60EA", 16)).replace(' Sm="2"', "").replace("1600", "1601").replace("</Name>", f"</Name>{excluded}")
+    found = one_drive("</Profile>" + rx_pdo(("6040", 16), ("6071", 16)) + angle + init_cmd(11))
+    assert [item.rank for item in found.evidence if item.mode == "CSTCA"] == [rank]
+    (cstca,) = [item for item in found.verdicts if item.mode == "CSTCA"]
+    in_two = "RxPDO 0x1600 and RxPDO 0x1601 map the setpoint; not all are assigned by default"
+    assert (in_two in cstca.recipe) == (rank == "B1")
+
+
+def test_the_recipe_names_all_objects_of_the_setpoint():
+    found = one_drive(dictionary(supported_modes("00040000")) + rx_pdo(("6040", 16), ("6071", 16)))
+    (cstca,) = [item for item in found.verdicts if item.mode == "CSTCA"]
+    assert cstca.recipe.startswith("map the setpoint 0x6071 and 0x60EA into an RxPDO")
+
+
+def test_a_setpoint_in_a_virtual_pdo_is_not_mapped():
+    """Nothing transports it: neither inference nor a name nor a command finds it there."""
+    virtual = rx_pdo(("6040", 16), ("60FF", 32), name="csv").replace("<RxPdo ", '<RxPdo Virtual="1" ')
+    assert [item.rank for item in one_drive("</Profile>" + virtual + DC).evidence] == ["F"]
+    (commanded,) = one_drive("</Profile>" + virtual + init_cmd(9) + DC).evidence
+    assert (commanded.mode, commanded.rank) == ("CSV", "C2")
+    real = rx_pdo(("6040", 16), ("60FF", 32)).replace("1600", "1601")
+    (csv,) = [item for item in one_drive("</Profile>" + virtual + real + DC).verdicts if item.mode == "CSV"]
+    assert csv.rx_pdo_index == 0x1601
+
+
 def test_second_axis_needs_its_own_controlword():
     with_axis = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32), ("6840", 16), ("68FF", 32)) + DC
     without = "</Profile>" + rx_pdo(("6040", 16), ("607A", 32), ("68FF", 32)) + DC
     assert verdicts(one_drive(with_axis), axis=1) == {"CSV": "likely"}
     assert verdicts(one_drive(without), axis=1) == {}
+
+
+def test_listed_modes_of_a_motion_terminal_are_likely():
+    """They weigh as much as a list of 0x6060, which is no "yes" either."""
+    types = (
+        "<DataType><Name>MODES</Name><BaseType>USINT</BaseType><BitSize>8</BitSize>"
+        "<EnumInfo><Text>Cyclic synchronous velocity mode (CSV)</Text><Enum>9</Enum></EnumInfo></DataType>"
+        "<DataType><Name>DT8010</Name><BitSize>24</BitSize><SubItem><SubIdx>1</SubIdx><Name>Mode</Name>"
+        "<Type>MODES</Type><BitSize>8</BitSize><BitOffs>16</BitOffs></SubItem></DataType>"
+    )
+    settings = "<Object><Index>#x8010</Index><Name>m</Name><Type>DT8010</Type><BitSize>24</BitSize></Object>"
+    (csv,) = one_drive("<AddInfo>742</AddInfo>" + dictionary(settings, types=types), profile="5001").verdicts
+    assert (csv.kind, csv.mode, csv.verdict, csv.score) == ("MDP 742", "CSV", "likely", 0.75)
 
 
 def test_soe_drive_is_unknown():
@@ -155,6 +238,17 @@ def test_soe_drive_is_unknown():
         ("CSV file export", set()),
         ("IP address", set()),
         ("Application parameters", set()),
+        ("Cyclic synchronous torque mode with commutation angle", {"CSTCA"}),
+        ("Cyclic Synchronous Torque with Commutation Angle Mode (CSTCA)", {"CSTCA"}),
+        ("Cyclic synchronous torque mode (CSTCA)", {"CSTCA"}),
+        ("Cyclic synchronous torque mode (CST)", {"CST"}),
+        ("cst, cstca", {"CST", "CSTCA"}),
+        ("Profile Position Mode (DC)", {"PP"}),
+        ("Cyclic_Synchronous_Velocity", {"CSV"}),
+        ("Cyclic-synchronous velocity", {"CSV"}),
+        ("Cyclic Sync. Position", {"CSP"}),
+        ("Profile-Velocity", {"PV"}),
+        ("CSV_file", set()),
         ("DCSPeed", set()),
     ],
 )
@@ -211,13 +305,71 @@ def slot(ident: int, instances: int = 1, *, is_default: bool = False) -> str:
     )
 
 
-def modular_drive(slots: str, modules: str, *, profile: str = "", increment: str = "#x800") -> DriveModes:
-    content = f'{profile}<Slots SlotIndexIncrement="{increment}" SlotPdoIncrement="16">{slots}</Slots>'
+def modular_drive(slots: str, modules: str, *, profile: str = "", increment: str = "#x800", dc: str = "") -> DriveModes:
+    content = f'{profile}{dc}<Slots SlotIndexIncrement="{increment}" SlotPdoIncrement="16">{slots}</Slots>'
     info = Reader().read(snippets.esi(snippets.device(content), modules).encode()).document.infos[0]
     return drive_modes(info.devices[0], reachable_modules(info.devices[0], info.modules))
 
 
 IO_MODULE = '<Module><Type ModuleIdent="1">IO</Type><Name>I/O</Name></Module>'
+
+
+def declaring(module: str, data: str) -> str:
+    """The module with this default of 0x6502."""
+    return module.replace("<ProfileNo>402</ProfileNo></Profile>", dictionary(supported_modes(data)))
+
+
+def placeholder(mark: str = ' OverwrittenByModule="1"') -> str:
+    """The profile of a device whose 0x6502, CSP, is marked."""
+    objects = supported_modes("80000000").replace("<Index>", f"<Index{mark}>")
+    return f"<Profile><ProfileNo>402</ProfileNo>{dictionary(objects)}"
+
+
+CSV_MODULE = declaring(drive_module(2, "6040", "60FF", name="Outputs", moves=False), "00010000")
+
+
+def test_an_object_marked_overwritten_by_module_yields_to_the_module():
+    """The placeholder gave a CSP that the module denies, and held down its CSV."""
+    found = modular_drive(slot(2, is_default=True), CSV_MODULE, profile=placeholder())
+    csv, csp = (next(item for item in found.verdicts if item.mode == mode) for mode in ("CSV", "CSP"))
+    assert (csv.verdict, csv.conflict, csv.module_ident) == ("yes", False, 2)
+    assert (csp.verdict, csp.conflict) == ("no", False)
+    assert {item.module_ident for item in found.evidence} == {2}
+
+
+def test_an_object_that_is_not_marked_counts_beside_the_modules():
+    found = modular_drive(slot(2, is_default=True), CSV_MODULE, profile=placeholder(mark=""))
+    csv = next(item for item in found.verdicts if item.mode == "CSV")
+    assert (csv.verdict, csv.conflict) == ("likely", True)
+    assert verdicts(found)["CSP"] == "yes"
+
+
+def test_a_marked_object_counts_while_the_slot_is_empty():
+    found = modular_drive(slot(2), CSV_MODULE, profile=placeholder() + rx_pdo(("6040", 16), ("6071", 16)))
+    answers = {item.mode: (item.verdict, item.conflict, item.module_ident) for item in found.verdicts}
+    assert (answers["CSP"], answers["CSV"]) == (("yes", False, None), ("yes", False, 2))
+    assert len(found.evidence) == len(set(found.evidence))
+
+
+def test_a_marked_object_counts_beside_a_module_without_it():
+    """The slot is never empty: it is the alternative that leaves the device's object in place."""
+    either = (
+        '<Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">2</ModuleIdent><ModuleIdent>3</ModuleIdent>'
+    )
+    plain = drive_module(3, "6040", "607A", name="Outputs", moves=False)
+    found = modular_drive(f"{either}</Slot>", CSV_MODULE + plain, profile=placeholder())
+    answers = {item.mode: (item.verdict, item.module_ident) for item in found.verdicts}
+    assert (answers["CSP"], answers["CSV"]) == (("yes", 3), ("yes", 2))
+    assert [item.module_ident for item in found.evidence if (item.mode, item.rank) == ("CSP", "A+")] == [None]
+
+
+def test_a_marked_object_yields_to_what_every_module_of_a_needed_slot_declares():
+    needed = '<Slot MinInstances="1" MaxInstances="1"><ModuleIdent>2</ModuleIdent><ModuleIdent>3</ModuleIdent></Slot>'
+    other = (
+        CSV_MODULE.replace('ModuleIdent="2"', 'ModuleIdent="3"').replace("60FF", "6071").replace("00010000", "00020000")
+    )
+    found = modular_drive(needed, CSV_MODULE + other, profile=placeholder())
+    assert {item.mode: item.module_ident for item in found.verdicts if item.verdict == "yes"} == {"CSV": 2, "CST": 3}
 
 
 def test_a_drive_behind_eight_slots_of_inputs_is_found():
@@ -275,6 +427,18 @@ def test_profile_402_of_a_module_counts_in_every_slot():
     """Without a controlword the module in the second slot was no drive, the one in the first slot was."""
     found = modular_drive(slot(2, 2), drive_module(2, "60FF"))
     assert [item.axis for item in found.verdicts if item.mode == "CSV"] == [0, 1]
+
+
+def test_the_name_of_cstca_is_no_cst():
+    """Its words begin with those of CST: the command to run it seemed to go against the name."""
+    module = drive_module(2, "6040", "6071", "60EA", name="Outputs", moves=False)
+    module = module.replace("<Name>Module</Name>", "<Name>Cyclic synchronous torque mode with commutation angle</Name>")
+    found = modular_drive(slot(2, is_default=True), module.replace("<Profile>", init_cmd(11) + "<Profile>"))
+    assert {(item.mode, item.rank) for item in found.evidence if item.rank[0] in "BC"} == {
+        ("CSTCA", "B1"),
+        ("CSTCA", "C1"),
+    }
+    assert verdicts(found)["CSTCA"] == "yes"
 
 
 def corpus_devices(corpus: Path, archive: str, member_part: str):

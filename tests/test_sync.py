@@ -5,9 +5,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from snippets import device, esi, only_device
 
+from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import default_op_mode, default_position, sync_signals
+from esicatalog.model.sync import default_op_mode, default_position, generated_signals, sync_signals
 
 
 @pytest.mark.parametrize(
@@ -45,6 +46,18 @@ def test_no_signal_without_an_active_unit(word):
     assert found.sync0 <= found.dc_active
     assert found.sync1 <= found.dc_active
     assert found.time_only == (found.dc_active and not found.sync0 and not found.sync1)
+
+
+@pytest.mark.parametrize("word", [0x0000, 0x0030, 0x0100, 0x0320, 0x0730])
+def test_a_device_that_uses_the_time_only_generates_no_signal(word):
+    """Dc/@TimeLoopControlOnly: no SYNC and no LATCH."""
+    op_mode = OpMode(assign_activate=word)
+    for absent in (None, False):
+        assert generated_signals(op_mode, absent) == sync_signals(word)
+    found = generated_signals(op_mode, True)
+    assert (found.dc_active, found.time_only) == (bool(word & 0x0100), bool(word & 0x0100))
+    assert not found.sync0
+    assert not found.sync1
 
 
 def test_a_cycle_time_is_no_signal():

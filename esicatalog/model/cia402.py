@@ -25,7 +25,8 @@ class DriveMode(NamedTuple):
 
     name: str
     code: int
-    setpoint: int | None
+    setpoints: tuple[int, ...]
+    """The objects that the master writes each cycle; it has to write all of them."""
     companions: tuple[int, ...] = ()
     cyclic: bool = False
 
@@ -38,16 +39,16 @@ class DriveMode(NamedTuple):
 DRIVE_MODES: dict[str, DriveMode] = {
     mode.name: mode
     for mode in (
-        DriveMode("PP", 1, 0x607A, (0x6081, 0x6083, 0x6084)),
-        DriveMode("VL", 2, 0x6042, (0x6046, 0x6048, 0x6049)),
-        DriveMode("PV", 3, 0x60FF, (0x6083, 0x6084)),
-        DriveMode("TQ", 4, 0x6071, (0x6087, 0x6088)),
-        DriveMode("HM", 6, None, (0x6098, 0x6099, 0x609A)),
-        DriveMode("IP", 7, 0x60C1, (0x60C0,)),
-        DriveMode("CSP", 8, 0x607A, cyclic=True),
-        DriveMode("CSV", 9, 0x60FF, cyclic=True),
-        DriveMode("CST", 10, 0x6071, cyclic=True),
-        DriveMode("CSTCA", 11, 0x6071, cyclic=True),
+        DriveMode("PP", 1, (0x607A,), (0x6081, 0x6083, 0x6084)),
+        DriveMode("VL", 2, (0x6042,), (0x6046, 0x6048, 0x6049)),
+        DriveMode("PV", 3, (0x60FF,), (0x6083, 0x6084)),
+        DriveMode("TQ", 4, (0x6071,), (0x6087, 0x6088)),
+        DriveMode("HM", 6, (), (0x6098, 0x6099, 0x609A)),
+        DriveMode("IP", 7, (0x60C1,), (0x60C0,)),
+        DriveMode("CSP", 8, (0x607A,), cyclic=True),
+        DriveMode("CSV", 9, (0x60FF,), cyclic=True),
+        DriveMode("CST", 10, (0x6071,), cyclic=True),
+        DriveMode("CSTCA", 11, (0x6071, 0x60EA), cyclic=True),
     )
 }
 MODE_BY_CODE = {mode.code: mode for mode in DRIVE_MODES.values()}
@@ -78,29 +79,39 @@ _TOKENS = {
 _AMBIGUOUS = {"ip", "vl", "hm", "pt", "pp"}
 """Tokens that also mean other things (an IP address); they count beside another mode only."""
 _QUANTITIES = {"position": ("PP", "CSP"), "velocity": ("PV", "CSV"), "speed": ("PV", "CSV"), "torque": ("TQ", "CST")}
+_CYCLIC = r"\bcyclic (?:synchron\w*|sync)? ?"
+_WITH_ANGLE = r"(?: mode)? ?(?:(?:with )?comm\w* angle\b|\(? ?cstca\b)"
 _PHRASES = [
-    *(
-        (re.compile(rf"\bcyclic\s+(?:synchron\w*|sync)?\s*{word}\b", re.IGNORECASE), cyclic)
-        for word, (_, cyclic) in _QUANTITIES.items()
-    ),
-    *(
-        (re.compile(rf"\b{word}\s+mode\s*\(\s*dc\s*\)", re.IGNORECASE), cyclic)
-        for word, (_, cyclic) in _QUANTITIES.items()
-    ),
-    *((re.compile(rf"\bprofiled?\s+{word}\b", re.IGNORECASE), mode) for word, (mode, _) in _QUANTITIES.items()),
-    (re.compile(r"\binterpolat\w*\s+position\b", re.IGNORECASE), "IP"),
-    (re.compile(r"\bhoming\s+mode\b", re.IGNORECASE), "HM"),
+    (re.compile(pattern, re.IGNORECASE), mode)
+    for pattern, mode in (
+        (rf"{_CYCLIC}torque{_WITH_ANGLE}", "CSTCA"),
+        *((rf"{_CYCLIC}{word}\b", cyclic) for word, (_, cyclic) in _QUANTITIES.items()),
+        *((rf"\bprofiled? {word}\b", profile) for word, (profile, _) in _QUANTITIES.items()),
+        (r"\binterpolat\w* position\b", "IP"),
+        (r"\bhoming mode\b", "HM"),
+        *((rf"\b{word} mode ?\( ?dc ?\)", cyclic) for word, (_, cyclic) in _QUANTITIES.items()),
+    )
 ]
+"""Names of modes in words; one that contains another comes first, as that of CSTCA does with that of CST."""
+_BLANKS = re.compile(r"[\s_.-]+")
+"""Blanks, what vendors write in place of them, and the end of ``Sync.``."""
 _WORD = re.compile(r"[A-Za-z0-9]+")
-_NOT_A_MODE = re.compile(r"\bcsv[\s-]*(?:file|export|import|format|table)s?\b", re.IGNORECASE)
+_NOT_A_MODE = re.compile(r"\bcsv ?(?:file|export|import|format|table)s?\b", re.IGNORECASE)
 
 
 @lru_cache(10_000)
 def named_modes(text: str) -> frozenset[str]:
-    """Modes that a name spells out, on word boundaries: ``Axis (csv,csp,cst)``, ``Cyclic velocity mode``."""
-    cleaned = _NOT_A_MODE.sub(" ", text)
-    found = {mode for pattern, mode in _PHRASES if pattern.search(cleaned)}
-    tokens = {word.lower() for word in _WORD.findall(cleaned.replace("_", " "))} & _TOKENS.keys()
+    """Modes that a name spells out, on word boundaries: ``Axis (csv,csp,cst)``, ``Cyclic velocity mode``.
+
+    The forms of ESI-FACTS section 16; ``_``, ``-`` and ``.`` stand for blanks.
+    """
+    left = _NOT_A_MODE.sub(" ", _BLANKS.sub(" ", text))
+    found = set()
+    for pattern, mode in _PHRASES:
+        left, times = pattern.subn(" ", left)  # cut out, so that no shorter name is found in it
+        if times:
+            found.add(mode)
+    tokens = {word.lower() for word in _WORD.findall(left)} & _TOKENS.keys()
     clear = tokens - _AMBIGUOUS
     if clear or found or len(tokens) > 1:
         found |= {_TOKENS[token] for token in tokens}

@@ -3,7 +3,7 @@
 Ranks, scores and traps of ESI-FACTS section 16. Nothing here decides; :mod:`esicatalog.model.drive_modes` does.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Annotated, NamedTuple
 
 from esicatalog.esi.binding import Doc, Record
@@ -97,6 +97,8 @@ class Part(NamedTuple):
     """How far the axis's objects lie above those of the first axis."""
     dc_op_mode_name: str | None = None
     """OpMode that a module asks for."""
+    replaced: frozenset[int] = frozenset()
+    """Objects of the device in whose place those of modules count."""
 
     def at(self, index: int) -> int:
         """Where an object of the first axis lies in this part."""
@@ -147,22 +149,54 @@ def _is_cia402(profile: Profile) -> bool:
     return PROFILE_CIA402 in (profile.profile_no, *(channel.profile_no for channel in profile.channel_infos))
 
 
+def _declaring(part: Part, index: int) -> DictionaryView | None:
+    """The dictionary with the object that counts, None without one."""
+    for view in part.views:
+        declared = view.by_index.get(index)
+        if declared is not None and not (index in part.replaced and declared.overwritten_by_module):
+            return view
+    return None
+
+
 def _value(part: Part, index: int) -> ObjectEntry | None:
     """The single value of an object."""
-    for view in part.views:
-        resolved = view.resolved(index)
-        if resolved is not None:
-            return resolved.entries[0]
-    return None
+    view = _declaring(part, index)
+    resolved = view.resolved(index) if view is not None else None
+    return resolved.entries[0] if resolved is not None else None
 
 
 def _enum_values(part: Part, index: int) -> list[tuple[int | None, str]]:
     """Values and texts of the enumeration that an object's type is."""
-    view = next((view for view in part.views if index in view.by_index), None)
+    view = _declaring(part, index)
     data_type = view.types.by_name.get(view.by_index[index].type or "") if view is not None else None
     if data_type is None:
         return []
     return [(item.value, display_text(item.texts) or "") for item in data_type.enum_infos]
+
+
+def marked_objects(part: Part) -> list[int]:
+    """Objects that say something about modes and are marked OverwrittenByModule."""
+    indices = (SUPPORTED_DRIVE_MODES, MODES_OF_OPERATION, *PROFILE_AND_CYCLIC, *SINGLE_SETPOINTS)
+    declared = [(part.at(index), view.by_index.get(part.at(index))) for index in indices for view in part.views]
+    return [index for index, item in declared if item is not None and item.overwritten_by_module]
+
+
+Contents = Mapping[int | None, Sequence[tuple[DictionaryView, ...]]]
+"""What slots hold, by number: the dictionaries of each of the alternatives."""
+
+
+def yielding(part: Part, contents: Contents) -> Part:
+    """A part of the device beside what its slots hold: its marked objects yield to theirs (ESI-FACTS section 12)."""
+    replaced = frozenset(
+        index
+        for index in marked_objects(part)
+        if any(all(_declares(views, index) for views in alternatives) for alternatives in contents.values())
+    )
+    return part._replace(replaced=replaced) if replaced != part.replaced else part
+
+
+def _declares(views: Sequence[DictionaryView], index: int) -> bool:
+    return any(index in view.by_index for view in views)
 
 
 def _finding(
@@ -250,17 +284,17 @@ def _init_commands(part: Part) -> Iterator[ModeEvidence]:
         if mode is None:
             continue
         words = f"InitCmd {'/'.join(command.transitions)} writes 0x{index:04X} = {mode.code} ({mode.name})"
-        pdo = mapping_pdo(part, mode)
+        pdos = mapping_pdos(part, mode)
         if named and mode.name not in named:
             listed = ", ".join(sorted(named))
             text = f"{words}, but the module's name {part.name!r} lists {listed}"
             yield _finding(part, mode, "C3", text, conflict=True, object_index=index)
-        elif pdo is not None or mode.setpoint is None:
-            mapped = f"; {pdo_words(pdo)} maps its setpoint 0x{part.at(mode.setpoint or 0):04X}" if pdo else ""
-            pdo_index = pdo.pdo_index if pdo else None
+        elif pdos or not mode.setpoints:
+            mapped = f"; {mapping_words(pdos)} its setpoint {setpoint_words(part, mode)}" if pdos else ""
+            pdo_index = pdos[0].pdo_index if pdos else None
             yield _finding(part, mode, "B1", words + mapped, object_index=index, pdo_index=pdo_index)
         else:
-            text = f"{words}, but no RxPDO maps its setpoint 0x{part.at(mode.setpoint):04X}"
+            text = f"{words}, but no RxPDO maps its setpoint {setpoint_words(part, mode)}"
             yield _finding(part, mode, "C2", text, conflict=True, object_index=index)
 
 
@@ -276,14 +310,14 @@ def _named(part: Part) -> Iterator[ModeEvidence]:
     """Names of the module or of a PDO that spell a mode whose setpoint is mapped there."""
     for name in sorted(named_modes(part.name)):
         mode = DRIVE_MODES[name]
-        pdo = mapping_pdo(part, mode)
-        if pdo is not None:
-            text = f"module name {part.name!r} names {name}; {pdo_words(pdo)} maps 0x{part.at(mode.setpoint or 0):04X}"
-            yield _finding(part, mode, "C1", text, pdo_index=pdo.pdo_index)
+        pdos = mapping_pdos(part, mode)
+        if pdos:
+            text = f"module name {part.name!r} names {name}; {mapping_words(pdos)} {setpoint_words(part, mode)}"
+            yield _finding(part, mode, "C1", text, pdo_index=pdos[0].pdo_index)
     for pdo in part.rx_pdos:
         for name in sorted(named_modes(display_text(pdo.names) or "")):
             mode = DRIVE_MODES[name]
-            if maps_setpoint(part, pdo, mode):
+            if maps_setpoint(part, pdo, mode.setpoints):
                 text = f"{pdo_words(pdo)} {display_text(pdo.names)!r} names {name} and maps its setpoint"
                 yield _finding(part, mode, "C1", text, pdo_index=pdo.pdo_index)
 
@@ -291,6 +325,8 @@ def _named(part: Part) -> Iterator[ModeEvidence]:
 def _mapped(part: Part) -> Iterator[ModeEvidence]:
     """Setpoints in RxPDOs, with and without a DC mode and the companions of profile modes."""
     for pdo in part.rx_pdos:
+        if pdo.virtual:
+            continue
         mapped = {entry.entry_index for entry in pdo.entries if entry.entry_index}
         for setpoint, (profile, cyclic) in PROFILE_AND_CYCLIC.items():
             if part.at(setpoint) not in mapped:
@@ -328,14 +364,32 @@ def _mappable(part: Part) -> Iterator[ModeEvidence]:
                 yield _finding(part, mode, "E", text, object_index=index)
 
 
-def maps_setpoint(part: Part, pdo: Pdo, mode: DriveMode) -> bool:
-    """Whether a PDO maps the setpoint of a mode."""
-    return mode.setpoint is not None and any(e.entry_index == part.at(mode.setpoint) for e in pdo.entries)
+def maps_setpoint(part: Part, pdo: Pdo, setpoints: Sequence[int]) -> bool:
+    """Whether a PDO maps these setpoints, all of them.
+
+    A virtual PDO is a description only, nothing transports it (ESI-FACTS sections 9 and 18).
+    """
+    wanted = {part.at(index) for index in setpoints}
+    return bool(wanted) and not pdo.virtual and wanted.issubset([entry.entry_index for entry in pdo.entries])
 
 
-def mapping_pdo(part: Part, mode: DriveMode) -> Pdo | None:
-    """The RxPDO that maps the setpoint of a mode: one that is assigned by default before others."""
-    fitting = [pdo for pdo in part.rx_pdos if maps_setpoint(part, pdo, mode)]
+def mapping_pdos(part: Part, mode: DriveMode) -> list[Pdo]:
+    """The RxPDOs that map the setpoint of a mode: one with all of it, else one for each object.
+
+    Drives with one object a PDO assign several, which must not exclude each other. None where an object is not mapped.
+    """
+    whole = _mapping_pdo(part, mode.setpoints)
+    if whole is not None:
+        return [whole]
+    each = [_mapping_pdo(part, (index,)) for index in mode.setpoints] if len(mode.setpoints) > 1 else []
+    found = [pdo for pdo in each if pdo is not None]
+    excluded = {item.pdo_index for pdo in found for item in pdo.excludes}
+    return found if len(found) == len(each) and excluded.isdisjoint([pdo.pdo_index for pdo in found]) else []
+
+
+def _mapping_pdo(part: Part, setpoints: Sequence[int]) -> Pdo | None:
+    """The RxPDO that maps setpoints: one that is assigned by default before others."""
+    fitting = [pdo for pdo in part.rx_pdos if maps_setpoint(part, pdo, setpoints)]
     return next((pdo for pdo in fitting if pdo in part.assigned), fitting[0] if fitting else None)
 
 
@@ -345,16 +399,24 @@ def maps_mode_of_operation(part: Part, pdos: Sequence[Pdo]) -> Pdo | None:
     return next((pdo for pdo in pdos if any(entry.entry_index == index for entry in pdo.entries)), None)
 
 
+def setpoint_words(part: Part, mode: DriveMode) -> str:
+    """The objects of a mode's setpoint in words."""
+    return " and ".join(f"0x{part.at(index):04X}" for index in mode.setpoints)
+
+
 def pdo_words(pdo: Pdo) -> str:
     """A PDO in words."""
     return f"RxPDO 0x{pdo.pdo_index:04X}" if pdo.pdo_index is not None else "an RxPDO"
+
+
+def mapping_words(pdos: Sequence[Pdo]) -> str:
+    """PDOs in words, as what maps something."""
+    return " and ".join(map(pdo_words, pdos)) + (" maps" if len(pdos) == 1 else " map")
 
 
 def axes_of(views: Sequence[DictionaryView], rx_pdos: Iterable[Pdo]) -> list[int]:
     """Axes above the first whose controlword stands literally in a description."""
     mapped = {entry.entry_index for pdo in rx_pdos for entry in pdo.entries}
     return [
-        axis
-        for control, axis in _CONTROLWORDS.items()
-        if axis and (control in mapped or any(control in view.by_index for view in views))
+        axis for control, axis in _CONTROLWORDS.items() if axis and (control in mapped or _declares(views, control))
     ]

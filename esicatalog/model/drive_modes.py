@@ -12,6 +12,7 @@ import msgspec
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import DataType
 from esicatalog.esi.records.module import Module
@@ -30,28 +31,35 @@ from esicatalog.model.drive_evidence import (
     NO,
     RANKS,
     YES,
+    Contents,
     ModeEvidence,
     Part,
     axes_of,
     find_evidence,
     has_cia402,
-    mapping_pdo,
+    mapping_pdos,
+    mapping_words,
     maps_mode_of_operation,
+    marked_objects,
     may_be_drive,
     pdo_words,
+    setpoint_words,
     written_mode,
+    yielding,
 )
 from esicatalog.model.process_image import SmImage, default_process_image, process_image
 from esicatalog.model.slots import (
     PluggedModule,
     SlotDependence,
+    accepts,
     default_modules,
     expand_module,
     fitting_modules,
     furthest_move,
+    numbered_slots,
     slot_dependences,
 )
-from esicatalog.model.sync import default_op_mode, is_superseded, sync_signals
+from esicatalog.model.sync import default_op_mode, generated_signals, is_superseded
 
 YES_FROM, LIKELY_FROM, POSSIBLE_FROM = 0.8, 0.5, 0.2
 _CAP_AGAINST_DECLARATION = 0.2
@@ -100,16 +108,21 @@ def drive_modes(
         return DriveModes(verdicts=tuple(_other_systems(device, views)))
     own = _device_parts(device, views, default_process_image(device, modules) if images is None else images)
     own_axes = {part.axis for part in own if has_cia402(part)}
+    is_marked = any(map(marked_objects, own))
+    contents = _slot_contents(device, modules, views) if is_marked else {}
+    own = [yielding(part, contents) for part in own]
     plugged = _module_parts(device, modules if own_axes else drives, views)
     defaults = {(item.slot_number, item.module.module_ident) for item in default_modules(device, modules)}
     evidence: list[ModeEvidence] = []
     verdicts: list[DriveModeVerdict] = []
     by_part = {}
-    for part in [*own, *(part for parts in plugged.values() for part in parts)]:
-        is_drive = part.axis in own_axes or has_cia402(part)
-        by_part[id(part)] = list(find_evidence(part)) if is_drive else []
-        evidence.extend(by_part[id(part)])
-    groups = _configurations(own, plugged) if evidence else {}
+    groups = _configurations(own, plugged, contents)
+    in_groups = [part for configurations in groups.values() for parts in configurations for part in parts]
+    for part in [*own, *(part for parts in plugged.values() for part in parts), *in_groups]:
+        if id(part) not in by_part:
+            is_drive = part.axis in own_axes or has_cia402(part)
+            by_part[id(part)] = list(find_evidence(part)) if is_drive else []
+            evidence += [item for item in by_part[id(part)] if not is_marked or item not in evidence]
     for axis, configurations in sorted(groups.items()):
         for mode in DRIVE_MODES.values():
             verdict = _best(device, axis, mode, configurations, by_part, defaults)
@@ -127,7 +140,7 @@ def drive_modes(
 def _device_parts(device: Device, known: DictionaryViews, images: Sequence[SmImage]) -> list[Part]:
     views = known.of(device.profiles)
     assigned = _assigned(images, None)
-    sync0 = any(sync_signals(mode.assign_activate).sync0 for mode in device.op_modes)
+    sync0 = bool(_with_sync0(device))
     commands = device.mailbox.coe_init_cmds if device.mailbox is not None else ()
     return [
         Part(
@@ -184,7 +197,6 @@ def _plugged(device: Device, modules: Sequence[Module]) -> Iterator[PluggedModul
 def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int, known: DictionaryViews) -> Part:
     module = expand_module(device, plugged).module
     op_mode = default_op_mode(device.op_modes)
-    modes = [mode for mode in device.op_modes if module.dc_op_mode_name in (None, mode.name)]
     return Part(
         shift // AXIS_STEP,
         plugged.slot_number,
@@ -195,10 +207,16 @@ def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int,
         _assigned(process_image(device, [plugged], op_mode), plugged.slot_number),
         module.mailbox.coe_init_cmds if module.mailbox is not None else (),
         module.profiles if first == 0 else (),
-        any(sync_signals(mode.assign_activate).sync0 for mode in modes),
+        any(module.dc_op_mode_name in (None, mode.name) for mode in _with_sync0(device)),
         shift,
         module.dc_op_mode_name,
     )
+
+
+def _with_sync0(device: Device) -> list[OpMode]:
+    """The OpModes that generate SYNC0 and are not superseded (ESI-FACTS section 11)."""
+    time_only = device.dc_time_loop_control_only
+    return [mode for mode in device.op_modes if generated_signals(mode, time_only).sync0 and not is_superseded(mode)]
 
 
 def _assigned(images: Sequence[SmImage], slot_number: int | None) -> tuple[Pdo, ...]:
@@ -211,13 +229,29 @@ def _assigned(images: Sequence[SmImage], slot_number: int | None) -> tuple[Pdo, 
     )
 
 
-def _configurations(own: list[Part], plugged: dict[int, list[Part]]) -> dict[int, list[list[Part]]]:
+def _slot_contents(device: Device, modules: Sequence[Module], known: DictionaryViews) -> Contents:
+    """What is in slots that are not left empty: the default module, else any that fits."""
+    held = {item.slot_number: [item] for item in default_modules(device, modules)}
+    for number, slot, instance in numbered_slots(device):
+        if number not in held and instance < (slot.min_instances or 0):
+            held[number] = [PluggedModule(number, slot, module) for module in modules if accepts(slot, module)]
+    return {
+        number: [known.of(expand_module(device, plugged).module.profiles) for plugged in alternatives]
+        for number, alternatives in held.items()
+        if alternatives
+    }
+
+
+def _configurations(own: list[Part], plugged: dict[int, list[Part]], contents: Contents) -> dict[int, list[list[Part]]]:
     """Per axis the sets of parts that act together: the device's own, and with it each alternative module."""
     axes = {part.axis for part in own} | plugged.keys()
     found = {}
     for axis in axes:
         base = [part for part in own if part.axis == axis]
-        found[axis] = [base, *([*base, part] for part in plugged.get(axis, ()))]
+        found[axis] = [base]
+        for module in plugged.get(axis, ()):
+            with_module = {**contents, module.slot_number: [module.views]}
+            found[axis].append([*(yielding(part, with_module) for part in base), module])
     return found
 
 
@@ -285,17 +319,15 @@ def _verdict(axis: int, mode: DriveMode, findings: list[ModeEvidence]) -> DriveM
         score, conflict = min(score, LIKELY_FROM), True
     if best is None:
         return None
-    word = next(
-        (
-            word
-            for word, least in (("yes", YES_FROM), ("likely", LIKELY_FROM), ("possible", POSSIBLE_FROM))
-            if score >= least
-        ),
-        "unknown",
-    )
     return DriveModeVerdict(
-        axis=axis, mode=mode.name, verdict=word, score=score, conflict=conflict, evidence=best.evidence
+        axis=axis, mode=mode.name, verdict=_word(score), score=score, conflict=conflict, evidence=best.evidence
     )
+
+
+def _word(score: float) -> str:
+    """The verdict that a score means."""
+    words = ((YES, YES_FROM), ("likely", LIKELY_FROM), ("possible", POSSIBLE_FROM))
+    return next((word for word, least in words if score >= least), "unknown")
 
 
 def _with_recipe(
@@ -313,26 +345,24 @@ def _with_recipe(
     if module is not None:
         which = ["default" if is_default else "not the default", *(f"or {ident}" for ident in alternatives)]
         steps.append(f"plug module 0x{module.module_ident:X} into slot {module.slot_number} ({', '.join(which)})")
-    mapped = next(((part, pdo) for part in reversed(parts) if (pdo := mapping_pdo(part, mode)) is not None), None)
-    pdo, pdo_is_default = None, None
-    if mapped is not None:
-        part, pdo = mapped
-        pdo_is_default = pdo in part.assigned
-        steps.append(
-            f"{pdo_words(pdo)} maps the setpoint" + ("" if pdo_is_default else "; it is not assigned by default")
-        )
-    elif mode.setpoint is not None:
-        steps.append(f"map the setpoint 0x{parts[-1].at(mode.setpoint):04X} into an RxPDO")
+    part, pdos = next(((part, pdos) for part in reversed(parts) if (pdos := mapping_pdos(part, mode))), (parts[-1], []))
+    pdos_are_default = all(pdo in part.assigned for pdo in pdos)
+    if pdos:
+        subject = "it is not" if len(pdos) == 1 else "not all are"
+        assigned = "" if pdos_are_default else f"; {subject} assigned by default"
+        steps.append(f"{mapping_words(pdos)} the setpoint{assigned}")
+    elif mode.setpoints:
+        steps.append(f"map the setpoint {setpoint_words(part, mode)} into an RxPDO")
     op_mode = (module.dc_op_mode_name if module is not None else None) or _op_mode(device, mode)
     if op_mode is not None:
         steps.append(f"OpMode {op_mode!r}")
-    steps.append(_mode_of_operation_step(mode, parts, [pdo] if pdo is not None else []))
+    steps.append(_mode_of_operation_step(mode, parts, pdos))
     return msgspec.structs.replace(
         verdict,
         module_ident=module.module_ident if module is not None else None,
         module_is_default=is_default if module is not None else None,
-        rx_pdo_index=pdo.pdo_index if pdo is not None else None,
-        rx_pdo_is_default=pdo_is_default,
+        rx_pdo_index=pdos[0].pdo_index if pdos else None,
+        rx_pdo_is_default=pdos_are_default if pdos else None,
         op_mode=op_mode,
         recipe="; ".join(steps),
     )
@@ -340,14 +370,9 @@ def _with_recipe(
 
 def _op_mode(device: Device, mode: DriveMode) -> str | None:
     """OpMode to choose: for cyclic modes the first valid one with SYNC0, else the default."""
-    if not device.op_modes:
-        return None
-    if mode.cyclic:
-        for op_mode in device.op_modes:
-            if sync_signals(op_mode.assign_activate).sync0 and not is_superseded(op_mode):
-                return op_mode.name
-    default = default_op_mode(device.op_modes)
-    return default.name if default is not None else None
+    with_sync0 = _with_sync0(device) if mode.cyclic else []
+    chosen = with_sync0[0] if with_sync0 else default_op_mode(device.op_modes)
+    return chosen.name if chosen is not None else None
 
 
 def _mode_of_operation_step(mode: DriveMode, parts: list[Part], pdos: list[Pdo]) -> str:
@@ -368,9 +393,10 @@ def _other_systems(device: Device, views: DictionaryViews) -> list[DriveModeVerd
         text = "SoE drive: its operation modes are in IDN S-0-0032 and following, not in CiA 402 objects"
         return [DriveModeVerdict(mode="SoE", kind="SoE", verdict="unknown", evidence=text)]
     found = []
+    _, score = RANKS["B2"]
     for index, name, text in _motion_terminal_modes(device, views):
         words = f"values of 0x{index:04X} list {text!r}; no CiA 402 object"
-        found.append(DriveModeVerdict(mode=name, kind="MDP 742", verdict="yes", score=RANKS["B2"][1], evidence=words))
+        found.append(DriveModeVerdict(mode=name, kind="MDP 742", verdict=_word(score), score=score, evidence=words))
     return found
 
 
