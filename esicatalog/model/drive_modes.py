@@ -196,7 +196,7 @@ def _plugged(device: Device, modules: Sequence[Module]) -> Iterator[PluggedModul
 
 def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int, known: DictionaryViews) -> Part:
     module = expand_module(device, plugged).module
-    op_mode = default_op_mode(device.op_modes)
+    op_mode = default_op_mode(device.op_modes, [plugged.module])
     return Part(
         shift // AXIS_STEP,
         plugged.slot_number,
