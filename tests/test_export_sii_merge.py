@@ -101,7 +101,8 @@ def test_other_config_data_are_the_first_change():
     merged = merge_image(computed(BROKEN, vendor_id=2), DUMP)
     assert struct.unpack_from("<HHHH", encode_sii(merged.image)) == (0x0405, 0x6E00, 0x0064, 0x0100)
     assert words(merged.changes)[0] == ("PDI words", "PDI control: 0x0380 would become 0x0405")
-    assert words(merged.changes)[1] == ("identity", "vendor id: 0x0000079A would become 0x00000002")
+    assert words(merged.changes)[1][0] == "check sum"
+    assert words(merged.changes)[2] == ("identity", "vendor id: 0x0000079A would become 0x00000002")
     (info,) = read(esi(device())).document.infos
     lines = image_text(info.devices[0], merged.image, merged=merged).splitlines()
     assert "unreachable" in lines[1]
@@ -141,6 +142,7 @@ def test_merging_an_image_into_itself_changes_nothing():
     assert "The device's image would not change." in image_text(info.devices[0], image, merged=merged)
 
 
+        "check sum",
 def dump_with_tail(free: int, size_word: int = 5) -> SiiImage:
     """The dump in an EEPROM that ends with four bytes of the maker's, after so many free ones."""
     header = msgspec.structs.replace(DUMP.header, size_word=size_word)
