@@ -4,7 +4,7 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from snippets import read, write
+from snippets import device, esi, read, write
 from test_cli import run
 
 from esicatalog import Catalog
@@ -38,6 +38,26 @@ def test_merging_keeps_what_is_the_devices_own(data_db, tmp_path):
     merged, _ = exported(tmp_path, "sii", EYOU, "--merge", tmp_path / "own.bin", db=data_db)
     header = decode_sii(merged).header
     assert (header.station_alias, header.serial_no) == (7, 1234)
+
+
+def test_merging_a_dump_up_to_its_end_mark_writes_no_more(data_db, tmp_path):
+    data, _ = exported(tmp_path, "sii", EYOU, db=data_db)
+    short = encode_sii(msgspec.structs.replace(decode_sii(data), trailing=b""))
+    (tmp_path / "own.bin").write_bytes(short)
+    for fit in ([], ["--fit"]):
+        merged, words = exported(tmp_path, "sii", EYOU, "--merge", tmp_path / "own.bin", *fit, db=data_db)
+        assert merged == short
+        assert f"{len(data) - len(short)} were not in it" in words.splitlines()[1]
+
+
+def test_merging_a_short_config_data_keeps_the_other_pdi_words(tmp_path):
+    element = "<Eeprom><ByteSize>256</ByteSize><ConfigData>{}</ConfigData></Eeprom>"
+    write(tmp_path, {f"{n}.xml": esi(device(element.format("050E03440A00FFAA"[:n]))) for n in (4, 16)})
+    data, _ = exported(tmp_path, "sii", "--esi", tmp_path / "16.xml")
+    (tmp_path / "own.bin").write_bytes(data)
+    merged, words = exported(tmp_path, "sii", "--esi", tmp_path / "4.xml", "--merge", tmp_path / "own.bin")
+    assert merged == data
+    assert "PDI words from byte 2, where ConfigData ends" in words
 
 
 def test_an_image_that_is_too_large_is_refused_and_fitted(data, tmp_path):

@@ -202,6 +202,10 @@ def test_the_text_says_what_was_left_out_and_why_to_merge():
     [
         ("<Eeprom><ByteSize>256</ByteSize><BootStrap>0011</BootStrap></Eeprom>", "BootStrap 0011 is not 8 bytes"),
         ("<Eeprom><ConfigData>" + "00" * 16 + "</ConfigData></Eeprom>", "ConfigData is 2 bytes longer"),
+        (
+            "<Eeprom><ConfigData>0421004401000E</ConfigData></Eeprom>",
+            "ConfigData has 7 of the 8 bytes of the PDI words",
+        ),
         ("<Fmmu>Dynamic</Fmmu><Fmmu>Outputs</Fmmu>", "FMMUs without a code for their use, stored as unused: Dynamic."),
         ("<Sm>Motors</Sm>", "SyncManagers without a code for their use, stored as unused: Motors."),
         ('<Sm ControlByte="#x24" Watchdog="1">Outputs</Sm>', "the ControlByte is stored: SM0."),
@@ -238,7 +242,7 @@ def test_remarks(content, words):
 
 
 def test_nothing_to_remark():
-    content = "<Eeprom><ByteSize>2048</ByteSize><ConfigData>0401</ConfigData></Eeprom>"
+    content = "<Eeprom><ByteSize>2048</ByteSize><ConfigData>0401000000000000</ConfigData></Eeprom>"
     (info,) = read(esi(device(content))).document.infos
     assert "About this image" not in image_text(info.devices[0], image(content))
 

@@ -8,14 +8,16 @@ from sii import by_hand
 from snippets import device, esi, pdo, read
 
 from esicatalog.export.sii import sii_image
-from esicatalog.export.sii_changes import image_changes
+from esicatalog.export.sii_changes import image_changes, stored_otherwise
+from esicatalog.export.sii_header import configuration_bytes
 from esicatalog.export.sii_limits import SiiLimitError, check_image, fit_image
 from esicatalog.export.sii_merge import MergedImage, merge_image
 from esicatalog.export.sii_remarks import image_text
 from esicatalog.sii.decode import decode_sii
-from esicatalog.sii.encode import encode_sii
-from esicatalog.sii.image import RawCategory, SiiImage
-from esicatalog.sii.records import Header
+from esicatalog.sii.encode import encode_sii, string_table
+from esicatalog.sii.errors import SiiImageError
+from esicatalog.sii.image import Fmmus, General, RawCategory, SiiImage, Strings, SyncManagers
+from esicatalog.sii.records import Fmmu, Header, SiiString
 
 DUMP = decode_sii(by_hand.WHOLE)
 """Alias 1234, serial 42, private words, categories 3 and 43, a bootstrap mailbox; vendor 0x79A."""
@@ -55,6 +57,34 @@ def test_what_only_the_device_has_is_kept():
         "category 3 (device specific), 12 bytes",
         "category 43 (SyncUnit), 2 bytes",
     )
+
+
+@pytest.mark.parametrize(
+    ("config_data", "configuration"),
+    [
+        ("0504", "0504006E64000001"),
+        ("050403", "0504036E64000001"),
+        ("05040301", "0504030164000001"),
+        ("0504030102000000", "0504030102000000"),
+        ("00000000", "8003006E64000001"),
+    ],
+)
+def test_what_a_short_config_data_does_not_hold_stays(config_data, configuration):
+    described = device(f"<Eeprom><ByteSize>2048</ByteSize><ConfigData>{config_data}</ConfigData></Eeprom>")
+    (info,) = read(esi(described)).document.infos
+    (described,) = info.devices
+    merged = merge_image(sii_image(1, None, described), DUMP, configuration_bytes(described))
+    data = encode_sii(merged.image)
+    assert data[:8].hex().upper() == configuration
+    assert data[14] == by_hand.remainder_crc(data[:14])
+    kept = f"PDI words from byte {len(config_data) // 2}, where ConfigData ends"
+    assert (kept in merged.kept) == (0 < len(config_data) < 16 and config_data != "00000000")
+
+
+def test_an_image_in_the_description_gives_all_pdi_words():
+    described = device(f"<Eeprom><Data>{by_hand.WHOLE.hex()}</Data></Eeprom>")
+    (info,) = read(esi(described)).document.infos
+    assert configuration_bytes(info.devices[0]) == 14
 
 
 def test_the_order_of_the_dump_is_kept_and_new_categories_follow():
@@ -101,17 +131,18 @@ def test_other_config_data_are_the_first_change():
     merged = merge_image(computed(BROKEN, vendor_id=2), DUMP)
     assert struct.unpack_from("<HHHH", encode_sii(merged.image)) == (0x0405, 0x6E00, 0x0064, 0x0100)
     assert words(merged.changes)[0] == ("PDI words", "PDI control: 0x0380 would become 0x0405")
-    assert words(merged.changes)[1] == ("identity", "vendor id: 0x0000079A would become 0x00000002")
+    assert words(merged.changes)[1][0] == "check sum"
+    assert words(merged.changes)[2] == ("identity", "vendor id: 0x0000079A would become 0x00000002")
     (info,) = read(esi(device())).document.infos
     lines = image_text(info.devices[0], merged.image, merged=merged).splitlines()
-    assert "unreachable" in lines[1]
-    assert "another device" in lines[2]
+    assert [line for line in lines if "unreachable" in line or "another device" in line] == lines[3:5]
 
 
 def test_the_parts_come_in_the_order_of_harm():
     merged = merge_image(computed(BROKEN + pdo("RxPdo", "#x1601", 8), vendor_id=2), DUMP)
     assert parts(merged) == [
         "PDI words",
+        "check sum",
         "identity",
         "mailboxes",
         "SyncManagers",
@@ -139,6 +170,124 @@ def test_merging_an_image_into_itself_changes_nothing():
     assert check_image(merged.image, merged.byte_size) == image
     (info,) = read(esi(device())).document.infos
     assert "The device's image would not change." in image_text(info.devices[0], image, merged=merged)
+
+
+def told(merged: MergedImage) -> tuple[bytes, list[str]]:
+    """The image that is written, and what is told of it behind the first line."""
+    (info,) = read(esi(device())).document.infos
+    image = check_image(merged.image, merged.byte_size, merged.dump_bytes)
+    return encode_sii(image), image_text(info.devices[0], image, merged=merged).splitlines()[1:]
+
+
+UNCHANGED = "The device's image would not change."
+
+
+def test_what_a_dump_does_not_hold_is_not_written():
+    """Some tools read up to the end mark: what is behind is not known to be free."""
+    dump = decode_sii(encode_sii(computed(CONFIG)))
+    data, lines = told(merge_image(computed(CONFIG), dump))
+    assert data == encode_sii(dump)
+    assert lines[:3] == [
+        f"The dump holds {len(data)} of the EEPROM's 2048 bytes; {2048 - len(data)} were not in it.",
+        f"{2048 - len(data)} bytes behind this image are no part of it and stay as they are, if the tool that writes "
+        "it leaves alone what the file does not hold.",
+        UNCHANGED,
+    ]
+
+
+def test_an_image_longer_than_its_dump_tells_what_it_overwrites():
+    dump = decode_sii(encode_sii(computed(CONFIG)))
+    merged = merge_image(computed(CONFIG + pdo("RxPdo", "#x1600", 8)), dump)
+    data, lines = told(merged)
+    assert data == encode_sii(merged.image)
+    more = len(data) - len(encode_sii(dump))
+    assert more > 0
+    assert lines[1].startswith(f"Writing this image overwrites the first {more} of them, whatever they hold")
+    assert lines[2].startswith(f"{2048 - len(data)} bytes behind this image")
+    assert UNCHANGED not in lines
+
+
+def test_an_image_shorter_than_its_dump_is_filled_up_to_it():
+    dump = decode_sii(encode_sii(computed(CONFIG + pdo("RxPdo", "#x1600", 8))))
+    merged = merge_image(computed(CONFIG), dump)
+    data, _ = told(merged)
+    free = len(encode_sii(dump)) - len(encode_sii(merged.image))
+    assert free > 0
+    assert data == encode_sii(merged.image) + b"\xff" * free
+    assert encode_sii(fit_image(merged.image, merged.byte_size, merged.dump_bytes).image) == data
+
+
+def test_of_a_whole_dump_nothing_is_unread():
+    dump = check_image(computed(CONFIG), 2048)
+    data, lines = told(merge_image(computed(CONFIG), dump))
+    assert (data, lines[0]) == (encode_sii(dump), UNCHANGED)
+
+
+def test_a_wrong_check_sum_is_a_change():
+    sound = check_image(computed(CONFIG), 2048)
+    header = msgspec.structs.replace(sound.header, checksum=sound.header.checksum ^ 0xFF)
+    merged = merge_image(computed(CONFIG), msgspec.structs.replace(sound, header=header))
+    data, lines = told(merged)
+    assert data == encode_sii(sound)
+    right = sound.header.checksum
+    assert words(merged.changes) == [("check sum", f"check sum: 0x{right ^ 0xFF:02X} would become 0x{right:02X}")]
+    assert "check sum in the dump is wrong" in lines[0]
+    assert UNCHANGED not in lines
+
+
+def test_every_byte_that_differs_is_told():
+    """Each bit of an image inverted, but for those after which it is none. The padding of texts is no value."""
+    padding = by_hand.WHOLE.index(by_hand.STRINGS) + len(by_hand.STRINGS) - 1
+    for offset in range(len(by_hand.WHOLE) - len(by_hand.END) - 6):
+        for bit in range(8):
+            data = bytearray(by_hand.WHOLE)
+            data[offset] ^= 1 << bit
+            try:
+                other = decode_sii(bytes(data))
+            except SiiImageError:
+                continue
+            assert stored_otherwise(DUMP, other) or offset < 128, hex(offset)
+            assert bool(image_changes(DUMP, other)) == (offset != padding), hex(offset)
+
+
+def test_what_only_is_stored_otherwise_is_no_value_but_told():
+    sound = check_image(computed(CONFIG + "<Fmmu>Outputs</Fmmu>"), 2048)
+    strings = sound.of_type(Strings)[0]
+    turned = msgspec.structs.replace(strings, strings=(*strings.strings, SiiString()), rest=b"\0")
+    categories = [turned if item is strings else item for item in sound.categories]
+    dump = msgspec.structs.replace(sound, categories=tuple(categories))
+    data, lines = told(merge_image(computed(CONFIG + "<Fmmu>Outputs</Fmmu>"), dump))
+    assert data != encode_sii(dump)
+    assert lines[0] == "No value would change, only how it is stored: order, padding or encoding of texts."
+    assert not any(line.startswith("Writing it would change") for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("other", "expected"),
+    [
+        ({"end_mark": False, "trailing": b""}, ("end mark",)),
+        ({"trailing": b"\0\0"}, ("bytes behind the end mark",)),
+        ({"trailing": b"\xff\xff"}, ()),
+        ({"categories": (General(), Fmmus())}, ("order of the categories",)),
+        ({"categories": (Fmmus(fmmus=(Fmmu(usage_code=0xFF),) * 2), General())}, ("codes of FMMUs without use",)),
+        ({"categories": (Fmmus(),)}, ("category 30 (General)", "order of the categories")),
+    ],
+)
+def test_images_that_say_the_same(other, expected):
+    image = SiiImage(categories=(Fmmus(), General()))
+    changed = msgspec.structs.replace(image, **other)
+    assert image_changes(image, changed) == ()
+    assert stored_otherwise(image, changed) == expected
+
+
+def test_bytes_and_texts_that_a_merge_loses_are_told():
+    texts = string_table(["T1", "G", "Group", "N", "calibrated"])
+    own = SyncManagers(rest=b"\1\2")
+    dump = msgspec.structs.replace(computed(CONFIG), categories=(texts, computed(CONFIG).general, own))
+    assert words(merge_image(computed(CONFIG), dump).changes) == [
+        ("other categories", "bytes of no whole record would be removed: 01 02"),
+        ("texts", "texts that nothing names would be removed: 'calibrated'"),
+    ]
 
 
 def dump_with_tail(free: int, size_word: int = 5) -> SiiImage:

@@ -165,9 +165,11 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     """EEPROM image of the device.
 
     For a device in the field use --merge with its own image: alias, serial number, factory data and private words
-    stay, and what would change is told. Words about the image go to stderr.
+    stay, and what would change is told. It ends where that image ends, unless it needs more: what was not read is
+    not written. Words about the image go to stderr.
     """
     from esicatalog.export.sii import sii_image
+    from esicatalog.export.sii_header import configuration_bytes
     from esicatalog.export.sii_limits import check_image, fit_image
     from esicatalog.export.sii_merge import merge_image
     from esicatalog.export.sii_remarks import image_text
@@ -179,14 +181,15 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     image = sii_image(subject.vendor_id, subject.group, subject.device, language=language)
     dropped: tuple[str, ...] = ()
     merged = None
-    byte_size = image.header.byte_size
+    byte_size = filled_to = image.header.byte_size
     if merge is not None:
-        merged = merge_image(image, decode_sii(image_bytes(read_bytes(Path(merge)))))
-        image, byte_size = merged.image, merged.byte_size
+        dump = decode_sii(image_bytes(read_bytes(Path(merge))))
+        merged = merge_image(image, dump, configuration_bytes(subject.device))
+        image, byte_size, filled_to = merged.image, merged.byte_size, merged.dump_bytes
     if fit:
-        image, dropped = fit_image(image, byte_size)
+        image, dropped = fit_image(image, byte_size, filled_to)
     else:
-        image = check_image(image, byte_size)
+        image = check_image(image, byte_size, filled_to)
     click.echo(image_text(subject.device, image, merged=merged, dropped=dropped), err=True)
     return encode_sii(image)
 

@@ -1,12 +1,25 @@
-"""What writing another SII image would change, in words, worst first."""
+"""What writing another SII image would change, in words, worst first: every stored field has a name here."""
 
 from collections.abc import Callable, Iterable, Iterator
 from enum import IntFlag
 from itertools import zip_longest
+from operator import ne
 from typing import Any, NamedTuple
 
 from esicatalog.export.sii import NOT_ASSIGNED
-from esicatalog.sii.image import General, RawCategory, SiiImage
+from esicatalog.sii.encode import category_body
+from esicatalog.sii.files import FILLER
+from esicatalog.sii.image import (
+    DistributedClocks,
+    Fmmus,
+    General,
+    RawCategory,
+    RxPdos,
+    SiiImage,
+    Strings,
+    SyncManagers,
+    TxPdos,
+)
 from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.records import DcMode, Fmmu, Pdo, PdoEntry, SyncManager
 from esicatalog.sii.words import category_title, flag_words
@@ -16,6 +29,15 @@ Differing = tuple[str, str | None, str | None]
 Compare = Callable[[SiiImage, SiiImage], Iterator[Differing]]
 Labels = dict[str, tuple[str, int]]
 """What fields are called, and the number of hex digits of their values; 0 = decimal."""
+CHECK_SUM = "check sum"
+"""It follows from the words before it, unless an image stores a wrong one."""
+FLAGS = "flags"
+_DC_SYNC = "DC sync"
+_STATUS = "status byte"
+_RESERVED = "reserved bytes"
+_OF_GAP = "stored with the gap"
+NOT_CONFIGURED = (FLAGS, _DC_SYNC, _STATUS, _RESERVED, _OF_GAP)
+"""How the labels end of what an image stores beside a SyncManager, PDO, entry or OpMode and no master configures."""
 _PDI_WORDS: Labels = {
     "pdi_control": ("PDI control", 4),
     "pdi_configuration": ("PDI configuration", 4),
@@ -25,6 +47,7 @@ _PDI_WORDS: Labels = {
     "reserved_6": ("word 6", 4),
     "station_alias": ("station alias", 0),
 }
+_CHECK_SUM: Labels = {"checksum": (CHECK_SUM, 2), "checksum_high_byte": ("byte behind it", 2)}
 _IDENTITY: Labels = {
     "vendor_id": ("vendor id", 8),
     "product_code": ("product code", 8),
@@ -63,6 +86,9 @@ _GENERAL: Labels = {
     "identification_address": ("identification address", 4),
     "legacy_ports": ("legacy ports", 2),
     "sysman_class": ("SysmanClass", 2),
+    "reserved_15": ("byte 15", 2),
+    "reserved_20": ("bytes 20 to 31", 0),
+    "rest": ("bytes from 32", 0),
 }
 _NAMES: Labels = {
     "order_string_number": ("order code", 0),
@@ -71,9 +97,21 @@ _NAMES: Labels = {
     "group_name_string_number": ("name of the group", 0),
     "image_string_number": ("image", 0),
 }
-
-
-FLAGS = "flags"
+_BESIDE_SM: Labels = {"status_byte": (_STATUS, 2)}
+_BESIDE_PDO: Labels = {"flags": (FLAGS, 0), "dc_sync": (_DC_SYNC, 0)}
+_BESIDE_ENTRY: Labels = {"flags": (FLAGS, 4)}
+_BESIDE_GAP: Labels = {
+    "subindex": (f"subindex {_OF_GAP}", 2),
+    "data_type_code": (f"data type {_OF_GAP}", 2),
+    **_BESIDE_ENTRY,
+}
+_BESIDE_DC_MODE: Labels = {"reserved_20": (_RESERVED, 8)}
+_FREE = bytes([FILLER])
+_STORED = {
+    Strings.category_type: "order, padding or encoding of texts",
+    Fmmus.category_type: "codes of FMMUs without use",
+}
+"""In what categories differ that say the same."""
 
 
 class Change(NamedTuple):
@@ -97,10 +135,31 @@ class Change(NamedTuple):
 def image_changes(old: SiiImage, new: SiiImage) -> tuple[Change, ...]:
     """How ``new`` differs from ``old``, in the order of possible harm.
 
-    PDI words come first, with which a device can become unreachable, then identity, mailboxes, SyncManagers, FMMUs,
-    PDOs, OpModes, what General says, further words and categories, texts. The check sum follows from the PDI words.
+    PDI words come first, with which a device can become unreachable, then their check sum, identity, mailboxes,
+    SyncManagers, FMMUs, PDOs, OpModes, what General says, further words and categories, texts. Where nothing is found,
+    the images can still differ as :func:`stored_otherwise` says.
     """
     return tuple(Change(part, *differing) for part, compare in _PARTS for differing in compare(old, new))
+
+
+def stored_otherwise(old: SiiImage, new: SiiImage) -> tuple[str, ...]:
+    """In which bytes images differ that say the same, in words."""
+    before, after = _bodies(old), _bodies(new)
+    types = dict.fromkeys((*before, *after))
+    found = {_STORED.get(kind, category_title(kind)): before.get(kind) != after.get(kind) for kind in types}
+    orders = ([category.category_type for category in image.categories] for image in (old, new))
+    found["order of the categories"] = ne(*orders)
+    found["end mark"] = old.end_mark != new.end_mark
+    found["bytes behind the end mark"] = ne(*(image.trailing.strip(_FREE) for image in (old, new)))
+    return tuple(what for what, differs in found.items() if differs)
+
+
+def _bodies(image: SiiImage) -> dict[int, list[bytes]]:
+    """The data of the categories by type, in stored order."""
+    found: dict[int, list[bytes]] = {}
+    for category in image.categories:
+        found.setdefault(category.category_type, []).append(category_body(category))
+    return found
 
 
 def _differing(label: str, before: str | None, after: str | None) -> Iterator[Differing]:
@@ -122,11 +181,19 @@ def _flags(flags: IntFlag) -> str:
 
 def _fields(record_of: Callable[[SiiImage], SiiRecord], labels: Labels) -> Compare:
     def compare(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
-        before, after = record_of(old), record_of(new)
-        for field, (label, digits) in labels.items():
-            yield from _differing(label, *(_spelled(getattr(record, field), digits) for record in (before, after)))
+        return _differing_fields("", record_of(old), record_of(new), labels)
 
     return compare
+
+
+def _differing_fields(
+    prefix: str, before: SiiRecord | None, after: SiiRecord | None, labels: Labels
+) -> Iterator[Differing]:
+    if before is None or after is None:
+        return
+    for field, (label, digits) in labels.items():
+        spelled = (_spelled(getattr(record, field), digits) for record in (before, after))
+        yield from _differing(prefix + label, *spelled)
 
 
 def _general_of(image: SiiImage) -> General:
@@ -136,6 +203,7 @@ def _general_of(image: SiiImage) -> General:
 def _sync_managers(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
     for number, pair in enumerate(zip_longest(old.sync_managers, new.sync_managers)):
         yield from _differing(f"SM{number}", *map(_sync_manager, pair))
+        yield from _differing_fields(f"SM{number}, ", *pair, _BESIDE_SM)
 
 
 def _sync_manager(sm: SyncManager | None) -> str | None:
@@ -159,8 +227,8 @@ def _pdos(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
         for key in (*before, *(key for key in after if key not in before)):
             label, pair = f"{kind} 0x{key[0]:04X}", (before.get(key), after.get(key))
             yield from _differing(label, *map(_pdo, pair))
+            yield from _differing_fields(f"{label}, ", *pair, _BESIDE_PDO)
             if None not in pair:
-                yield from _differing(f"{label}, {FLAGS}", *(_flags(pdos[key].flags) for pdos in (before, after)))
                 yield from _entries(label, before[key], after[key])
         common = [[key for key in pdos if key in before and key in after] for pdos in (before, after)]
         yield from _differing(
@@ -189,6 +257,8 @@ def _pdo(pdo: Pdo | None) -> str | None:
 def _entries(label: str, before: Pdo, after: Pdo) -> Iterator[Differing]:
     for number, pair in enumerate(zip_longest(before.entries, after.entries), start=1):
         yield from _differing(f"{label}, entry {number}", *map(_entry, pair))
+        beside = _BESIDE_ENTRY if any(entry and entry.entry_index for entry in pair) else _BESIDE_GAP
+        yield from _differing_fields(f"{label}, entry {number}, ", *pair, beside)
 
 
 def _entry(entry: PdoEntry | None) -> str | None:
@@ -203,6 +273,7 @@ def _entry(entry: PdoEntry | None) -> str | None:
 def _dc_modes(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
     for number, pair in enumerate(zip_longest(old.dc_modes, new.dc_modes), start=1):
         yield from _differing(f"OpMode {number}", *map(_dc_mode, pair))
+        yield from _differing_fields(f"OpMode {number}, ", *pair, _BESIDE_DC_MODE)
 
 
 def _dc_mode(mode: DcMode | None) -> str | None:
@@ -220,28 +291,48 @@ def _raw_categories(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
     for category_type in dict.fromkeys(item.category_type for item in (*before, *after)):
         data = (b"".join(item.data for item in part if item.category_type == category_type) for part in (before, after))
         yield from _differing(category_title(category_type), *(part.hex(" ") or None for part in data))
+    yield from _differing("bytes of no whole record", *(_of_no_record(image).hex(" ") or None for image in (old, new)))
+
+
+def _of_no_record(image: SiiImage) -> bytes:
+    kinds = (SyncManagers, TxPdos, RxPdos, DistributedClocks)
+    return b"".join(category.rest for category in image.categories if isinstance(category, kinds))
 
 
 def _texts(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
     before, after = _all_texts(old), _all_texts(new)
     for label in before:
         if label in after:
-            yield from _differing(label, *(texts[label] and repr(texts[label]) for texts in (before, after)))
+            yield from _differing(label, before[label], after[label])
+    yield from _differing("texts that nothing names", *(_unnamed(image) or None for image in (old, new)))
+
+
+def _text(image: SiiImage, string_number: int) -> str | None:
+    text = image.text(string_number)
+    if text is None and string_number:
+        return f"string {string_number}, which is missing"
+    return repr(text) if text else None
+
+
+def _unnamed(image: SiiImage) -> str:
+    named = set(_all_texts(image).values())
+    texts = (string.text for table in image.of_type(Strings) for string in table.strings)
+    return ", ".join(text for text in dict.fromkeys(map(repr, filter(None, texts))) if text not in named)
 
 
 def _all_texts(image: SiiImage) -> dict[str, str | None]:
-    """Every text by what it names."""
+    """Every text by what it names, quoted; a string number without a string as itself."""
     general = _general_of(image)
-    found = {label: image.text(getattr(general, field)) for field, (label, _) in _NAMES.items()}
+    found = {label: _text(image, getattr(general, field)) for field, (label, _) in _NAMES.items()}
     for kind, pdos_of in _DIRECTIONS:
-        for (index, _), pdo in _numbered(pdos_of(image)).items():
-            label = f"name of {kind} 0x{index:04X}"
-            found[label] = image.text(pdo.name_string_number)
+        for (index, repeat), pdo in _numbered(pdos_of(image)).items():
+            label = f"name of {kind} 0x{index:04X}" + f", repeat {repeat}" * bool(repeat)
+            found[label] = _text(image, pdo.name_string_number)
             for number, entry in enumerate(pdo.entries, start=1):
-                found[f"{label}, entry {number}"] = image.text(entry.name_string_number)
+                found[f"{label}, entry {number}"] = _text(image, entry.name_string_number)
     for number, mode in enumerate(image.dc_modes, start=1):
-        found[f"name of OpMode {number}"] = image.text(mode.name_string_number)
-        found[f"description of OpMode {number}"] = image.text(mode.description_string_number)
+        found[f"name of OpMode {number}"] = _text(image, mode.name_string_number)
+        found[f"description of OpMode {number}"] = _text(image, mode.description_string_number)
     return found
 
 
@@ -251,6 +342,7 @@ _DIRECTIONS: tuple[tuple[str, Callable[[SiiImage], tuple[Pdo, ...]]], ...] = (
 )
 _PARTS: tuple[tuple[str, Compare], ...] = (
     ("PDI words", _fields(lambda image: image.header, _PDI_WORDS)),
+    (CHECK_SUM, _fields(lambda image: image.header, _CHECK_SUM)),
     ("identity", _fields(lambda image: image.header, _IDENTITY)),
     ("mailboxes", _fields(lambda image: image.header, _MAILBOXES)),
     ("SyncManagers", _sync_managers),

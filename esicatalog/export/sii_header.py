@@ -57,6 +57,14 @@ def flags_of(none: F, flags: Mapping[str, F], record: Record) -> F:
     return reduce(or_, (flag for field, flag in flags.items() if getattr(record, field)), none)
 
 
+def configuration_bytes(device: Device) -> int:
+    """How many bytes of the words 0 to 6 the description gives: as many as ConfigData has, all by a whole image."""
+    eeprom = device.eeprom or Eeprom()
+    if decode_hex_binary(eeprom.data) is not None:
+        return CHECKSUM_OFFSET
+    return min(len(decode_hex_binary(eeprom.config_data) or b""), CHECKSUM_OFFSET)
+
+
 def computed_header(vendor_id: int | None, device: Device) -> Header:
     """The words 0 to 0x3F with their check sum. Words of a shorter ConfigData, and codes not given, are zero."""
     eeprom = device.eeprom or Eeprom()

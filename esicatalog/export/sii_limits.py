@@ -49,8 +49,10 @@ class FittedImage(NamedTuple):
     dropped: tuple[str, ...]
 
 
-def check_image(image: SiiImage, byte_size: int) -> SiiImage:
-    """The image as it fills an EEPROM of ``byte_size`` bytes, free bytes 0xFF; 128 bytes have no room for an end mark.
+def check_image(image: SiiImage, byte_size: int, filled_to: int | None = None) -> SiiImage:
+    """The image as it is written to an EEPROM of ``byte_size`` bytes; 128 bytes have no room for an end mark.
+
+    Free bytes are 0xFF up to ``filled_to``, where a dump ends whose device has more; without it, up to the end.
 
     Raises :class:`SiiLimitError` naming what is too much: bytes, strings, entries of a PDO, bits of an entry; and
     :class:`SiiEncodeError` for another value that its field cannot hold.
@@ -68,17 +70,19 @@ def check_image(image: SiiImage, byte_size: int) -> SiiImage:
             "to fit, names and then more can be left out (--fit)",
             excess,
         )
-    return msgspec.structs.replace(image, trailing=behind + _FREE * -excess)
+    free = (byte_size if filled_to is None else filled_to) - used - len(behind)
+    return msgspec.structs.replace(image, trailing=behind + _FREE * free)
 
 
-def fit_image(image: SiiImage, byte_size: int) -> FittedImage:
+def fit_image(image: SiiImage, byte_size: int, filled_to: int | None = None) -> FittedImage:
     """The image with as little left out as an EEPROM of ``byte_size`` bytes and the format's limits demand.
 
     A PDO that no image can hold is left out, and where a SyncManager is assigned it all PDOs, because the others alone
     would make it too short. Then, step by step until the rest fits: names of the entries of PDOs that no SyncManager is
     assigned, of all entries, of PDOs, of OpModes, of the group and image; these PDOs themselves, all PDOs, the OpModes,
     and at last every computed category, which leaves the header as devices with an EEPROM of 128 bytes have it. Other
-    categories stay: they may hold what the device's maker stored.
+    categories stay: they may hold what the device's maker stored. ``filled_to`` is that of :func:`check_image`; the
+    EEPROM is what has to suffice, since a dump that ends at its end mark would have no room for anything more.
 
     Raises :class:`SiiLimitError` when even that is too much.
     """
@@ -89,7 +93,7 @@ def fit_image(image: SiiImage, byte_size: int) -> FittedImage:
             if reduced != image:
                 dropped.append(f"{words}: {_difference(image, reduced)}")
                 image = with_bytes_behind(image, reduced)
-    return FittedImage(check_image(image, byte_size), tuple(dropped))
+    return FittedImage(check_image(image, byte_size, filled_to), tuple(dropped))
 
 
 def _holds_too_much(image: SiiImage, byte_size: int) -> bool:

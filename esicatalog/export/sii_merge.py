@@ -8,10 +8,10 @@ import msgspec
 
 from esicatalog.export.sii_changes import Change, image_changes
 from esicatalog.export.sii_limits import behind_end_mark, with_bytes_behind
-from esicatalog.sii.checksum import with_checksum
+from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import Category, General, RawCategory, SiiImage
-from esicatalog.sii.records import Header
+from esicatalog.sii.records import HEADER, Header
 from esicatalog.sii.words import category_title
 
 _DEVICE_WORDS = (
@@ -26,8 +26,9 @@ _DEVICE_WORDS = (
     "version",
 )
 """Words that belong to the single device, not to its description."""
+_PDI_WORDS = "PDI words"
 _SAID_TOGETHER = {
-    "PDI words": ("pdi_control", "pdi_configuration", "sync_impulse_length_10ns", "pdi_configuration_2"),
+    _PDI_WORDS: ("pdi_control", "pdi_configuration", "sync_impulse_length_10ns", "pdi_configuration_2"),
     "word 5": ("reserved_5",),
     "word 6": ("reserved_6",),
     "bootstrap mailbox": (
@@ -38,42 +39,57 @@ _SAID_TOGETHER = {
     ),
 }
 """Words that a description says together or not at all: all zero means that it says nothing."""
+PDI_BYTES = 8
+"""Bytes of the PDI words: 0 to 3."""
 _RESERVED_IN_GENERAL = ("legacy_ports", "sysman_class", "reserved_15", "reserved_20", "rest")
 
 
 class MergedImage(NamedTuple):
-    """An image for one device, what writing it would change, worst first, and what of the device it keeps, in words.
-
-    ``byte_size`` is the size of the device's EEPROM: by its size word, or the bytes of the dump if these are more.
-    """
+    """An image for one device, the device's own that it is made from, and what of it is kept, in words."""
 
     image: SiiImage
-    byte_size: int
-    changes: tuple[Change, ...]
+    dump: SiiImage
     kept: tuple[str, ...]
 
+    @property
+    def dump_bytes(self) -> int:
+        """Bytes of the dump. Some tools read up to the end mark only: what is behind is unknown, not free."""
+        return len(encode_sii(self.dump))
 
-def merge_image(computed: SiiImage, dump: SiiImage) -> MergedImage:
+    @property
+    def byte_size(self) -> int:
+        """Size of the device's EEPROM: by its size word, or the bytes of the dump if these are more."""
+        return max(self.dump.header.byte_size, self.dump_bytes)
+
+    @property
+    def changes(self) -> tuple[Change, ...]:
+        """What writing the image would change, worst first."""
+        return image_changes(self.dump, self.image)
+
+
+def merge_image(computed: SiiImage, dump: SiiImage, config_bytes: int = CHECKSUM_OFFSET) -> MergedImage:
     """The computed image with what the device's own image, ``dump``, has beyond any description.
 
     Kept are alias, serial number, delays, private words, the size of the EEPROM, reserved bytes of General, the bytes
     behind the end mark, and every category that is not computed: 1 to 9 and the makers' own, also where the
     description declares one of the same number. PDI words and bootstrap mailbox stay as they are where the
-    description says nothing. The order is that of the dump.
+    description says nothing: also behind the ``config_bytes`` bytes of a shorter ConfigData
+    (:func:`esicatalog.export.sii_header.configuration_bytes`). The order is that of the dump.
 
     Raises :class:`SiiLimitError` when the computed categories reach into the bytes behind the end mark, and
     :class:`SiiEncodeError` for a computed image that cannot be encoded when there are such bytes.
     """
-    header = _header(computed.header, dump.header)
+    header = _header(computed.header, dump.header, config_bytes)
     image = SiiImage(header=header, categories=_categories(computed, dump))
     image = with_bytes_behind(dump, image)
-    byte_size = max(dump.header.byte_size, len(encode_sii(dump)))
-    return MergedImage(image, byte_size, image_changes(dump, image), tuple(_kept(computed, dump)))
+    return MergedImage(image, dump, tuple(_kept(computed, dump, config_bytes)))
 
 
-def _header(computed: Header, dump: Header) -> Header:
+def _header(computed: Header, dump: Header, config_bytes: int) -> Header:
     fields = (*_DEVICE_WORDS, *chain.from_iterable(_unsaid(computed).values()))
-    return with_checksum(msgspec.structs.replace(computed, **{field: getattr(dump, field) for field in fields}))
+    said, own = HEADER.write(computed), HEADER.write(dump)
+    header = HEADER.read(said[:config_bytes] + own[config_bytes:CHECKSUM_OFFSET] + said[CHECKSUM_OFFSET:])
+    return with_checksum(msgspec.structs.replace(header, **{field: getattr(dump, field) for field in fields}))
 
 
 def _unsaid(computed: Header) -> dict[str, tuple[str, ...]]:
@@ -103,8 +119,8 @@ def _general(computed: General, own: General) -> General:
     return msgspec.structs.replace(computed, **{field: getattr(own, field) for field in _RESERVED_IN_GENERAL})
 
 
-def _kept(computed: SiiImage, dump: SiiImage) -> Iterator[str]:
-    header = dump.header
+def _kept(computed: SiiImage, dump: SiiImage, config_bytes: int) -> Iterator[str]:
+    header, unsaid = dump.header, _unsaid(computed.header)
     if header.station_alias:
         yield f"station alias {header.station_alias}"
     if header.serial_no:
@@ -113,7 +129,9 @@ def _kept(computed: SiiImage, dump: SiiImage) -> Iterator[str]:
         yield "words 0x10 to 0x13"
     if any(header.private):
         yield "words 0x1D to 0x3D"
-    for what, fields in _unsaid(computed.header).items():
+    if _PDI_WORDS not in unsaid and any(HEADER.write(header)[config_bytes:PDI_BYTES]):
+        yield f"{_PDI_WORDS} from byte {config_bytes}, where ConfigData ends"
+    for what, fields in unsaid.items():
         if any(getattr(header, field) for field in fields):
             yield f"{what}, which the description does not give"
     if header.size_word != computed.header.size_word:

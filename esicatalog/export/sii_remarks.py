@@ -7,14 +7,16 @@ from esicatalog.esi.records.device import Device, Eeprom
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.export.esc_registers import esc_registers
 from esicatalog.export.sii import FMMU_USAGE_CODES, PORT_CODES, SM_USAGE_CODES, data_type_code, valid_op_modes
+from esicatalog.export.sii_changes import stored_otherwise
 from esicatalog.export.sii_header import ASSUMED_BYTE_SIZE, BOOTSTRAP_BYTES, is_declarable
 from esicatalog.export.sii_limits import used_bytes
-from esicatalog.export.sii_merge import MergedImage
+from esicatalog.export.sii_merge import PDI_BYTES, MergedImage
 from esicatalog.export.sii_texts import storable
 from esicatalog.identity import Identity
 from esicatalog.model.pdo_facts import entry_facts, has_length
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.sii.checksum import CHECKSUM_OFFSET
+from esicatalog.sii.checksum import CHECKSUM_OFFSET, header_checksum
+from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import SiiImage
 
 WHY_MERGE = (
@@ -25,6 +27,10 @@ WHY_MERGE = (
 """Why an image should not be written as computed."""
 _CHECK_PDI = (
     "PDI words would change: wrong ones make the device unreachable. Write only when you know them to be right."
+)
+_WRONG_CHECK_SUM = (
+    "The check sum in the dump is wrong, with which a slave controller does not load the words 0 to 6; with that of "
+    "this image it would load them."
 )
 _CHECK_IDENTITY = "The identity would change: the dump may be that of another device or revision."
 
@@ -54,22 +60,45 @@ def _lines(device: Device, image: SiiImage, merged: MergedImage | None, dropped:
     if merged is None:
         yield WHY_MERGE
     else:
-        yield from _merge_lines(merged)
+        yield from _merge_lines(image, merged)
     yield from _listed("Left out to fit the EEPROM:", dropped)
     yield from _listed("About this image:", image_remarks(device))
 
 
-def _merge_lines(merged: MergedImage) -> Iterator[str]:
-    parts = {change.part for change in merged.changes}
-    if not parts:
+def _merge_lines(image: SiiImage, merged: MergedImage) -> Iterator[str]:
+    yield from _unread_lines(used_bytes(image) + len(image.trailing), merged)
+    changes = merged._replace(image=image).changes
+    parts = {change.part for change in changes}
+    if encode_sii(image) == encode_sii(merged.dump):
         yield "The device's image would not change."
+    elif not changes:
+        yield f"No value would change, only how it is stored: {', '.join(stored_otherwise(merged.dump, image))}."
+    if merged.dump.header.checksum != header_checksum(merged.dump.header):
+        yield _WRONG_CHECK_SUM
     if "PDI words" in parts:
         yield _CHECK_PDI
     if "identity" in parts:
         yield _CHECK_IDENTITY
-    changes = (f"{change.part}: {change.text}" for change in merged.changes)
-    yield from _listed("Writing it would change, worst first:", changes)
+    yield from _listed("Writing it would change, worst first:", (f"{item.part}: {item.text}" for item in changes))
     yield from _listed("Kept as the device has it:", merged.kept)
+
+
+def _unread_lines(size: int, merged: MergedImage) -> Iterator[str]:
+    """What of the EEPROM the dump does not hold, and what becomes of it when ``size`` bytes are written."""
+    unread = merged.byte_size - merged.dump_bytes
+    if unread <= 0:
+        return
+    yield f"The dump holds {merged.dump_bytes} of the EEPROM's {merged.byte_size} bytes; {unread} were not in it."
+    if size > merged.dump_bytes:
+        yield (
+            f"Writing this image overwrites the first {size - merged.dump_bytes} of them, whatever they hold: better "
+            "read the whole EEPROM and merge into that."
+        )
+    if size < merged.byte_size:
+        yield (
+            f"{merged.byte_size - size} bytes behind this image are no part of it and stay as they are, if the tool "
+            "that writes it leaves alone what the file does not hold."
+        )
 
 
 def _listed(title: str, lines: Iterable[str]) -> Iterator[str]:
@@ -92,6 +121,11 @@ def _bytes_of(text: str | None) -> int:
 
 def _config_data_missing(device: Device) -> list[str]:
     return [] if _bytes_of(_eeprom(device).config_data) else ["ConfigData"]
+
+
+def _config_data_too_short(device: Device) -> list[int]:
+    size = _bytes_of(_eeprom(device).config_data)
+    return [size] if 0 < size < PDI_BYTES else []
 
 
 def _config_data_too_long(device: Device) -> list[int]:
@@ -179,6 +213,11 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
     ),
     (_codes_missing, "Not given, so 0: {}."),
     (_byte_size_missing, "No ByteSize is given; {} bytes are assumed."),
+    (
+        _config_data_too_short,
+        f"ConfigData has {{}} of the {PDI_BYTES} bytes of the PDI words; the others are zero, in a merged image those "
+        "of the device.",
+    ),
     (_config_data_too_long, "ConfigData is {} bytes longer than the words 0 to 6; the check sum is computed."),
     (_boot_strap_broken, "BootStrap {} is not 8 bytes; the bootstrap mailbox is zero."),
     (

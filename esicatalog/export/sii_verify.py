@@ -3,12 +3,12 @@
 from typing import NamedTuple
 
 from esicatalog.export.sii import sii_image
-from esicatalog.export.sii_changes import FLAGS, Change, image_changes
+from esicatalog.export.sii_changes import CHECK_SUM, NOT_CONFIGURED, Change, image_changes
 from esicatalog.export.subject import Subject
 from esicatalog.sii.image import SiiImage
 
-_OWN = {"serial number", "station alias"}
-"""What is the device's own and in no description."""
+_OWN = {"serial number", "station alias", CHECK_SUM}
+"""What is the device's own and in no description, and the check sum over it, which reading an image verifies."""
 _USED_PARTS = {"identity", "mailboxes", "SyncManagers", "FMMUs", "PDOs", "OpModes"}
 _USED_OF_GENERAL = {"flags", "CoE"}
 
@@ -43,4 +43,4 @@ def _words(change: Change) -> str:
 def _is_used(change: Change) -> bool:
     if change.part == "General":
         return change.label in _USED_OF_GENERAL
-    return change.part in _USED_PARTS and not change.label.endswith(FLAGS)
+    return change.part in _USED_PARTS and not change.label.endswith(NOT_CONFIGURED)
