@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from snippets import device, dictionary, esi, write
+from snippets import device, dictionary, esi, pdo, write
 
 from esicatalog.cli.lint import command
 from esicatalog.lint.registry import SEVERITY_WORDS
@@ -96,3 +96,70 @@ def test_what_is_read_of_default_data_of_another_length(tmp_path, type_name, bit
     write(tmp_path, {"a.xml": esi(device(dictionary(data_type, declared)))})
     (found,) = [item for item in findings(tmp_path / "a.xml") if item["rule"] == "L45"]
     assert found["message"].endswith(f"0x2000:00 has DefaultData of {words}")
+
+
+SYNC_MANAGERS = (
+    '<Sm StartAddress="#x1000" ControlByte="#x26" DefaultSize="128" Enable="1">MBoxOut</Sm>'
+    '<Sm StartAddress="#x1200" ControlByte="#x22" DefaultSize="128" Enable="1">MBoxIn</Sm>'
+    '<Sm StartAddress="#x1400" ControlByte="#x64" Enable="1">Outputs</Sm>'
+    '<Sm StartAddress="#x1800" ControlByte="#x20" Enable="1">Inputs</Sm>'
+)
+TYPES = "".join(
+    f"<DataType><Name>{name}</Name><BitSize>{bits}</BitSize></DataType>"
+    for name, bits in (("USINT", 8), ("UINT", 16), ("UDINT", 32), ("REAL", 32))
+)
+INCREMENTS = 'SlotPdoIncrement="16" SlotIndexIncrement="#x800"'
+
+
+def linted(folder: Path, rule_id: str, devices: str, modules: str = "") -> list[dict]:
+    """What one rule finds in a document."""
+    write(folder, {"a.xml": esi(devices, modules)})
+    return [item for item in findings(folder / "a.xml") if item["rule"] == rule_id]
+
+
+def declared(index: str, type_name: str, bits: int, attributes: str = "", content: str = "") -> str:
+    return (
+        f"<Object><Index {attributes}>{index}</Index><Name>O</Name><Type>{type_name}</Type><BitSize>{bits}</BitSize>"
+        f"{content}<Flags><Access>rw</Access><PdoMapping>R</PdoMapping></Flags></Object>"
+    )
+
+
+def mapped(index: str, bits: int, attributes: str = "", subindex: int = 0, data_type: str = "") -> str:
+    name = f"<DataType>{data_type}</DataType>" if data_type else ""
+    return (
+        f"<Entry><Index {attributes}>{index}</Index><SubIndex>{subindex}</SubIndex><BitLen>{bits}</BitLen>"
+        f"<Name>e</Name>{name}</Entry>"
+    )
+
+
+def module(content: str, ident: str = "#x10", name: str = "m") -> str:
+    return f'<Module><Type ModuleIdent="{ident}">M</Type><Name>{name}</Name>{content}</Module>'
+
+
+def slots(*instances: int, increments: str = INCREMENTS, own: tuple[str, ...] = ()) -> str:
+    """Slot elements for so many slots each, all of the module 0x10."""
+    elements = "".join(
+        f'<Slot MinInstances="0" MaxInstances="{number}" {attributes}><ModuleIdent>#x10</ModuleIdent></Slot>'
+        for number, attributes in zip(instances, own or [""] * len(instances), strict=True)
+    )
+    return f"<Slots {increments}>{elements}</Slots>"
+
+
+OWN_DICTIONARY = dictionary(TYPES, declared("#x1000", "UDINT", 32))
+IN_SLOT = 'DependOnSlot="1"'
+WITH_OBJECT = module(dictionary(TYPES, declared("#x6040", "UINT", 16, IN_SLOT)))
+WITH_PDO = module(f"<RxPdo><Index {IN_SLOT}>#x1601</Index><Name>p</Name>{mapped('#x7000', 8, IN_SLOT)}</RxPdo>")
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "attributes", "count"),
+    [
+        ("L03", 'Sm="2" Fixed="True" Mandatory="TRUE"', 2),
+        ("L03", 'Sm="2" Fixed="true" Mandatory="1"', 0),
+        ("L06", 'Sm="5000000000"', 1),
+        ("L06", 'Sm="2"', 0),
+    ],
+)
+def test_attributes_that_are_read_though_the_schema_forbids_them(tmp_path, rule_id, attributes, count):
+    rx_pdo = pdo("RxPdo", "#x1600", 8, attributes=attributes)
+    assert len(linted(tmp_path, rule_id, device(SYNC_MANAGERS + rx_pdo))) == count
