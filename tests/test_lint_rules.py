@@ -152,6 +152,23 @@ WITH_PDO = module(f"<RxPdo><Index {IN_SLOT}>#x1601</Index><Name>p</Name>{mapped(
 
 
 @pytest.mark.parametrize(
+    ("type_name", "text", "words"),
+    [
+        ("REAL", "10", "read as a number"),
+        ("REAL", "1.5", "read as a number"),
+        ("REAL", "ten", "no number"),
+        ("UDINT", "10", "read as a number"),
+        ("UDINT", "1.5", "no number"),
+    ],
+)
+def test_l47_tells_whether_a_text_was_read_as_a_number(tmp_path, type_name, text, words):
+    content = f"<Info><DefaultString>{text}</DefaultString></Info>"
+    objects = declared("#x2000", type_name, 32, content=content)
+    (found,) = linted(tmp_path, "L47", device(dictionary(TYPES, objects)))
+    assert f"{text!r}, {words})" in found["message"]
+
+
+@pytest.mark.parametrize(
     ("rule_id", "attributes", "count"),
     [
         ("L03", 'Sm="2" Fixed="True" Mandatory="TRUE"', 2),
