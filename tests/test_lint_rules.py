@@ -151,6 +151,33 @@ WITH_OBJECT = module(dictionary(TYPES, declared("#x6040", "UINT", 16, IN_SLOT)))
 WITH_PDO = module(f"<RxPdo><Index {IN_SLOT}>#x1601</Index><Name>p</Name>{mapped('#x7000', 8, IN_SLOT)}</RxPdo>")
 
 
+def test_l22_counts_from_the_sync_manager_that_reaches_furthest(tmp_path):
+    sync_managers = (
+        '<Sm StartAddress="#x1000" ControlByte="#x26" DefaultSize="#x400" Enable="1">MBoxOut</Sm>'
+        '<Sm StartAddress="#x1080" ControlByte="#x22" DefaultSize="16" Enable="1">MBoxIn</Sm>'
+        '<Sm StartAddress="#x1100" ControlByte="#x64" DefaultSize="4" Enable="1">Outputs</Sm>'
+        '<Sm StartAddress="#x1500" ControlByte="#x20" DefaultSize="4" Enable="1">Inputs</Sm>'
+    )
+    assert [item["message"] for item in linted(tmp_path, "L22", device(sync_managers))] == [
+        "SM 0 takes 0x1000 to 0x13FF and SM 1 starts at 0x1080: they overlap by 16 bytes",
+        "SM 0 takes 0x1000 to 0x13FF and SM 2 starts at 0x1100: they overlap by 12 bytes",
+    ]
+
+
+def test_l44_looks_from_the_sub_item_that_reaches_furthest(tmp_path):
+    sub_items = "".join(
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>USINT</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{offset}</BitOffs></SubItem>"
+        for number, (name, bits, offset) in enumerate([("n", 8, 0), ("a", 160, 16), ("b", 16, 32), ("c", 16, 64)])
+    )
+    data_type = f"<DataType><Name>DT</Name><BitSize>176</BitSize>{sub_items}</DataType>"
+    found = linted(tmp_path, "L44", device(dictionary(TYPES + data_type, "")))
+    assert [item["message"] for item in found] == [
+        "SubItem 'b' of DataType DT starts at bit 32, 'a' ends at 176: correct BitOffs",
+        "SubItem 'c' of DataType DT starts at bit 64, 'a' ends at 176: correct BitOffs",
+    ]
+
+
 @pytest.mark.parametrize(
     ("type_name", "text", "words"),
     [
