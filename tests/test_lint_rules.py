@@ -178,6 +178,15 @@ def test_l44_looks_from_the_sub_item_that_reaches_furthest(tmp_path):
     ]
 
 
+@pytest.mark.parametrize(("index", "count"), [("#x1600", 0), ("#x1601", 1)])
+def test_l62_leaves_out_pdos_that_op_modes_list(tmp_path, index, count):
+    listing = (
+        f'<Dc><OpMode><Name>a</Name><AssignActivate>0</AssignActivate><Sm No="2"><Pdo>{index}</Pdo></Sm></OpMode></Dc>'
+    )
+    mailbox = '<Mailbox><CoE SdoInfo="1" PdoConfig="1"/></Mailbox>'
+    assert len(linted(tmp_path, "L62", device(SYNC_MANAGERS + pdo("RxPdo", "#x1600", 8) + mailbox + listing))) == count
+
+
 @pytest.mark.parametrize(
     ("type_name", "text", "words"),
     [

@@ -4,7 +4,7 @@ AssignActivate is written to the registers 0x0980 (low byte) and 0x0981 (high by
 SYNC1 needs bit 0x0400 and the unit's bit 0x0100; a CycleTimeSync1 alone says nothing.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import Annotated
 
@@ -48,6 +48,12 @@ def sync_signals(assign_activate: int | None) -> SyncSignals:
         latch0_pdi=bool(assign_activate & LATCH0_PDI),
         latch1_pdi=bool(assign_activate & LATCH1_PDI),
     )
+
+
+def listed_pdos(op_modes: Iterable[OpMode]) -> set[int]:
+    """Indices of the PDOs that OpModes assign themselves."""
+    pdos = [pdo for mode in op_modes for item in mode.sm_assignments for pdo in item.pdos]
+    return {pdo.pdo_index for pdo in pdos if pdo.pdo_index is not None}
 
 
 def is_superseded(op_mode: OpMode) -> bool:

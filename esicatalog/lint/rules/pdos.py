@@ -6,6 +6,7 @@ from esicatalog.esi.records.pdo import Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import DIRECTIONS, DeviceSubject, ModuleSubject, PlacedPdo, ProcessSubject, is_absent
 from esicatalog.model.pdo_facts import entry_facts, symmetric_exclusions
+from esicatalog.model.sync import listed_pdos
 
 _RANGES = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
 _OPPOSITE = {"RxPdo": "Inputs", "TxPdo": "Outputs"}
@@ -244,7 +245,7 @@ def _indices(indices: Iterable[int | None]) -> str:
 @rule("L66", WARNING, "ETG.2000 Pdo/@Mandatory: it must stay assigned, so it must be assigned")
 def mandatory_without_sync_manager(subject: ProcessSubject) -> Iterator[Found]:
     """A mandatory PDO has no Sm."""
-    listed = {pdo.pdo_index for mode in subject.data.op_modes for item in mode.sm_assignments for pdo in item.pdos}
+    listed = listed_pdos(subject.data.op_modes)
     for placed in subject.pdos:
         pdo = placed.pdo
         if pdo.mandatory and pdo.sm is None and not pdo.virtual and pdo.pdo_index not in listed:
