@@ -151,6 +151,23 @@ WITH_OBJECT = module(dictionary(TYPES, declared("#x6040", "UINT", 16, IN_SLOT)))
 WITH_PDO = module(f"<RxPdo><Index {IN_SLOT}>#x1601</Index><Name>p</Name>{mapped('#x7000', 8, IN_SLOT)}</RxPdo>")
 
 
+def test_l57_points_at_the_command_that_writes_the_mode(tmp_path):
+    commands = "\n".join(
+        f"<InitCmd><Transition>PS</Transition><Index {IN_SLOT}>{index}</Index><SubIndex>0</SubIndex>"
+        f"<Data>{data}</Data></InitCmd>"
+        for index, data in (("#x6081", "00000000"), ("#x6098", "08"), ("#x6060", "08"))
+    )
+    axis = module(
+        f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped('#x6040', 16, IN_SLOT)}{mapped('#x60FF', 32, IN_SLOT)}"
+        f"</RxPdo><Mailbox><CoE>\n{commands}</CoE></Mailbox><Profile><ProfileNo>402</ProfileNo></Profile>",
+        name="csv axis",
+    )
+    empty = '<Slot MaxInstances="1"><ModuleIdent>#x20</ModuleIdent></Slot>'
+    for carried in (slots(1), slots(1).replace("<Slot M", f"{empty}<Slot M")):
+        (found,) = linted(tmp_path, "L57", device(SYNC_MANAGERS + carried), axis)
+        assert found["path"].endswith("InitCmd[2]")
+
+
 def test_l22_counts_from_the_sync_manager_that_reaches_furthest(tmp_path):
     sync_managers = (
         '<Sm StartAddress="#x1000" ControlByte="#x26" DefaultSize="#x400" Enable="1">MBoxOut</Sm>'
