@@ -151,6 +151,67 @@ WITH_OBJECT = module(dictionary(TYPES, declared("#x6040", "UINT", 16, IN_SLOT)))
 WITH_PDO = module(f"<RxPdo><Index {IN_SLOT}>#x1601</Index><Name>p</Name>{mapped('#x7000', 8, IN_SLOT)}</RxPdo>")
 
 
+@pytest.mark.parametrize(
+    ("index", "subindex", "carried", "count"),
+    [
+        ("#x6040", 0, slots(2), 0),
+        ("#x6840", 0, slots(2), 0),
+        ("#x6840", 0, slots(1, 1), 0),
+        ("#x6840", 1, slots(2), 1),
+        ("#x7040", 0, slots(2), 1),  # slot 2, of which there is none
+        ("#x6440", 0, slots(2), 1),
+        ("#x6840", 0, slots(2, increments=""), 1),
+        ("#x6840", 0, slots(2, increments="", own=('SlotIndexIncrement="#x800"',)), 0),
+        ("#x6440", 0, slots(1, increments="", own=('SlotGroup="2" SlotGroupIndexIncrement="#x200"',)), 1),
+    ],
+)
+def test_l36_knows_the_objects_that_modules_have_in_slots_above_0(tmp_path, index, subindex, carried, count):
+    rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped(index, 16, subindex=subindex)}</RxPdo>"
+    found = linted(tmp_path, "L36", device(OWN_DICTIONARY + SYNC_MANAGERS + rx_pdo + carried), WITH_OBJECT)
+    assert len(found) == count
+
+
+def test_l36_knows_the_objects_that_modules_have_in_slot_groups(tmp_path):
+    of_group = module(dictionary(TYPES, declared("#x6040", "UINT", 16, 'DependOnSlotGroup="1"')))
+    rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped('#x6440', 16)}</RxPdo>"
+    carried = slots(1, own=('SlotGroup="2" SlotGroupIndexIncrement="#x200"',))
+    assert linted(tmp_path, "L36", device(OWN_DICTIONARY + SYNC_MANAGERS + rx_pdo + carried), of_group) == []
+
+
+def test_devices_with_equal_pdos_and_other_slots_are_told_apart(tmp_path):
+    rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped('#x6840', 16)}</RxPdo>"
+    contents = [OWN_DICTIONARY + SYNC_MANAGERS + rx_pdo + carried for carried in (slots(2), slots(1), slots(2))]
+    devices = [device(content, revision=f"#x{number}") for number, content in enumerate(contents, 1)]
+    (found,) = linted(tmp_path, "L36", "".join(devices), WITH_OBJECT)
+    assert "Device[1]" in found["path"]
+
+
+@pytest.mark.parametrize(("index", "count"), [("#x1601", 0), ("#x1611", 0), ("#x1621", 1), ("#x1612", 1)])
+def test_l32_and_l52_know_the_pdos_that_modules_have_in_slots_above_0(tmp_path, index, count):
+    excluding = pdo("RxPdo", "#x1700", 8, extra=f"<Exclude>{index}</Exclude>")
+    assert len(linted(tmp_path, "L32", device(SYNC_MANAGERS + excluding + slots(2)), WITH_PDO)) == count
+    listing = (
+        f'<Dc><OpMode><Name>a</Name><AssignActivate>0</AssignActivate><Sm No="2"><Pdo>{index}</Pdo></Sm></OpMode></Dc>'
+    )
+    assert len(linted(tmp_path, "L52", device(SYNC_MANAGERS + listing + slots(2)), WITH_PDO)) == count
+
+
+def test_l32_knows_what_other_modules_have_in_slots_above_0(tmp_path):
+    excluding = module(pdo("RxPdo", "#x1700", 8, extra="<Exclude>#x1611</Exclude>"), "#x20")
+    carried = slots(2).replace("</Slots>", '<Slot MaxInstances="1"><ModuleIdent>#x20</ModuleIdent></Slot></Slots>')
+    assert linted(tmp_path, "L32", device(SYNC_MANAGERS + carried), WITH_PDO + excluding) == []
+
+
+@pytest.mark.parametrize("index", ["#x60FF", "#x68FF"])
+def test_an_object_marked_overwritten_by_module_yields_to_the_modules(tmp_path, index):
+    placeholder = dictionary(TYPES, declared(index, "UINT", 16, 'OverwrittenByModule="1"'))
+    rx_pdo = f"<RxPdo><Index>#x1610</Index><Name>p</Name>{mapped(index, 32)}</RxPdo>"
+    of_device = placeholder + SYNC_MANAGERS + rx_pdo
+    real = module(dictionary(TYPES, declared("#x60FF", "UDINT", 32, IN_SLOT)))
+    assert linted(tmp_path, "L37", device(of_device + slots(2)), real) == []
+    assert len(linted(tmp_path, "L37", device(of_device))) == 1
+
+
 def test_l57_points_at_the_command_that_writes_the_mode(tmp_path):
     commands = "\n".join(
         f"<InitCmd><Transition>PS</Transition><Index {IN_SLOT}>{index}</Index><SubIndex>0</SubIndex>"
@@ -166,6 +227,21 @@ def test_l57_points_at_the_command_that_writes_the_mode(tmp_path):
     for carried in (slots(1), slots(1).replace("<Slot M", f"{empty}<Slot M")):
         (found,) = linted(tmp_path, "L57", device(SYNC_MANAGERS + carried), axis)
         assert found["path"].endswith("InitCmd[2]")
+
+
+@pytest.mark.parametrize(
+    ("instances", "own", "position"),
+    [
+        ((1, 1, 1), ("", 'SlotIndexIncrement="#x2000"', ""), 1),
+        ((2, 1, 1), ('SlotIndexIncrement="#x2000"', "", ""), 0),
+        ((1, 1, 1), ("", "", 'SlotIndexIncrement="#x2000"'), 2),
+    ],
+)
+def test_l55_looks_at_every_slot(tmp_path, instances, own, position):
+    mapping = f"<RxPdo><Index {IN_SLOT}>#x1600</Index><Name>p</Name>{mapped('#xF000', 8, IN_SLOT)}</RxPdo>"
+    carried = slots(*instances, increments='SlotPdoIncrement="1" SlotIndexIncrement="1"', own=own)
+    (found,) = linted(tmp_path, "L55", device(SYNC_MANAGERS + carried), module(mapping))
+    assert f"/Slot[{position}]" in found["path"]
 
 
 def test_l22_counts_from_the_sync_manager_that_reaches_furthest(tmp_path):

@@ -157,8 +157,10 @@ class Linter:
 
     def _pdos(self, owner: Owner) -> _Hits:
         record, dictionaries = owner.record, self._dictionaries_for(owner)
-        key = (identities(record.rx_pdos), identities(record.tx_pdos), identities(dictionaries.views))
-        return self._of_pdos.get(key, (record, dictionaries.views), self._check_pdos, owner, dictionaries)
+        looked_at = (record.rx_pdos, record.tx_pdos, dictionaries.views, *_slots(owner))
+        return self._of_pdos.get(
+            (*map(identities, looked_at), _increments(owner)), looked_at, self._check_pdos, owner, dictionaries
+        )
 
     def _check_pdos(self, owner: Owner, dictionaries: Dictionaries) -> _Hits:
         hits: list[_Hit] = []
@@ -175,11 +177,14 @@ class Linter:
         """
         if not owner.own:
             return owner.own
+        others: Sequence[Owner] = ()
+        in_slots = None
         if isinstance(owner, DeviceSubject):
-            others: Sequence[Owner] = owner.modules
-        else:
-            others = owner.hosts if isinstance(owner, ModuleSubject) else ()
-        return Dictionaries([view for part in (owner, *others) for view in part.own.views]) if others else owner.own
+            others, in_slots = owner.modules, owner.entries_in_slots
+        elif isinstance(owner, ModuleSubject):
+            others = owner.hosts
+        views = [view for part in (owner, *others) for view in part.own.views]
+        return Dictionaries(views, in_slots) if others else owner.own
 
     def _check_pdo(self, pdo: Pdo) -> _Hits:
         return self._check(pdo, Record) + self._check(pdo, Pdo) or ()
@@ -216,6 +221,17 @@ class Linter:
 
     def _check_data_type(self, data_type: DataType) -> _Hits:
         return self._check(data_type, Record) + self._check(data_type, DataType) or ()
+
+
+def _slots(owner: Owner) -> tuple[Sequence[Any], Sequence[Any]]:
+    """What decides, beside increments, where modules have their objects."""
+    return (owner.device.slots, owner.module_records) if isinstance(owner, DeviceSubject) else ((), ())
+
+
+def _increments(owner: Owner) -> tuple[int | None, int | None]:
+    if not isinstance(owner, DeviceSubject):
+        return None, None
+    return owner.device.slot_index_increment, owner.device.slot_group_index_increment
 
 
 def _below(place: Place, hits: _Hits) -> list[_Hit]:

@@ -143,10 +143,13 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
         return
     hosts = [] if isinstance(subject, ProcessSubject) else subject.hosts
     modules = subject.modules if isinstance(subject, ProcessSubject) else [m for host in hosts for m in host.modules]
+    processes = [subject.data] if isinstance(subject, ProcessSubject) else [h.derivation.process_data for h in hosts]
     known = {placed.pdo.pdo_index for owner in (subject, *hosts, *modules) for placed in owner.pdos}
     for placed in subject.pdos:
         for number, item in enumerate(placed.pdo.excludes):
-            if item.pdo_index is not None and item.pdo_index not in known:
+            if item.pdo_index is None or item.pdo_index in known:
+                continue
+            if not any(data.in_slots.has_pdo(item.pdo_index) for data in processes):
                 yield Found(
                     f"{_words(placed.direction, placed.pdo.pdo_index)} excludes 0x{item.pdo_index:04X}, "
                     "which is no PDO of the device: correct or remove it",
