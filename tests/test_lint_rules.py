@@ -280,6 +280,26 @@ def test_l62_leaves_out_pdos_that_op_modes_list(tmp_path, index, count):
     assert len(linted(tmp_path, "L62", device(SYNC_MANAGERS + pdo("RxPdo", "#x1600", 8) + mailbox + listing))) == count
 
 
+def test_l48_leaves_out_padding(tmp_path):
+    entries = mapped("0", 8, data_type="PADDING") + mapped("#x7000", 8, data_type="BYTES8")
+    rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{entries}</RxPdo>"
+    (found,) = linted(tmp_path, "L48", device(SYNC_MANAGERS + rx_pdo))
+    assert "BYTES8" in found["message"]
+
+
+@pytest.mark.parametrize("objects", [declared("#x2000", "USINT", 8), ""])
+def test_l48_leaves_out_types_that_the_owner_declares(tmp_path, objects):
+    rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped('#x2000', 8, data_type='MYENUM')}</RxPdo>"
+    own_type = "<DataType><Name>MYENUM</Name><BaseType>USINT</BaseType><BitSize>8</BitSize></DataType>"
+    with_type, without = (dictionary(TYPES + added, objects) for added in (own_type, ""))
+    assert linted(tmp_path, "L48", device(with_type + SYNC_MANAGERS + rx_pdo)) == []
+    assert linted(tmp_path, "L48", device(SYNC_MANAGERS), module(with_type + rx_pdo)) == []
+    assert len(linted(tmp_path, "L48", device(without + SYNC_MANAGERS + rx_pdo), module(with_type))) == 1
+    both = device(with_type + SYNC_MANAGERS + rx_pdo) + device(SYNC_MANAGERS + rx_pdo, revision="#x2")
+    (found,) = linted(tmp_path, "L48", both)
+    assert "Device[1]" in found["path"]
+
+
 @pytest.mark.parametrize(
     ("type_name", "text", "words"),
     [

@@ -17,6 +17,7 @@ from esicatalog.lint.dictionaries import ObjectSubject, ObjectValues, ValuesOfTy
 from esicatalog.lint.locator import Locator, Tree
 from esicatalog.lint.registry import Check, Found, Place, Rule
 from esicatalog.lint.rules import ALL_RULES
+from esicatalog.lint.rules.mapping import foreign_types
 from esicatalog.lint.subjects import (
     DeviceSubject,
     Dictionaries,
@@ -25,6 +26,7 @@ from esicatalog.lint.subjects import (
     ModuleSubject,
     Owner,
     PdoMapping,
+    PdoTypes,
     ProcessSubject,
     pdo_mapping,
 )
@@ -73,6 +75,7 @@ class Linter:
         self._of_pdos: IdentityMemo[_Hits] = IdentityMemo(_MAX_OWNERS)
         self._of_record: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._of_object: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
+        self._foreign_types: IdentityMemo[Sequence[tuple[int, str]]] = IdentityMemo(_MAX_RECORDS)
         self._values_of_type: IdentityMemo[ValuesOfType] = IdentityMemo(_MAX_TYPES)
         self._of_types: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
         self._of_dictionary: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
@@ -157,7 +160,7 @@ class Linter:
 
     def _pdos(self, owner: Owner) -> _Hits:
         record, dictionaries = owner.record, self._dictionaries_for(owner)
-        looked_at = (record.rx_pdos, record.tx_pdos, dictionaries.views, *_slots(owner))
+        looked_at = (record.rx_pdos, record.tx_pdos, dictionaries.views, owner.types, *_slots(owner))
         return self._of_pdos.get(
             (*map(identities, looked_at), _increments(owner)), looked_at, self._check_pdos, owner, dictionaries
         )
@@ -166,6 +169,9 @@ class Linter:
         hits: list[_Hit] = []
         for place, direction, pdo in owner.pdos:
             hits += _below(place, self._of_record.of(pdo, self._check_pdo))
+            foreign = self._foreign_types.of(pdo, foreign_types)
+            if foreign:
+                hits += _below(place, self._check(PdoTypes(pdo, foreign, owner.types), PdoTypes))
             if dictionaries.views and pdo.entries:
                 hits += _below(place, self._check(pdo_mapping(direction, pdo, dictionaries), PdoMapping))
         return hits

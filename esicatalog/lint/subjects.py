@@ -18,6 +18,7 @@ from esicatalog.model.derivation import Derivation
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, EntriesBySubindex
 from esicatalog.model.process_data import ProcessData
+from esicatalog.model.resolver import TypeSet
 
 InSlots = Callable[[int], Iterable[EntriesBySubindex]]
 """Entries of the objects that modules have at an index in slots that they move with."""
@@ -108,6 +109,8 @@ class Owner:
         self.record = record
         self.info = info
         self.own = Dictionaries(views)
+        self.types = tuple([view.types for view in views])
+        """The data types that its dictionaries declare."""
 
     @cached_property
     def pdos(self) -> list[PlacedPdo]:
@@ -212,6 +215,16 @@ class InfoSubject(NamedTuple):
 
 PlacedEntry = tuple[int, Entry]
 """An entry and its position in its PDO."""
+
+
+class PdoTypes(NamedTuple):
+    """A PDO with the names in its entries that are no base types of ESI."""
+
+    pdo: Pdo
+    foreign: Sequence[tuple[int, str]]
+    """Each name with the position of the first entry that has it."""
+    types: Sequence[TypeSet]
+    """The data types that its owner declares."""
 
 
 class PdoMapping(NamedTuple):
