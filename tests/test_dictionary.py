@@ -193,6 +193,13 @@ def test_default_values_and_strings():
     assert simple("UINT", "<DefaultString>ten</DefaultString>").default_text == "ten"
 
 
+@pytest.mark.parametrize(("text", "number"), [("10", 10.0), (" -1.5", -1.5), ("2e3", 2000.0), ("ten", None)])
+def test_a_default_string_of_a_real(text, number):
+    entry = simple("REAL", f"<DefaultString>{text}</DefaultString>")
+    assert (entry.default_real, entry.default_int) == (number, None)
+    assert (entry.default_text is None) == (number is not None)
+
+
 def test_limits_in_both_forms():
     entry = simple("INT", "<MinData>00FF</MinData><MaxData>FF00</MaxData><DefaultData>0100</DefaultData>", 16)
     assert (entry.min_int, entry.max_int, entry.default_int) == (-256, 255, 1)

@@ -11,7 +11,20 @@ from lxml import etree
 from esicatalog.esi.binding import PRESENT, RAW, Field, Record, fields_of, read_record
 from esicatalog.esi.documents import make_parser
 from esicatalog.esi.notes import Notes
-from esicatalog.esi.numbers import BOOL, DEC, FLOAT, HEX, HEX_BINARY, IDENTITY, IMAGE, INT, MAX_STORED, PHYSICS, TEXT
+from esicatalog.esi.numbers import (
+    BOOL,
+    DEC,
+    FLOAT,
+    HEX,
+    HEX_BINARY,
+    IDENTITY,
+    IMAGE,
+    INT,
+    INTEGER,
+    MAX_STORED,
+    PHYSICS,
+    TEXT,
+)
 from esicatalog.esi.records.document import DiagInfo, DictInfo, EsiInfo
 from esicatalog.esi.write import record_element
 from esicatalog.esi.write_xml import document_bytes
@@ -26,6 +39,7 @@ VALUES: dict[Any, st.SearchStrategy[Any]] = {
     TEXT: xml_texts,
     PHYSICS: st.text("YKH ", max_size=4).map(str.rstrip),
     INT: integers,
+    INTEGER: integers,
     DEC: integers,
     HEX: st.integers(0, MAX_STORED),
     IDENTITY: st.integers(0, 2**32 - 1),
@@ -40,6 +54,7 @@ OTHER_SPELLINGS: dict[Any, Callable[[Any], str]] = {
     IDENTITY: str,
     DEC: lambda value: f"#x{value:X}" if value >= 0 else f"-0{-value}",
     INT: lambda value: f"{value:+03d}" if value >= 0 else f"-0{-value}",
+    INTEGER: lambda value: f"{value:+03d}" if value >= 0 else f"-0{-value}",
     BOOL: lambda value: "true" if value else "false",
 }
 """Another text than the canonical one for the same value."""

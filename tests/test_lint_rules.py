@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from snippets import device, dictionary, esi, write
+from snippets import device, dictionary, esi, pdo, write
 
 from esicatalog.cli.lint import command
 from esicatalog.lint.registry import SEVERITY_WORDS
@@ -96,3 +96,236 @@ def test_what_is_read_of_default_data_of_another_length(tmp_path, type_name, bit
     write(tmp_path, {"a.xml": esi(device(dictionary(data_type, declared)))})
     (found,) = [item for item in findings(tmp_path / "a.xml") if item["rule"] == "L45"]
     assert found["message"].endswith(f"0x2000:00 has DefaultData of {words}")
+
+
+SYNC_MANAGERS = (
+    '<Sm StartAddress="#x1000" ControlByte="#x26" DefaultSize="128" Enable="1">MBoxOut</Sm>'
+    '<Sm StartAddress="#x1200" ControlByte="#x22" DefaultSize="128" Enable="1">MBoxIn</Sm>'
+    '<Sm StartAddress="#x1400" ControlByte="#x64" Enable="1">Outputs</Sm>'
+    '<Sm StartAddress="#x1800" ControlByte="#x20" Enable="1">Inputs</Sm>'
+)
+TYPES = "".join(
+    f"<DataType><Name>{name}</Name><BitSize>{bits}</BitSize></DataType>"
+    for name, bits in (("USINT", 8), ("UINT", 16), ("UDINT", 32), ("REAL", 32))
+)
+INCREMENTS = 'SlotPdoIncrement="16" SlotIndexIncrement="#x800"'
+
+
+def linted(folder: Path, rule_id: str, devices: str, modules: str = "") -> list[dict]:
+    """What one rule finds in a document."""
+    write(folder, {"a.xml": esi(devices, modules)})
+    return [item for item in findings(folder / "a.xml") if item["rule"] == rule_id]
+
+
+def declared(index: str, type_name: str, bits: int, attributes: str = "", content: str = "") -> str:
+    return (
+        f"<Object><Index {attributes}>{index}</Index><Name>O</Name><Type>{type_name}</Type><BitSize>{bits}</BitSize>"
+        f"{content}<Flags><Access>rw</Access><PdoMapping>R</PdoMapping></Flags></Object>"
+    )
+
+
+def mapped(index: str, bits: int, attributes: str = "", subindex: int = 0, data_type: str = "") -> str:
+    name = f"<DataType>{data_type}</DataType>" if data_type else ""
+    return (
+        f"<Entry><Index {attributes}>{index}</Index><SubIndex>{subindex}</SubIndex><BitLen>{bits}</BitLen>"
+        f"<Name>e</Name>{name}</Entry>"
+    )
+
+
+def module(content: str, ident: str = "#x10", name: str = "m") -> str:
+    return f'<Module><Type ModuleIdent="{ident}">M</Type><Name>{name}</Name>{content}</Module>'
+
+
+def slots(*instances: int, increments: str = INCREMENTS, own: tuple[str, ...] = ()) -> str:
+    """Slot elements for so many slots each, all of the module 0x10."""
+    elements = "".join(
+        f'<Slot MinInstances="0" MaxInstances="{number}" {attributes}><ModuleIdent>#x10</ModuleIdent></Slot>'
+        for number, attributes in zip(instances, own or [""] * len(instances), strict=True)
+    )
+    return f"<Slots {increments}>{elements}</Slots>"
+
+
+OWN_DICTIONARY = dictionary(TYPES, declared("#x1000", "UDINT", 32))
+IN_SLOT = 'DependOnSlot="1"'
+WITH_OBJECT = module(dictionary(TYPES, declared("#x6040", "UINT", 16, IN_SLOT)))
+WITH_PDO = module(f"<RxPdo><Index {IN_SLOT}>#x1601</Index><Name>p</Name>{mapped('#x7000', 8, IN_SLOT)}</RxPdo>")
+
+
+@pytest.mark.parametrize(
+    ("index", "subindex", "carried", "count"),
+    [
+        ("#x6040", 0, slots(2), 0),
+        ("#x6840", 0, slots(2), 0),
+        ("#x6840", 0, slots(1, 1), 0),
+        ("#x6840", 1, slots(2), 1),
+        ("#x7040", 0, slots(2), 1),  # slot 2, of which there is none
+        ("#x6440", 0, slots(2), 1),
+        ("#x6840", 0, slots(2, increments=""), 1),
+        ("#x6840", 0, slots(2, increments="", own=('SlotIndexIncrement="#x800"',)), 0),
+        ("#x6440", 0, slots(1, increments="", own=('SlotGroup="2" SlotGroupIndexIncrement="#x200"',)), 1),
+    ],
+)
+def test_l36_knows_the_objects_that_modules_have_in_slots_above_0(tmp_path, index, subindex, carried, count):
+    rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped(index, 16, subindex=subindex)}</RxPdo>"
+    found = linted(tmp_path, "L36", device(OWN_DICTIONARY + SYNC_MANAGERS + rx_pdo + carried), WITH_OBJECT)
+    assert len(found) == count
+
+
+def test_l36_knows_the_objects_that_modules_have_in_slot_groups(tmp_path):
+    of_group = module(dictionary(TYPES, declared("#x6040", "UINT", 16, 'DependOnSlotGroup="1"')))
+    rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped('#x6440', 16)}</RxPdo>"
+    carried = slots(1, own=('SlotGroup="2" SlotGroupIndexIncrement="#x200"',))
+    assert linted(tmp_path, "L36", device(OWN_DICTIONARY + SYNC_MANAGERS + rx_pdo + carried), of_group) == []
+
+
+def test_devices_with_equal_pdos_and_other_slots_are_told_apart(tmp_path):
+    rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped('#x6840', 16)}</RxPdo>"
+    contents = [OWN_DICTIONARY + SYNC_MANAGERS + rx_pdo + carried for carried in (slots(2), slots(1), slots(2))]
+    devices = [device(content, revision=f"#x{number}") for number, content in enumerate(contents, 1)]
+    (found,) = linted(tmp_path, "L36", "".join(devices), WITH_OBJECT)
+    assert "Device[1]" in found["path"]
+
+
+@pytest.mark.parametrize(("index", "count"), [("#x1601", 0), ("#x1611", 0), ("#x1621", 1), ("#x1612", 1)])
+def test_l32_and_l52_know_the_pdos_that_modules_have_in_slots_above_0(tmp_path, index, count):
+    excluding = pdo("RxPdo", "#x1700", 8, extra=f"<Exclude>{index}</Exclude>")
+    assert len(linted(tmp_path, "L32", device(SYNC_MANAGERS + excluding + slots(2)), WITH_PDO)) == count
+    listing = (
+        f'<Dc><OpMode><Name>a</Name><AssignActivate>0</AssignActivate><Sm No="2"><Pdo>{index}</Pdo></Sm></OpMode></Dc>'
+    )
+    assert len(linted(tmp_path, "L52", device(SYNC_MANAGERS + listing + slots(2)), WITH_PDO)) == count
+
+
+def test_l32_knows_what_other_modules_have_in_slots_above_0(tmp_path):
+    excluding = module(pdo("RxPdo", "#x1700", 8, extra="<Exclude>#x1611</Exclude>"), "#x20")
+    carried = slots(2).replace("</Slots>", '<Slot MaxInstances="1"><ModuleIdent>#x20</ModuleIdent></Slot></Slots>')
+    assert linted(tmp_path, "L32", device(SYNC_MANAGERS + carried), WITH_PDO + excluding) == []
+
+
+@pytest.mark.parametrize("index", ["#x60FF", "#x68FF"])
+def test_an_object_marked_overwritten_by_module_yields_to_the_modules(tmp_path, index):
+    placeholder = dictionary(TYPES, declared(index, "UINT", 16, 'OverwrittenByModule="1"'))
+    rx_pdo = f"<RxPdo><Index>#x1610</Index><Name>p</Name>{mapped(index, 32)}</RxPdo>"
+    of_device = placeholder + SYNC_MANAGERS + rx_pdo
+    real = module(dictionary(TYPES, declared("#x60FF", "UDINT", 32, IN_SLOT)))
+    assert linted(tmp_path, "L37", device(of_device + slots(2)), real) == []
+    assert len(linted(tmp_path, "L37", device(of_device))) == 1
+
+
+def test_l57_points_at_the_command_that_writes_the_mode(tmp_path):
+    commands = "\n".join(
+        f"<InitCmd><Transition>PS</Transition><Index {IN_SLOT}>{index}</Index><SubIndex>0</SubIndex>"
+        f"<Data>{data}</Data></InitCmd>"
+        for index, data in (("#x6081", "00000000"), ("#x6098", "08"), ("#x6060", "08"))
+    )
+    axis = module(
+        f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped('#x6040', 16, IN_SLOT)}{mapped('#x60FF', 32, IN_SLOT)}"
+        f"</RxPdo><Mailbox><CoE>\n{commands}</CoE></Mailbox><Profile><ProfileNo>402</ProfileNo></Profile>",
+        name="csv axis",
+    )
+    empty = '<Slot MaxInstances="1"><ModuleIdent>#x20</ModuleIdent></Slot>'
+    for carried in (slots(1), slots(1).replace("<Slot M", f"{empty}<Slot M")):
+        (found,) = linted(tmp_path, "L57", device(SYNC_MANAGERS + carried), axis)
+        assert found["path"].endswith("InitCmd[2]")
+
+
+@pytest.mark.parametrize(
+    ("instances", "own", "position"),
+    [
+        ((1, 1, 1), ("", 'SlotIndexIncrement="#x2000"', ""), 1),
+        ((2, 1, 1), ('SlotIndexIncrement="#x2000"', "", ""), 0),
+        ((1, 1, 1), ("", "", 'SlotIndexIncrement="#x2000"'), 2),
+    ],
+)
+def test_l55_looks_at_every_slot(tmp_path, instances, own, position):
+    mapping = f"<RxPdo><Index {IN_SLOT}>#x1600</Index><Name>p</Name>{mapped('#xF000', 8, IN_SLOT)}</RxPdo>"
+    carried = slots(*instances, increments='SlotPdoIncrement="1" SlotIndexIncrement="1"', own=own)
+    (found,) = linted(tmp_path, "L55", device(SYNC_MANAGERS + carried), module(mapping))
+    assert f"/Slot[{position}]" in found["path"]
+
+
+def test_l22_counts_from_the_sync_manager_that_reaches_furthest(tmp_path):
+    sync_managers = (
+        '<Sm StartAddress="#x1000" ControlByte="#x26" DefaultSize="#x400" Enable="1">MBoxOut</Sm>'
+        '<Sm StartAddress="#x1080" ControlByte="#x22" DefaultSize="16" Enable="1">MBoxIn</Sm>'
+        '<Sm StartAddress="#x1100" ControlByte="#x64" DefaultSize="4" Enable="1">Outputs</Sm>'
+        '<Sm StartAddress="#x1500" ControlByte="#x20" DefaultSize="4" Enable="1">Inputs</Sm>'
+    )
+    assert [item["message"] for item in linted(tmp_path, "L22", device(sync_managers))] == [
+        "SM 0 takes 0x1000 to 0x13FF and SM 1 starts at 0x1080: they overlap by 16 bytes",
+        "SM 0 takes 0x1000 to 0x13FF and SM 2 starts at 0x1100: they overlap by 12 bytes",
+    ]
+
+
+def test_l44_looks_from_the_sub_item_that_reaches_furthest(tmp_path):
+    sub_items = "".join(
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>USINT</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{offset}</BitOffs></SubItem>"
+        for number, (name, bits, offset) in enumerate([("n", 8, 0), ("a", 160, 16), ("b", 16, 32), ("c", 16, 64)])
+    )
+    data_type = f"<DataType><Name>DT</Name><BitSize>176</BitSize>{sub_items}</DataType>"
+    found = linted(tmp_path, "L44", device(dictionary(TYPES + data_type, "")))
+    assert [item["message"] for item in found] == [
+        "SubItem 'b' of DataType DT starts at bit 32, 'a' ends at 176: correct BitOffs",
+        "SubItem 'c' of DataType DT starts at bit 64, 'a' ends at 176: correct BitOffs",
+    ]
+
+
+@pytest.mark.parametrize(("index", "count"), [("#x1600", 0), ("#x1601", 1)])
+def test_l62_leaves_out_pdos_that_op_modes_list(tmp_path, index, count):
+    listing = (
+        f'<Dc><OpMode><Name>a</Name><AssignActivate>0</AssignActivate><Sm No="2"><Pdo>{index}</Pdo></Sm></OpMode></Dc>'
+    )
+    mailbox = '<Mailbox><CoE SdoInfo="1" PdoConfig="1"/></Mailbox>'
+    assert len(linted(tmp_path, "L62", device(SYNC_MANAGERS + pdo("RxPdo", "#x1600", 8) + mailbox + listing))) == count
+
+
+def test_l48_leaves_out_padding(tmp_path):
+    entries = mapped("0", 8, data_type="PADDING") + mapped("#x7000", 8, data_type="BYTES8")
+    rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{entries}</RxPdo>"
+    (found,) = linted(tmp_path, "L48", device(SYNC_MANAGERS + rx_pdo))
+    assert "BYTES8" in found["message"]
+
+
+@pytest.mark.parametrize("objects", [declared("#x2000", "USINT", 8), ""])
+def test_l48_leaves_out_types_that_the_owner_declares(tmp_path, objects):
+    rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped('#x2000', 8, data_type='MYENUM')}</RxPdo>"
+    own_type = "<DataType><Name>MYENUM</Name><BaseType>USINT</BaseType><BitSize>8</BitSize></DataType>"
+    with_type, without = (dictionary(TYPES + added, objects) for added in (own_type, ""))
+    assert linted(tmp_path, "L48", device(with_type + SYNC_MANAGERS + rx_pdo)) == []
+    assert linted(tmp_path, "L48", device(SYNC_MANAGERS), module(with_type + rx_pdo)) == []
+    assert len(linted(tmp_path, "L48", device(without + SYNC_MANAGERS + rx_pdo), module(with_type))) == 1
+    both = device(with_type + SYNC_MANAGERS + rx_pdo) + device(SYNC_MANAGERS + rx_pdo, revision="#x2")
+    (found,) = linted(tmp_path, "L48", both)
+    assert "Device[1]" in found["path"]
+
+
+@pytest.mark.parametrize(
+    ("type_name", "text", "words"),
+    [
+        ("REAL", "10", "read as a number"),
+        ("REAL", "1.5", "read as a number"),
+        ("REAL", "ten", "no number"),
+        ("UDINT", "10", "read as a number"),
+        ("UDINT", "1.5", "no number"),
+    ],
+)
+def test_l47_tells_whether_a_text_was_read_as_a_number(tmp_path, type_name, text, words):
+    content = f"<Info><DefaultString>{text}</DefaultString></Info>"
+    objects = declared("#x2000", type_name, 32, content=content)
+    (found,) = linted(tmp_path, "L47", device(dictionary(TYPES, objects)))
+    assert f"{text!r}, {words})" in found["message"]
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "attributes", "count"),
+    [
+        ("L03", 'Sm="2" Fixed="True" Mandatory="TRUE"', 2),
+        ("L03", 'Sm="2" Fixed="true" Mandatory="1"', 0),
+        ("L06", 'Sm="5000000000"', 1),
+        ("L06", 'Sm="2"', 0),
+    ],
+)
+def test_attributes_that_are_read_though_the_schema_forbids_them(tmp_path, rule_id, attributes, count):
+    rx_pdo = pdo("RxPdo", "#x1600", 8, attributes=attributes)
+    assert len(linted(tmp_path, rule_id, device(SYNC_MANAGERS + rx_pdo))) == count

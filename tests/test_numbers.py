@@ -13,12 +13,14 @@ from esicatalog.esi.numbers import (
     IDENTITY,
     IMAGE,
     INT,
+    INTEGER,
     TEXT,
     decode_hex_binary,
     parse_hex_dec,
+    parse_real,
 )
 
-SCALARS = [HEX, DEC, IDENTITY, INT, BOOL, FLOAT, HEX_BINARY, IMAGE, TEXT]
+SCALARS = [HEX, DEC, IDENTITY, INT, INTEGER, BOOL, FLOAT, HEX_BINARY, IMAGE, TEXT]
 
 
 @pytest.mark.parametrize(
@@ -43,7 +45,7 @@ def test_hex_dec_value_of_the_schema(text, value):
     assert parsed.remark is None
 
 
-@pytest.mark.parametrize("text", ["0x1a00", "0X1A00", "#x0x1A00", "#x0x6041"])
+@pytest.mark.parametrize("text", ["0x1a00", "0X1A00", "#x0x1A00", "#x0x6041", "#X1000"])
 def test_foreign_prefixes_are_read_with_a_remark(text):
     parsed = HEX.read(text)
     assert parsed.value == int(text.lower().rsplit("x", 1)[1], 16)
@@ -72,7 +74,7 @@ def test_the_largest_identity_number():
     assert IDENTITY.read("4294967295").value == 0xFFFF_FFFF
 
 
-@pytest.mark.parametrize("scalar", [HEX, DEC, INT])
+@pytest.mark.parametrize("scalar", [HEX, DEC, INT, INTEGER])
 def test_numbers_of_64_bits_are_kept_as_text(scalar):
     assert scalar.read("9223372036854775807").value == 2**63 - 1
     for text in ("9223372036854775808", "-9223372036854775809", "9" * 40, "9" * 5000):
@@ -86,6 +88,13 @@ def test_booleans(text, value):
     assert BOOL.read(f" {text} ").remark is None
 
 
+@pytest.mark.parametrize(("text", "value"), [("True", True), ("TRUE", True), ("False", False), ("fALSE", False)])
+def test_booleans_in_capitals_are_read_with_a_remark(text, value):
+    parsed = BOOL.read(f" {text} ")
+    assert (parsed.value, parsed.raw) == (value, text)
+    assert parsed.remark.rule == "L03"
+
+
 @pytest.mark.parametrize("text", ["", "yes", "2"])
 def test_what_is_no_boolean(text):
     assert BOOL.read(text).value is None
@@ -96,6 +105,28 @@ def test_integers_may_be_hexadecimal_with_a_remark():
     assert INT.read("-2000") == (-2000, None, None)
     assert INT.read("#x10").value == 16
     assert INT.read("#x10").remark.rule == "L06"
+
+
+@pytest.mark.parametrize("text", ["5000000000", "2147483648", "-2147483649"])
+def test_an_int_has_32_bits(text):
+    assert INT.read(text)[:2] == (int(text), None)
+    assert INT.read(text).remark.rule == "L06"
+    assert INTEGER.read(text) == (int(text), None, None)
+
+
+def test_the_largest_ints():
+    for text in ("2147483647", "-2147483648"):
+        assert INT.read(text) == (int(text), None, None)
+
+
+@pytest.mark.parametrize(("text", "value"), [("10", 10.0), (" -1.5 ", -1.5), (".5", 0.5), ("2.", 2.0), ("1E3", 1000.0)])
+def test_texts_that_are_real_numbers(text, value):
+    assert parse_real(text) == value
+
+
+@pytest.mark.parametrize("text", ["", "ten", "1,5", "1_0", "nan", "INF", "1e999", "#x10", "٣"])
+def test_texts_that_are_no_real_numbers(text):
+    assert parse_real(text) is None
 
 
 @pytest.mark.parametrize("text", ["123", "0g", "80 01", "#x80"])
@@ -126,8 +157,9 @@ def test_what_is_no_float(text):
 
 @given(st.integers(-(2**63) + 1, 2**63 - 1))
 def test_decimal_numbers_come_back(value):
-    for scalar in (DEC, INT):
+    for scalar in (DEC, INTEGER):
         assert scalar.read(scalar.spell(value)) == (value, None, None)
+    assert INT.read(INT.spell(value))[:2] == (value, None)
 
 
 @given(st.integers(0, 2**63 - 1))

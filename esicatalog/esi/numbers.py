@@ -3,9 +3,11 @@
 A :class:`Scalar` parses the text of an element or attribute. Besides the value it returns the text itself when
 that differs from the canonical spelling (so that a writer can repeat what the vendor wrote) and a remark when the
 text breaks the format. Rules: ETG.2000 EtherCATBase.xsd ``HexDecValue``, ``xs:int``, ``xs:boolean``,
-``xs:hexBinary``; tolerated spellings (``0x``, ``#x0x``) are those found in real files.
+``xs:hexBinary``; tolerated spellings (``0x``, ``#x0x``) are those found in real files,
+and those with capitals (``#X``, ``True``).
 """
 
+import math
 import re
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -14,8 +16,10 @@ MAX_STORED = (1 << 63) - 1
 """Largest integer that every supported database keeps; anything above is kept as text only."""
 
 UINT32_MAX = 0xFFFF_FFFF
+_INT32 = range(-(1 << 31), 1 << 31)
 
 _HEX_DEC = re.compile(r"(?P<dec>[+-]?[0-9]+)|(?P<prefix>#x|#x0x|0x)(?P<hex>[0-9a-f]+)", re.IGNORECASE)
+_REAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)(e[+-]?[0-9]+)?", re.IGNORECASE)
 _BOOLEANS = {"1": True, "true": True, "0": False, "false": False}
 
 
@@ -84,7 +88,7 @@ def _quoted(text: str) -> str:
 
 
 def parse_hex_dec(text: str) -> int | None:
-    """The value of a HexDecValue (``402``, ``#x1A00``; tolerated: ``0x1a00``, ``#x0x1a00``), or None."""
+    """The value of a HexDecValue (``402``, ``#x1A00``; tolerated: ``0x1a00``, ``#x0x1a00``, ``#X1A00``), or None."""
     match = _HEX_DEC.fullmatch(text.strip())
     if match is None or len(match[0]) > 64:
         return None
@@ -102,12 +106,20 @@ def _hex_dec(limit: int) -> Callable[[str], tuple[int | None, Remark | None]]:
             return value, Remark("L06", "E", f"{_quoted(text)} carries two prefixes; read as {value}")
         if text[:2].lower() == "0x":
             return value, Remark("L06", "E", f"{_quoted(text)} has a C prefix instead of #x; read as {value}")
+        if text[:2] == "#X":
+            return value, Remark("L06", "E", f"{_quoted(text)} has the prefix #X instead of #x; read as {value}")
         return value, None
 
     return parse
 
 
-def _int(text: str) -> tuple[int | None, Remark | None]:
+def parse_real(text: str) -> float | None:
+    """The value of an xs:float that is a finite number (``1.5``, ``-2E3``), or None."""
+    value = float(text) if _REAL.fullmatch(text := text.strip()) else float("nan")
+    return value if math.isfinite(value) else None
+
+
+def _integer(text: str) -> tuple[int | None, Remark | None]:
     value = parse_hex_dec(text)
     if value is None or abs(value) > MAX_STORED:
         return None, Remark("L06", "E", f"{_quoted(text)} is not an integer; kept as text")
@@ -118,10 +130,19 @@ def _int(text: str) -> tuple[int | None, Remark | None]:
     return value, None
 
 
+def _int(text: str) -> tuple[int | None, Remark | None]:
+    value, remark = _integer(text)
+    if remark is None and value not in _INT32:
+        remark = Remark("L06", "E", f"{_quoted(text)} is out of the range of xs:int (32 bits); read as {value}")
+    return value, remark
+
+
 def _boolean(text: str) -> tuple[bool | None, Remark | None]:
     value = _BOOLEANS.get(text.lower())
     if value is None:
         return None, Remark("L03", "W", f"{_quoted(text)} is not a boolean; kept as text")
+    if text not in _BOOLEANS:  # xs:boolean knows small letters only
+        return value, Remark("L03", "W", f"{_quoted(text)} is not spelled as a boolean; read as {text.lower()}")
     return value, None
 
 
@@ -162,6 +183,8 @@ DEC = Scalar("HexDecValue", _hex_dec(MAX_STORED), str)
 IDENTITY = Scalar("HexDecValue (uint32)", _hex_dec(UINT32_MAX), lambda value: f"#x{value:08X}")
 """uint32 identity number: vendor, product, revision, serial, module ident."""
 INT = Scalar("xs:int", _int, str)
+INTEGER = Scalar("xs:integer", _integer, str)
+"""An integer that the schema does not limit to 32 bits."""
 BOOL = Scalar("xs:boolean", _boolean, lambda value: "1" if value else "0")
 FLOAT = Scalar("xs:float", _float, _spell_float)
 HEX_BINARY = Scalar("xs:hexBinary", _hex_binary, str)

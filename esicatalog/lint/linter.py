@@ -17,6 +17,7 @@ from esicatalog.lint.dictionaries import ObjectSubject, ObjectValues, ValuesOfTy
 from esicatalog.lint.locator import Locator, Tree
 from esicatalog.lint.registry import Check, Found, Place, Rule
 from esicatalog.lint.rules import ALL_RULES
+from esicatalog.lint.rules.mapping import foreign_types
 from esicatalog.lint.subjects import (
     DeviceSubject,
     Dictionaries,
@@ -25,6 +26,7 @@ from esicatalog.lint.subjects import (
     ModuleSubject,
     Owner,
     PdoMapping,
+    PdoTypes,
     ProcessSubject,
     pdo_mapping,
 )
@@ -73,6 +75,7 @@ class Linter:
         self._of_pdos: IdentityMemo[_Hits] = IdentityMemo(_MAX_OWNERS)
         self._of_record: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._of_object: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
+        self._foreign_types: IdentityMemo[Sequence[tuple[int, str]]] = IdentityMemo(_MAX_RECORDS)
         self._values_of_type: IdentityMemo[ValuesOfType] = IdentityMemo(_MAX_TYPES)
         self._of_types: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
         self._of_dictionary: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
@@ -157,13 +160,18 @@ class Linter:
 
     def _pdos(self, owner: Owner) -> _Hits:
         record, dictionaries = owner.record, self._dictionaries_for(owner)
-        key = (identities(record.rx_pdos), identities(record.tx_pdos), identities(dictionaries.views))
-        return self._of_pdos.get(key, (record, dictionaries.views), self._check_pdos, owner, dictionaries)
+        looked_at = (record.rx_pdos, record.tx_pdos, dictionaries.views, owner.types, *_slots(owner))
+        return self._of_pdos.get(
+            (*map(identities, looked_at), _increments(owner)), looked_at, self._check_pdos, owner, dictionaries
+        )
 
     def _check_pdos(self, owner: Owner, dictionaries: Dictionaries) -> _Hits:
         hits: list[_Hit] = []
         for place, direction, pdo in owner.pdos:
             hits += _below(place, self._of_record.of(pdo, self._check_pdo))
+            foreign = self._foreign_types.of(pdo, foreign_types)
+            if foreign:
+                hits += _below(place, self._check(PdoTypes(pdo, foreign, owner.types), PdoTypes))
             if dictionaries.views and pdo.entries:
                 hits += _below(place, self._check(pdo_mapping(direction, pdo, dictionaries), PdoMapping))
         return hits
@@ -175,11 +183,14 @@ class Linter:
         """
         if not owner.own:
             return owner.own
+        others: Sequence[Owner] = ()
+        in_slots = None
         if isinstance(owner, DeviceSubject):
-            others: Sequence[Owner] = owner.modules
-        else:
-            others = owner.hosts if isinstance(owner, ModuleSubject) else ()
-        return Dictionaries([view for part in (owner, *others) for view in part.own.views]) if others else owner.own
+            others, in_slots = owner.modules, owner.entries_in_slots
+        elif isinstance(owner, ModuleSubject):
+            others = owner.hosts
+        views = [view for part in (owner, *others) for view in part.own.views]
+        return Dictionaries(views, in_slots) if others else owner.own
 
     def _check_pdo(self, pdo: Pdo) -> _Hits:
         return self._check(pdo, Record) + self._check(pdo, Pdo) or ()
@@ -216,6 +227,17 @@ class Linter:
 
     def _check_data_type(self, data_type: DataType) -> _Hits:
         return self._check(data_type, Record) + self._check(data_type, DataType) or ()
+
+
+def _slots(owner: Owner) -> tuple[Sequence[Any], Sequence[Any]]:
+    """What decides, beside increments, where modules have their objects."""
+    return (owner.device.slots, owner.module_records) if isinstance(owner, DeviceSubject) else ((), ())
+
+
+def _increments(owner: Owner) -> tuple[int | None, int | None]:
+    if not isinstance(owner, DeviceSubject):
+        return None, None
+    return owner.device.slot_index_increment, owner.device.slot_group_index_increment
 
 
 def _below(place: Place, hits: _Hits) -> list[_Hit]:

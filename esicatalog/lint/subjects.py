@@ -3,7 +3,7 @@
 Everything that needs work is made when a rule asks for it, and then kept.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -18,7 +18,10 @@ from esicatalog.model.derivation import Derivation
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, EntriesBySubindex
 from esicatalog.model.process_data import ProcessData
+from esicatalog.model.resolver import TypeSet
 
+InSlots = Callable[[int], Iterable[EntriesBySubindex]]
+"""Entries of the objects that modules have at an index in slots that they move with."""
 FileFinder = Callable[[str], bool]
 """Whether a file that the document names lies beside it."""
 
@@ -41,20 +44,36 @@ class PlacedPdo(NamedTuple):
 
 
 class Dictionaries:
-    """The dictionaries of an owner as one: of several objects with one index the first counts."""
+    """The dictionaries of an owner as one: of several objects with one index the first counts.
 
-    def __init__(self, views: Sequence[DictionaryView]) -> None:
+    An object that is marked OverwrittenByModule yields to those of modules (ESI-FACTS section 12). ``in_slots`` tells
+    what modules have at an index in slots that they move with.
+    """
+
+    def __init__(self, views: Sequence[DictionaryView], in_slots: "InSlots | None" = None) -> None:
         self.views = tuple([view for view in views if view.by_index])
+        self._in_slots = in_slots
 
     def __bool__(self) -> bool:
         return bool(self.views)
 
     def entries(self, index: int) -> EntriesBySubindex | None:
         """Entries of an object by subindex; None when there is no such object."""
+        yielding = None
         for view in self.views:
-            if index in view.by_index:
+            declared = view.by_index.get(index)
+            if declared is None:
+                continue
+            if not declared.overwritten_by_module:
                 return view.entries(index)
-        return None
+            yielding = yielding or view
+        if yielding is None:
+            return None
+        return next(iter(self.in_slots(index)), None) or yielding.entries(index)
+
+    def in_slots(self, index: int) -> Iterable[EntriesBySubindex]:
+        """Entries of the objects that modules have at an index in slots that they move with."""
+        return self._in_slots(index) if self._in_slots is not None else ()
 
     def entry(self, index: int, subindex: int) -> ObjectEntry | None:
         """One entry."""
@@ -90,6 +109,8 @@ class Owner:
         self.record = record
         self.info = info
         self.own = Dictionaries(views)
+        self.types = tuple([view.types for view in views])
+        """The data types that its dictionaries declare."""
 
     @cached_property
     def pdos(self) -> list[PlacedPdo]:
@@ -128,6 +149,14 @@ class DeviceSubject(Owner):
     def module_records(self) -> list[Module]:
         """The reachable modules."""
         return [subject.module for subject in self.modules]
+
+    def entries_in_slots(self, index: int) -> Iterator[EntriesBySubindex]:
+        """Entries of the objects that modules have at an index in slots that they move with."""
+        dictionaries = {id(subject.module): subject.own for subject in self.modules}
+        for module, unshifted in self.derivation.process_data.in_slots.objects(index):
+            entries = dictionaries[id(module)].entries(unshifted)
+            if entries is not None:
+                yield entries
 
     @property
     def is_modular(self) -> bool:
@@ -188,6 +217,16 @@ PlacedEntry = tuple[int, Entry]
 """An entry and its position in its PDO."""
 
 
+class PdoTypes(NamedTuple):
+    """A PDO with the names in its entries that are no base types of ESI."""
+
+    pdo: Pdo
+    foreign: Sequence[tuple[int, str]]
+    """Each name with the position of the first entry that has it."""
+    types: Sequence[TypeSet]
+    """The data types that its owner declares."""
+
+
 class PdoMapping(NamedTuple):
     """A PDO, held against the dictionaries of its owner; fillers are left out."""
 
@@ -212,6 +251,6 @@ def pdo_mapping(direction: str, pdo: Pdo, dictionaries: Dictionaries) -> PdoMapp
         declared = entries.get(entry.subindex or 0) if entries is not None else None
         if declared is not None:
             mapping.described.append((position, entry, declared))
-        else:
+        elif not any((entry.subindex or 0) in found for found in dictionaries.in_slots(index)):
             mapping.unknown.append((position, entry))
     return mapping

@@ -16,7 +16,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.process_image import SmImage, default_process_image
-from esicatalog.model.slots import default_modules
+from esicatalog.model.slots import IndicesInSlots, default_modules
 from esicatalog.model.sync import SyncSignals, default_position, generated_signals, is_superseded
 
 _MAX_KNOWN = 1_000
@@ -41,6 +41,11 @@ class ProcessData:
     def images(self) -> list[SmImage]:
         """The default process image."""
         return default_process_image(self._device, self.modules)
+
+    @cached_property
+    def in_slots(self) -> IndicesInSlots:
+        """The indices that its modules can have in its slots."""
+        return IndicesInSlots(self._device, self.modules)
 
     @cached_property
     def default_op_mode(self) -> OpMode | None:

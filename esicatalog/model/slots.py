@@ -4,7 +4,9 @@ Rules of ESI-FACTS section 12: object indices shift by SlotIndexIncrement, PDO i
 the slot number (counted from 0 over all instances) and only where DependOnSlot says so; slot groups likewise.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Container, Hashable, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import Any, NamedTuple, TypeVar
 
 import msgspec
@@ -55,12 +57,19 @@ def accepts(slot: Slot, module: Module) -> bool:
 
 def numbered_slots(device: Device) -> Iterator[tuple[int, Slot, int]]:
     """Every slot with its number and the instance of its Slot element, counted from 0."""
-    number = 0
+    for slot, numbers in slot_runs(device):
+        for instance, number in enumerate(numbers):
+            yield number, slot, instance
+
+
+def slot_runs(device: Device) -> Iterator[tuple[Slot, range]]:
+    """Every Slot element with the numbers of the slots that it stands for."""
+    first = 0
     for slot in device.slots:
         instances = slot.max_instances if slot.max_instances is not None else 1
-        for instance in range(min(max(instances, 1), _MAX_INSTANCES)):
-            yield number, slot, instance
-            number += 1
+        numbers = range(first, first + min(max(instances, 1), _MAX_INSTANCES))
+        yield slot, numbers
+        first = numbers.stop
 
 
 def fitting_modules(device: Device, modules: Sequence[Module]) -> Iterator[tuple[int, Slot, list[Module]]]:
@@ -130,11 +139,30 @@ def expand_module(device: Device, plugged: PluggedModule) -> ExpandedModule:
     return ExpandedModule(plugged.slot_number, expanded, tuple(dict.fromkeys(shift.problems)))
 
 
-def shift_problems(device: Device, plugged: PluggedModule) -> tuple[str, ...]:
-    """The problems of :func:`expand_module`; nearly always a look at the highest index shows that there are none."""
-    shift = SlotShift(device, plugged.slot, plugged.slot_number)
-    may_leave = shift.moves_down or max(_indices(plugged.module), default=0) + shift.largest > MAX_INDEX
-    return expand_module(device, plugged).problems if may_leave else ()
+def leaving_indices(device: Device, modules: Iterable[Module]) -> Iterator[tuple[PluggedModule, tuple[str, ...]]]:
+    """The modules of which an index leaves 16 bits in a slot that they fit, each in the last such slot, with problems.
+
+    An index moves by the same step from instance to instance of a Slot element: what leaves does so at one of the ends.
+    Nearly always a look at the highest index shows that nothing does.
+    """
+    ends = [
+        (number, slot, SlotShift(device, slot, number))
+        for slot, numbers in slot_runs(device)
+        for number in dict.fromkeys((numbers[0], numbers[-1]))
+    ]
+    moves = [(-1 if shift.moves_down else MAX_INDEX - shift.largest, number, slot) for number, slot, shift in ends]
+    moves.reverse()
+    least = min([highest for highest, *_ in moves], default=MAX_INDEX)
+    for module in modules:
+        highest = max(_indices(module), default=0)
+        if highest <= least:
+            continue
+        for staying, number, slot in moves:
+            if highest > staying and accepts(slot, module):
+                plugged = PluggedModule(number, slot, module)
+                if problems := expand_module(device, plugged).problems:
+                    yield plugged, problems
+                    break
 
 
 def _indices(module: Module) -> list[int]:
@@ -197,18 +225,132 @@ def _in_slot(item: Shifted, field: str, move: Any) -> Shifted:
     return item if moved == index else msgspec.structs.replace(item, **{field: moved})
 
 
+class _Step(NamedTuple):
+    """How far an index moves from slot to slot, and how far with the group of a slot."""
+
+    by_slot: int
+    by_group: int
+
+    def reaches(self, wanted: int, moving: "_Moving", numbers: Container[int]) -> bool:
+        """Whether an index comes to lie at ``wanted`` in one of the slots."""
+        distance = wanted - moving.unshifted - (self.by_group if moving.by_group else 0)
+        if not self.by_slot or not moving.by_slot:
+            return distance == 0
+        number, rest = divmod(distance, self.by_slot)
+        return rest == 0 and number in numbers
+
+
+class _Moving(NamedTuple):
+    """An index and what it follows."""
+
+    unshifted: int
+    by_slot: bool
+    by_group: bool
+
+
+def _steps(device: Device, slot: Slot) -> tuple[_Step, _Step]:
+    """The steps of objects and of PDOs; what a Slot element says counts before what is said for all."""
+
+    def increment(own: int | None, common: int | None) -> int:
+        return (own if own is not None else common) or 0
+
+    group = slot.slot_group or 0
+    return (
+        _Step(
+            increment(slot.slot_index_increment, device.slot_index_increment),
+            group * increment(slot.slot_group_index_increment, device.slot_group_index_increment),
+        ),
+        _Step(
+            increment(slot.slot_pdo_increment, device.slot_pdo_increment),
+            group * increment(slot.slot_group_pdo_increment, device.slot_group_pdo_increment),
+        ),
+    )
+
+
+class _AlikeSlots:
+    """Slots that accept the same modules and move their indices by the same steps."""
+
+    def __init__(self, modules: Sequence[Module], steps: tuple[_Step, _Step]) -> None:
+        self.step_of_objects, self.step_of_pdos = steps
+        self.numbers: set[int] = set()
+        self._modules = modules
+
+    @cached_property
+    def pdos(self) -> set[_Moving]:
+        """Indices of the PDOs of all modules that move."""
+        pdos = [pdo for module in self._modules for pdo in (*module.rx_pdos, *module.tx_pdos)]
+        return {moving for pdo in pdos if (moving := _moving(pdo.pdo_index, pdo)) is not None}
+
+    @cached_property
+    def objects(self) -> Mapping[_Moving, list[Module]]:
+        """Indices of the objects that move, with the modules that have them."""
+        found: dict[_Moving, list[Module]] = defaultdict(list)
+        for module in self._modules:
+            for profile in module.profiles:
+                for declared in profile.dictionary.objects if profile.dictionary is not None else ():
+                    if (moving := _moving(declared.object_index, declared)) is not None:
+                        found[moving].append(module)
+        return found
+
+
+def _moving(index: int | None, item: Pdo | Object) -> _Moving | None:
+    if index is None or not (item.depend_on_slot or item.depend_on_slot_group):
+        return None
+    return _Moving(index, bool(item.depend_on_slot), bool(item.depend_on_slot_group))
+
+
+class IndicesInSlots:
+    """Which indices the modules of a device can have in its slots; worked out when asked for.
+
+    What it takes grows with the indices of modules and with the Slot elements that differ, not with the slots: the
+    hundreds of a coupler mostly accept the same modules.
+    """
+
+    def __init__(self, device: Device, modules: Sequence[Module]) -> None:
+        self._device = device
+        self._modules = modules
+        self._objects_at: dict[int, list[tuple[Module, int]]] = {}
+
+    @cached_property
+    def _alike(self) -> Sequence[_AlikeSlots]:
+        fitting: dict[Hashable, list[Module]] = {}
+        alike: dict[Hashable, _AlikeSlots] = {}
+        for slot, numbers in slot_runs(self._device):
+            idents = tuple([item.module_ident for item in slot.module_idents])
+            accepted = (idents, tuple([item.module_class for item in slot.module_classes]))
+            if accepted not in fitting:
+                fitting[accepted] = [module for module in self._modules if accepts(slot, module)]
+            steps = _steps(self._device, slot)
+            slots = alike.setdefault((accepted, steps), _AlikeSlots(fitting[accepted], steps))
+            slots.numbers.update(numbers)
+        return list(alike.values())
+
+    def has_pdo(self, index: int) -> bool:
+        """Whether a module has a PDO at an index in some slot that it moves with."""
+        return 0 <= index <= MAX_INDEX and any(
+            slots.step_of_pdos.reaches(index, moving, slots.numbers) for slots in self._alike for moving in slots.pdos
+        )
+
+    def objects(self, index: int) -> Sequence[tuple[Module, int]]:
+        """The modules that have an object at an index in some slot that it moves with, and its index in the module."""
+        if index not in self._objects_at:
+            self._objects_at[index] = [
+                (module, moving.unshifted)
+                for slots in self._alike
+                for moving, modules in slots.objects.items()
+                if 0 <= index <= MAX_INDEX and slots.step_of_objects.reaches(index, moving, slots.numbers)
+                for module in modules
+            ]
+        return self._objects_at[index]
+
+
 class SlotShift:
     """By how much indices move in one slot; what would leave 16 bits stays and is named."""
 
     def __init__(self, device: Device, slot: Slot, slot_number: int) -> None:
-        def increment(own: int | None, common: int | None) -> int:
-            return (own if own is not None else common) or 0
-
-        group = slot.slot_group or 0
-        self._objects = slot_number * increment(slot.slot_index_increment, device.slot_index_increment)
-        self._objects_of_group = group * increment(slot.slot_group_index_increment, device.slot_group_index_increment)
-        self._pdos = slot_number * increment(slot.slot_pdo_increment, device.slot_pdo_increment)
-        self._pdos_of_group = group * increment(slot.slot_group_pdo_increment, device.slot_group_pdo_increment)
+        objects, pdos = _steps(device, slot)
+        self._objects, self._objects_of_group = slot_number * objects.by_slot, objects.by_group
+        self._pdos, self._pdos_of_group = slot_number * pdos.by_slot, pdos.by_group
         self._slot_number = slot_number
         self.problems: list[str] = []
 

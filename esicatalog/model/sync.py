@@ -57,17 +57,23 @@ def generated_signals(op_mode: OpMode, time_loop_control_only: bool | None) -> S
     With Dc/@TimeLoopControlOnly it uses the DC time alone, no SYNC and no LATCH signal (ESI-FACTS section 11).
     """
     signals = sync_signals(op_mode.assign_activate)
-    if not time_loop_control_only or not signals.dc_active:
+    if not time_loop_control_only or signals.dc_active is None:
         return signals
     return SyncSignals(
-        dc_active=True,
+        dc_active=signals.dc_active,
         sync0=False,
         sync1=False,
-        time_only=True,
+        time_only=signals.dc_active,
         sync_unit_pdi=False,
         latch0_pdi=False,
         latch1_pdi=False,
     )
+
+
+def listed_pdos(op_modes: Iterable[OpMode]) -> set[int]:
+    """Indices of the PDOs that OpModes assign themselves."""
+    pdos = [pdo for mode in op_modes for item in mode.sm_assignments for pdo in item.pdos]
+    return {pdo.pdo_index for pdo in pdos if pdo.pdo_index is not None}
 
 
 def is_superseded(op_mode: OpMode) -> bool:

@@ -4,7 +4,7 @@ import functools
 import struct
 from typing import NamedTuple
 
-from esicatalog.esi.numbers import MAX_STORED, decode_hex_binary, parse_hex_dec
+from esicatalog.esi.numbers import MAX_STORED, decode_hex_binary, parse_hex_dec, parse_real
 from esicatalog.model.base_types import BaseType
 
 _HEX_PREFIXES = ("#x", "0x")
@@ -72,11 +72,13 @@ def decode_value(number: int | None, raw: str, base: BaseType | None) -> Value:
 
 
 def decode_string(raw: str, base: BaseType | None) -> Value:
-    """A value given as text; on a number type it is read as HexDecValue where possible."""
+    """A value given as text; on a number type it is read as the number that it spells where possible."""
     if base is not None and base.integral:
         number = parse_hex_dec(raw)
         if number is not None and abs(number) <= MAX_STORED:
             return Value(raw, "string", number=_signed(number, raw, base))
+    if base is not None and base.kind == "real" and (real := parse_real(raw)) is not None:
+        return Value(raw, "string", real=real)
     return Value(raw, "string", text=_readable(raw))
 
 

@@ -3,7 +3,7 @@
 from typing import Annotated
 
 from esicatalog.esi.binding import Record, Xml
-from esicatalog.esi.numbers import INT
+from esicatalog.esi.numbers import INTEGER
 
 ENGLISH = 1033
 """LcId of en-US, the language of a NameType without the attribute (EtherCATBase.xsd)."""
@@ -13,7 +13,7 @@ class Name(Record):
     """NameType: a text in one language. ``lcid`` is the Windows locale id, None where the document gives none."""
 
     text: Annotated[str, Xml(".", doc="Text in this language")] = ""
-    lcid: Annotated[int | None, Xml("@LcId", INT, "Windows locale id, e.g. 1033 English, 1031 German")] = None
+    lcid: Annotated[int | None, Xml("@LcId", INTEGER, "Windows locale id, e.g. 1033 English, 1031 German")] = None
 
 
 class Property(Record):

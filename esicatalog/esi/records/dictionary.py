@@ -3,7 +3,7 @@
 from typing import Annotated, ClassVar
 
 from esicatalog.esi.binding import RAW, Record, Xml
-from esicatalog.esi.numbers import BOOL, DEC, HEX, HEX_BINARY, INT
+from esicatalog.esi.numbers import BOOL, DEC, HEX, HEX_BINARY, INT, INTEGER
 from esicatalog.esi.records.common import Name, Property
 
 
@@ -19,8 +19,8 @@ class UnitType(Record):
 class ArrayInfo(Record):
     """One dimension of an array type."""
 
-    lbound: Annotated[int | None, Xml("LBound", INT, "Lowest index")] = None
-    elements: Annotated[int | None, Xml("Elements", INT, "Number of elements; 0 = variable")] = None
+    lbound: Annotated[int | None, Xml("LBound", INTEGER, "Lowest index")] = None
+    elements: Annotated[int | None, Xml("Elements", INTEGER, "Number of elements; 0 = variable")] = None
 
 
 class EnumInfo(Record):

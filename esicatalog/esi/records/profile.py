@@ -3,7 +3,7 @@
 from typing import Annotated
 
 from esicatalog.esi.binding import RAW, Record, Xml
-from esicatalog.esi.numbers import BOOL, INT
+from esicatalog.esi.numbers import BOOL, INT, INTEGER
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.diagnostics import Diagnostics
 from esicatalog.esi.records.dictionary import Dictionary
@@ -17,7 +17,7 @@ class ChannelInfo(Record):
     sub_add_info: Annotated[int | None, Xml("SubAddInfo", INT, "Further part of the profile number")] = None
     display_names: Annotated[tuple[Name, ...], Xml("DisplayName", doc="Display names")] = ()
     overwritten_by_module: Annotated[bool | None, Xml("@OverwrittenByModule", BOOL, "Replaced by a module's")] = None
-    channel_group: Annotated[int | None, Xml("@ChannelGroup", INT, "Channel group")] = None
+    channel_group: Annotated[int | None, Xml("@ChannelGroup", INTEGER, "Channel group")] = None
 
 
 class Profile(Record):

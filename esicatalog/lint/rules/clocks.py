@@ -87,7 +87,9 @@ def op_mode_references(subject: ProcessSubject | ModuleSubject) -> Iterator[Foun
             if item.no is not None and not 0 <= item.no < len(data.sync_managers):
                 yield Found(f"{_words(number, mode)} names SM {item.no}; there are {len(data.sync_managers)}", place)
             for nth, pdo in enumerate(item.pdos):
-                if pdo.pdo_index is not None and pdo.pdo_index not in known:
+                if pdo.pdo_index is None or pdo.pdo_index in known:
+                    continue
+                if not data.in_slots.has_pdo(pdo.pdo_index):
                     yield Found(
                         f"{_words(number, mode)} assigns PDO 0x{pdo.pdo_index:04X}, which is not described",
                         (*place, "pdos", nth),

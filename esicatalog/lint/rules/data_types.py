@@ -1,9 +1,9 @@
 """Rules about data types and objects as they are declared (ESI-FACTS sections 6 and 7)."""
 
 from collections.abc import Iterator
-from itertools import pairwise
 
 from esicatalog.esi.records.dictionary import DataType
+from esicatalog.lint.areas import Area, overlaps
 from esicatalog.lint.dictionaries import ObjectSubject
 from esicatalog.lint.registry import ERROR, WARNING, Found, rule
 from esicatalog.model.base_types import base_type
@@ -112,20 +112,17 @@ def sub_item_overlap(data_type: DataType) -> Iterator[Found]:
             f"SubIdx 0 of DataType {data_type.name} has BitOffs {first.bit_offset}; it lies at 0",
             ("sub_items", 0, "bit_offset"),
         )
-    areas = sorted(
-        [
-            (sub_item.bit_offset, sub_item.bit_offset + sub_item.bit_size, number)
-            for number, sub_item in enumerate(sub_items)
-            if sub_item.bit_offset is not None and sub_item.bit_size
-        ]
-    )
-    for (_, end, number), (start, _, next_number) in pairwise(areas):
-        if start < end:
-            yield Found(
-                f"SubItem {sub_items[next_number].name!r} of DataType {data_type.name} starts at bit "
-                f"{start}, {sub_items[number].name!r} ends at {end}: correct BitOffs",
-                ("sub_items", next_number, "bit_offset"),
-            )
+    areas = [
+        Area(sub_item.bit_offset, sub_item.bit_offset + sub_item.bit_size, number)
+        for number, sub_item in enumerate(sub_items)
+        if sub_item.bit_offset is not None and sub_item.bit_size
+    ]
+    for (_, end, number), (start, _, next_number) in overlaps(areas):
+        yield Found(
+            f"SubItem {sub_items[next_number].name!r} of DataType {data_type.name} starts at bit "
+            f"{start}, {sub_items[number].name!r} ends at {end}: correct BitOffs",
+            ("sub_items", next_number, "bit_offset"),
+        )
     if areas and data_type.bit_size is not None:
         end, number = max([(end, number) for _, end, number in areas])
         if end > data_type.bit_size:

@@ -4,7 +4,14 @@ from collections.abc import Iterator
 
 from esicatalog.lint.registry import WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, Dictionaries, ModuleSubject
-from esicatalog.model.cia402 import CONTROLWORD, MODES_OF_OPERATION, STATUSWORD, SUPPORTED_DRIVE_MODES
+from esicatalog.model.cia402 import (
+    AXIS_STEP,
+    CONTROLWORD,
+    MODES_OF_OPERATION,
+    STATUSWORD,
+    SUPPORTED_DRIVE_MODES,
+)
+from esicatalog.model.drive_evidence import MAX_AXES, ModeEvidence, written_mode
 
 _DEVICE_TYPE = 0x1000
 _NEEDED = (CONTROLWORD, STATUSWORD, MODES_OF_OPERATION, SUPPORTED_DRIVE_MODES)
@@ -13,19 +20,36 @@ _DOUBTS = {
     "A+ short": "is shorter than its type",
 }
 _AGAINST_NAME = "C3"
+_MODES_OF_ALL_AXES = range(MODES_OF_OPERATION, MODES_OF_OPERATION + MAX_AXES * AXIS_STEP, AXIS_STEP)
 
 
 @rule("L57", WARNING, "CiA 402 object 0x6060: the command would start another mode than the name promises")
 def mode_against_name(subject: ModuleSubject) -> Iterator[Found]:
     """An InitCmd writes a mode to 0x6060 that the name of its module does not list."""
     against = {
-        (item.mode, item.axis): item.evidence
+        (item.mode, item.axis): item
         for host in subject.hosts
         for item in reversed(host.derivation.modes.evidence)
         if item.rank == _AGAINST_NAME and item.module_ident == subject.module.module_ident
     }
-    for _, words in sorted(against.items()):
-        yield Found(f"{words}: correct the command or the name", ("mailbox", "coe_init_cmds", 0))
+    for _, item in sorted(against.items()):
+        place: Place = ("mailbox", "coe_init_cmds", _writing(subject, item))
+        yield Found(f"{item.evidence}: correct the command or the name", place)
+
+
+def _writing(subject: ModuleSubject, item: ModeEvidence) -> int:
+    """Position of the InitCmd that writes the mode.
+
+    In a slot above 0 the evidence rests on another index than the one that stands in the module.
+    """
+    written = {
+        number: index
+        for number, command in enumerate(subject.coe_init_cmds)
+        if (index := command.object_index or 0) in _MODES_OF_ALL_AXES
+        and (mode := written_mode(command, index)) is not None
+        and mode.name == item.mode
+    }
+    return min(written, key=lambda number: written[number] != item.object_index, default=0)
 
 
 @rule("L58", WARNING, "CiA 402: 0x6040, 0x6041, 0x6060 and 0x6502 are mandatory")

@@ -8,6 +8,7 @@ from esicatalog.lint.registry import WARNING, Found, Place, rule
 from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject
 from esicatalog.model.access import ALL_STATES
 from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.model.sync import listed_pdos
 
 _TEXTS = frozenset({"string", "octets", "unicode", "domain"})
 _LEAST_EEPROM_BYTES = 128
@@ -77,15 +78,17 @@ def _mailbox_place(subject: DeviceSubject) -> Place:
 
 @rule("L62", WARNING, "ETG.2000 CoE/@PdoAssign, @PdoConfig: 0x1C1x, 0x16xx and 0x1Axx are writable")
 def pdo_choice_without_service(subject: DeviceSubject) -> Iterator[Found]:
-    """Optional PDOs without PdoAssign, or PDOs that are not Fixed without PdoConfig."""
+    """Optional PDOs that no OpMode lists without PdoAssign, or PDOs that are not Fixed without PdoConfig."""
     mailbox = subject.device.mailbox
     if mailbox is None or not mailbox.coe:
         return
     pdos = [pdo for pdo in (*subject.device.rx_pdos, *subject.device.tx_pdos) if not pdo.virtual]
-    optional = [pdo for pdo in pdos if pdo.sm is None]
+    listed = listed_pdos(subject.device.op_modes)
+    optional = [pdo for pdo in pdos if pdo.sm is None and pdo.pdo_index not in listed]
     if optional and not mailbox.coe_pdo_assign:
         yield Found(
-            f"{len(optional)} PDOs are optional (no Sm), but CoE has no PdoAssign: they can never be assigned",
+            f"{len(optional)} PDOs are optional (no Sm, in no OpMode), but CoE has no PdoAssign: "
+            "they can never be assigned",
             ("mailbox", "coe"),
         )
     free = [pdo for pdo in pdos if not pdo.fixed and pdo.entries]

@@ -5,9 +5,10 @@ from functools import lru_cache
 
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, listed, rule
-from esicatalog.lint.subjects import PdoMapping, PlacedEntry
+from esicatalog.lint.subjects import PdoMapping, PdoTypes, PlacedEntry
 from esicatalog.model.base_types import BASE_TYPES, BaseType, base_type
 from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.pdo_facts import entry_facts
 from esicatalog.model.resolver import TypeSet
 
 _LETTERS = {"RxPdo": "R", "TxPdo": "T"}
@@ -127,8 +128,8 @@ def not_mappable(mapping: PdoMapping) -> Iterator[Found]:
 
 
 @rule("L48", WARNING, "ETG.2000 table of base data types, ETG.1020")
-def type_name(record: Pdo | TypeSet) -> Iterator[Found]:
-    """Types have names that are no base types of ESI (UINT16 instead of UINT)."""
+def type_name(record: PdoTypes | TypeSet) -> Iterator[Found]:
+    """Types have names that are neither base types of ESI (UINT16 instead of UINT) nor declared."""
     if isinstance(record, TypeSet):
         names = [data_type.name for data_type in record.data_types if _standard_name(data_type.name)]
         if names:
@@ -136,19 +137,30 @@ def type_name(record: Pdo | TypeSet) -> Iterator[Found]:
             number = next(n for n, data_type in enumerate(record.data_types) if data_type.name == names[0])
             yield Found(f"base types with names of other tools: {listed(renamed)}", ("data_types", number, "name"))
         return
-    seen = set()
-    for number, entry in enumerate(record.entries):
-        name = entry.data_type
-        if not name or name in seen:
-            continue
-        seen.add(name)
+    for number, name in record.foreign:
         standard = _standard_name(name)
-        if standard is not None or (base_type(name) is None and not name.startswith(_OWN_TYPE)):
+        if standard is not None or not any(name in types.by_name for types in record.types):
             words = f"is {standard} in ESI" if standard is not None else "is no base type of ESI"
             yield Found(
-                f"entry {number + 1} of PDO 0x{record.pdo_index or 0:04X} has the DataType {name}, which {words}",
+                f"entry {number + 1} of PDO 0x{record.pdo.pdo_index or 0:04X} has the DataType {name}, which {words}",
                 ("entries", number, "data_type"),
             )
+
+
+def foreign_types(pdo: Pdo) -> Sequence[tuple[int, str]]:
+    """The names in entries that are no base types of ESI, each with the position of the first entry that has it.
+
+    Padding has a length only (ESI-FACTS section 9).
+    """
+    first: dict[str, int] = {}
+    for number, entry in enumerate(pdo.entries):
+        if entry.data_type and not entry_facts(entry).is_padding:
+            first.setdefault(entry.data_type, number)
+    return [(number, name) for name, number in first.items() if _is_foreign(name)]
+
+
+def _is_foreign(name: str) -> bool:
+    return _standard_name(name) is not None or (base_type(name) is None and not name.startswith(_OWN_TYPE))
 
 
 @lru_cache(10_000)

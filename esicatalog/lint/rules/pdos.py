@@ -6,6 +6,7 @@ from esicatalog.esi.records.pdo import Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import DIRECTIONS, DeviceSubject, ModuleSubject, PlacedPdo, ProcessSubject, is_absent
 from esicatalog.model.pdo_facts import entry_facts, symmetric_exclusions
+from esicatalog.model.sync import listed_pdos
 
 _RANGES = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
 _OPPOSITE = {"RxPdo": "Inputs", "TxPdo": "Outputs"}
@@ -142,10 +143,13 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
         return
     hosts = [] if isinstance(subject, ProcessSubject) else subject.hosts
     modules = subject.modules if isinstance(subject, ProcessSubject) else [m for host in hosts for m in host.modules]
+    processes = [subject.data] if isinstance(subject, ProcessSubject) else [h.derivation.process_data for h in hosts]
     known = {placed.pdo.pdo_index for owner in (subject, *hosts, *modules) for placed in owner.pdos}
     for placed in subject.pdos:
         for number, item in enumerate(placed.pdo.excludes):
-            if item.pdo_index is not None and item.pdo_index not in known:
+            if item.pdo_index is None or item.pdo_index in known:
+                continue
+            if not any(data.in_slots.has_pdo(item.pdo_index) for data in processes):
                 yield Found(
                     f"{_words(placed.direction, placed.pdo.pdo_index)} excludes 0x{item.pdo_index:04X}, "
                     "which is no PDO of the device: correct or remove it",
@@ -244,7 +248,7 @@ def _indices(indices: Iterable[int | None]) -> str:
 @rule("L66", WARNING, "ETG.2000 Pdo/@Mandatory: it must stay assigned, so it must be assigned")
 def mandatory_without_sync_manager(subject: ProcessSubject) -> Iterator[Found]:
     """A mandatory PDO has no Sm."""
-    listed = {pdo.pdo_index for mode in subject.data.op_modes for item in mode.sm_assignments for pdo in item.pdos}
+    listed = listed_pdos(subject.data.op_modes)
     for placed in subject.pdos:
         pdo = placed.pdo
         if pdo.mandatory and pdo.sm is None and not pdo.virtual and pdo.pdo_index not in listed:

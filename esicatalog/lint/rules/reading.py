@@ -39,7 +39,7 @@ found_by_reader(
     "L06",
     ERROR,
     "Malformed or out of range HexDecValue or integer; decimal is 402, hexadecimal #x1A00.",
-    "ETG.2000 EtherCATBase.xsd HexDecValue; identities are uint32",
+    "ETG.2000 EtherCATBase.xsd HexDecValue, xs:int (32 bits); identities are uint32",
 )
 found_by_reader(
     "L07",

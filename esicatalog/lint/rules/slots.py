@@ -5,14 +5,7 @@ from collections.abc import Iterator
 
 from esicatalog.lint.registry import ERROR, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject
-from esicatalog.model.slots import (
-    PluggedModule,
-    accepts,
-    default_modules,
-    expand_module,
-    numbered_slots,
-    shift_problems,
-)
+from esicatalog.model.slots import default_modules, expand_module, leaving_indices, slot_runs
 
 
 @rule("L53", ERROR, "ETG.2000 Slot/ModuleIdent, @Default, @MinInstances, @MaxInstances")
@@ -67,18 +60,16 @@ def shifted_indices(subject: DeviceSubject) -> Iterator[Found]:
 
 
 def _overflows(subject: DeviceSubject) -> Iterator[Found]:
-    last = {}
-    for number, slot, _ in numbered_slots(subject.device):
-        last[id(slot)] = (number, slot)
-    positions = {id(slot): position for position, slot in enumerate(subject.device.slots)}
-    for module in subject.module_records:
-        fitting = [(number, slot) for number, slot in last.values() if accepts(slot, module)]
-        if fitting:
-            number, slot = fitting[-1]
-            problems = shift_problems(subject.device, PluggedModule(number, slot, module))
-            if problems:
-                more = f" and {len(problems) - 1} more" if len(problems) > 1 else ""
-                yield Found(f"module {module.type!r}: {problems[0]}{more}", ("slots", positions[id(slot)]))
+    for plugged, problems in leaving_indices(subject.device, subject.module_records):
+        more = f" and {len(problems) - 1} more" if len(problems) > 1 else ""
+        place = _place(subject, plugged.slot_number)
+        yield Found(f"module {plugged.module.type!r}: {problems[0]}{more}", place)
+
+
+def _place(subject: DeviceSubject, slot_number: int) -> Place:
+    """Where the Slot element of a slot stands; equal ones are one record."""
+    runs = enumerate(slot_runs(subject.device))
+    return ("slots", next(position for position, (_, numbers) in runs if slot_number in numbers))
 
 
 def _collisions(subject: DeviceSubject) -> Iterator[Found]:
@@ -92,9 +83,8 @@ def _collisions(subject: DeviceSubject) -> Iterator[Found]:
                 continue
             other = taken.setdefault((what, index), plugged.slot_number)
             if other != plugged.slot_number:
-                position = next(n for n, slot in enumerate(subject.device.slots) if slot is plugged.slot)
                 yield Found(
                     f"{what} 0x{index:04X} of the default module in slot {plugged.slot_number} "
                     f"meets that of slot {other}: DependOnSlot or the increment is missing",
-                    ("slots", position),
+                    _place(subject, plugged.slot_number),
                 )

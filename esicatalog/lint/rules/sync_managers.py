@@ -1,10 +1,10 @@
 """Rules about SyncManagers: roles, ControlByte, memory, sizes (ESI-FACTS section 8)."""
 
 from collections.abc import Iterator
-from itertools import pairwise
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import SyncManager
+from esicatalog.lint.areas import Area, overlaps
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, ProcessSubject, is_absent
 from esicatalog.model.sm_facts import sm_facts
@@ -96,18 +96,16 @@ def outputs_without_watchdog(subject: ProcessSubject) -> Iterator[Found]:
 @rule("L22", WARNING, "ESC: a SyncManager of three buffers takes three times its length, one behind the other")
 def memory_overlap(subject: ProcessSubject) -> Iterator[Found]:
     """SyncManagers overlap in memory, buffered ones counted three times."""
-    areas = sorted(_areas(subject))
-    for (start, end, number), (next_start, _, next_number) in pairwise(areas):
-        if next_start < end:
-            yield Found(
-                f"SM {number} takes 0x{start:04X} to 0x{end - 1:04X} and SM {next_number} starts at "
-                f"0x{next_start:04X}: they overlap by {end - next_start} bytes",
-                ("sync_managers", next_number),
-            )
+    for (start, end, number), (next_start, next_end, next_number) in overlaps(_areas(subject)):
+        yield Found(
+            f"SM {number} takes 0x{start:04X} to 0x{end - 1:04X} and SM {next_number} starts at "
+            f"0x{next_start:04X}: they overlap by {min(end, next_end) - next_start} bytes",
+            ("sync_managers", next_number),
+        )
 
 
-def _areas(subject: ProcessSubject) -> Iterator[tuple[int, int, int]]:
-    """First address, address behind it and number of each SyncManager that occupies memory."""
+def _areas(subject: ProcessSubject) -> Iterator[Area]:
+    """The addresses of each SyncManager that occupies memory."""
     for number, sm in enumerate(subject.data.sync_managers):
         start = sm.start_address
         if start is None or start < _PROCESS_DATA_RAM or sm.virtual or sm.enable == 0:
@@ -115,7 +113,7 @@ def _areas(subject: ProcessSubject) -> Iterator[tuple[int, int, int]]:
         length = sm.default_size if sm.default_size is not None else _image_bytes(subject, number)
         buffers = _BUFFERS if sm_facts(sm).buffer_mode == "buffered" else 1
         if length:
-            yield start, start + buffers * length, number
+            yield Area(start, start + buffers * length, number)
 
 
 def _image_bytes(subject: ProcessSubject, number: int) -> int:

@@ -104,7 +104,8 @@ def text_for_number(subject: ObjectValues) -> Iterator[Found]:
             continue
         base = BASE_TYPES[entry.base_type]
         if base.integral or base.kind == "real":
-            words = "read as a number" if entry.default_int is not None else "no number"
+            is_number = entry.default_int is not None or entry.default_real is not None
+            words = "read as a number" if is_number else "no number"
             found.append(f"{_words(subject, entry)} of type {entry.data_type}: {entry.default_raw!r}, {words}")
     if found:
         yield Found(f"DefaultString of a number ({listed(found)}): use DefaultData")
