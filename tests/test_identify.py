@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 import schemathesis
 from hypothesis import HealthCheck, assume, given, settings
+from lxml import html
 from schemathesis import GenerationMode
 from snippets import device, esi, one, pdo, rows
 from test_cli import run
@@ -318,6 +319,42 @@ def test_a_scan_on_the_shell(data_db, tmp_path):
     assert "  1: alias 7 is also that of slave 0" in lines
     assert "  slaves           3, 1 with exact ESI" in lines
     assert "  process data     2 bytes out, 2 bytes in; unknown of slave 2" in lines
+
+
+async def test_a_description_without_revision_at_a_bus(tmp_path):
+    """Its sizes and its E-bus current count; it is shown without a revision, not with 0."""
+    content = "<Info><Electrical><EBusCurrent>200</EBusCurrent></Electrical></Info><Sm>Outputs</Sm>"
+    terminal = device(content + pdo("RxPdo", "#x1600", 16, attributes='Sm="0"'), product="#x5", type_text="A")
+    coupler = device("<Info><Electrical><EBusCurrent>-1000</EBusCurrent></Electrical></Info>", product="#x4")
+    described = (coupler + terminal.replace(' RevisionNo="#x1"', "")).replace('"YY"', '"YK"')
+    db, scan = catalog_of(tmp_path, esi(described)), "vendor,product,revision\n0xe5c,4,1\n0xe5c,5,1\n"
+    lines = run("identify", "--slaves", "-", db=db, stdin=scan).stdout.splitlines()
+    assert lines[2].split()[2:] == ["product", "A", "-", "800", "mA", "2", "0", "0.xml,", "line", "1"]
+    found = json.loads(run("identify", "--slaves", "-", "--format", "json", db=db, stdin=scan).stdout)[1]
+    slave = found["slave"]
+    assert (found["device"]["revision_no_hex"], slave["e_bus_left_ma"]) == (None, 800)
+    assert (slave["output_bytes"], slave["input_bytes"]) == (2, 0)
+    posted = await (await client(db)).post("/-/esi/scan", data={"scan": scan})
+    row = html.fromstring(posted.text).cssselect("table.slaves tbody tr")[1]
+    assert [cell.text_content() for cell in row.cssselect("td")[4:8]] == ["A", "800 mA", "2", "0"]
+
+
+async def test_pages_and_warnings_name_no_revision_that_is_not_there(tmp_path):
+    other = device("<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 16, attributes='Sm="0"'), type_text="other")
+    db = catalog_of(tmp_path, esi(device(revision="#x2") + other.replace(' RevisionNo="#x1"', "")))
+    (warning,) = answer(db, 0xE5C, 1, 2).warnings
+    assert "in 1 of 1 other revisions; the one without RevisionNo for example: SM0" in warning
+    shown = html.fromstring((await (await client(db)).get("/-/esi/device/0xe5c/1/2")).text)
+    cells = shown.cssselect("section[aria-labelledby=revisions] tbody td:first-child")
+    assert [cell.text_content().strip() for cell in cells] == ["-", "0x00000002"]
+    (tmp_path / "in" / "0.xml").write_text(esi(other.replace(' RevisionNo="#x1"', "")))
+    with Catalog.open(db) as catalog:
+        catalog.ingest([tmp_path / "in"], jobs=1)
+    latest = await (await client(db)).get("/-/esi/device/0xe5c/1/latest")
+    assert latest.status_code == 200
+    facts = html.fromstring(latest.text).cssselect("dl.facts dd")
+    assert facts[2].text_content().strip() == "-"
+    assert "  revision  -" in run("show", "0xe5c:1", db=db).stdout.splitlines()
 
 
 def test_pdos_and_objects_beside_a_scan(data_db, tmp_path):

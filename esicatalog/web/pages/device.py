@@ -7,6 +7,7 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription, description_json
 from esicatalog.catalog.mapping import image_key
+from esicatalog.catalog.results import hex32
 from esicatalog.errors import InputError
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
@@ -127,6 +128,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
             {
                 "path": device_path(item.device),
                 "found": item.device,
+                "number": hex32(item.device.revision_no) or "-",
                 "text": revision_text(item.device.vendor_id, item.device.revision_no),
                 "hidden": item.hidden,
                 "layout_changed": item.layout_changed,
