@@ -109,6 +109,11 @@ def test_what_is_not_exact_says_why(several, numbers, match, words):
     assert (found.device is None) == (match in ("vendor", "none"))
 
 
+def test_a_vendor_without_name_is_known_by_its_number(tmp_path):
+    db = catalog_of(tmp_path, esi(device(), vendor="<Id>#xE5C</Id>"))
+    assert answer(db, 0xE5C, 2).reason == "vendor 0x00000e5c is known, its product 0x00000002 is not"
+
+
 def test_the_product_of_the_nearest_code_is_a_candidate(several):
     assert {item.product_code for item in answer(several, 0xE5C, 2, 1).candidates} == {1}
 

@@ -138,6 +138,13 @@ async def test_the_module_picker_recomputes_the_image(data_db):
     assert not [link for link in wrong.xpath("//a/@href") if "module=" in link]
 
 
+async def test_an_entry_without_length_has_none_on_its_page(tmp_path):
+    entries = pdo("RxPdo", "#x1600", 16, 8, attributes='Sm="0"').replace("<BitLen>16</BitLen>", "")
+    tree = await page(catalog_of(tmp_path, esi(device("<Sm>Outputs</Sm>" + entries))), "/-/esi/device/0xe5c/1/1")
+    for section in ("image", "pdos"):
+        assert texts(tree, f"section[aria-labelledby={section}] td:nth-child(2)") == ["", "8"]
+
+
 async def test_drawings_hold_every_entry(data_db):
     web = await client(data_db)
     tree = html.fromstring((await web.get(EYOU)).text)

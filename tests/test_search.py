@@ -114,6 +114,18 @@ def test_words(tmp_path_factory, text, found):
     assert types(db / "c.db", text=text) == found
 
 
+def test_evidence_says_what_a_document_leaves_out(tmp_path):
+    mapped = pdo("RxPdo", "#x1600", 16).replace("<BitLen>16</BitLen>", "")
+    clocks = "<Dc><OpMode><AssignActivate>#x700</AssignActivate></OpMode></Dc>"
+    db = catalog_of(tmp_path, esi(device(mapped + clocks)))
+    with Catalog.open(db) as catalog:
+        (found,) = catalog.devices(maps=[(0x7000, 1)], sync="sync1")
+    assert set(found.evidence) == {
+        "0x7000:01, no BitLen, in RxPdo 0x1600 (not assigned by default)",
+        "SYNC1 in an OpMode without Name: AssignActivate 0x0700",
+    }
+
+
 def test_wrong_filters_are_errors(data_db):
     with Catalog.open(data_db) as catalog:
         for wanted in ({"sync": "sync9"}, {"protocol": "xoe"}, {"bits": 1}):

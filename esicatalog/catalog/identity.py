@@ -132,7 +132,8 @@ class IdentityLookup:
         near = map(_device, self._query(_NEAR_PRODUCTS, (vendor_id, product_code) * 2))
         ranked = sorted(near, key=lambda device: _distance(device, product_code))
         candidates = tuple(ranked[:NEAREST])
-        reason = f"vendor {hex32(vendor_id)} ({name[0]}) is known, its product {hex32(product_code)} is not"
+        named = f" ({name[0]})" if name[0] else ""
+        reason = f"vendor {hex32(vendor_id)}{named} is known, its product {hex32(product_code)} is not"
         return Identification(*query, "vendor", reason, None, (), candidates)
 
     def _warnings(self, chosen: _Row, others: list[_Row]) -> tuple[str, ...]:
