@@ -1,6 +1,7 @@
 """Who is on this bus: the same answer from Python, from the shell and over HTTP."""
 
 import json
+import re
 import socket
 from contextlib import ExitStack
 from pathlib import Path
@@ -22,6 +23,7 @@ from esicatalog.cli.serve import _listen
 from esicatalog.scan.front import read_scan
 from esicatalog.web.app import datasette_app
 from esicatalog.web.http import MAX_BODY_BYTES
+from esicatalog.web.openapi import openapi_document
 
 ROUTE = "/-/esi/identify.json"
 SLAVES = """\
@@ -225,6 +227,7 @@ async def test_wrong_requests_are_400_with_words(data_db, query, words):
     [
         (b"", "the text is empty"),
         (b"[1]", "identity 0: expected an object"),
+        (b'["1:2", "2:72100946@99"]', "identity 1: '2:72100946@99' names a variant; leave it out"),
         (b'[{"vendor": 1}]', "identity 0: vendor and product are needed"),
         (b'[{"vendor": true, "product": 1}]', "vendor True is no number"),
         (b'[{"vendor": -1, "product": 1}]', "vendor -1 is no number"),
@@ -309,6 +312,15 @@ def test_openapi_says_what_the_routes_do(data_db):
                 case.call_and_validate()
 
             answered_as_promised()
+
+
+def test_openapi_lists_the_modules_that_the_route_of_a_device_reads(data_db):
+    paths = openapi_document("/")["paths"]
+    parameters = paths["/-/esi/device/{vendor}/{product}/{revision}.json"]["get"]["parameters"]
+    listed = {item["name"]: item for item in parameters}
+    assert list(listed) == ["vendor", "product", "revision", "module"]
+    items = listed["module"]["schema"]["items"]
+    assert all(re.search(items["pattern"], text) for text in items["examples"])
 
 
 def test_a_scan_on_the_shell(data_db, tmp_path):
