@@ -7,11 +7,13 @@ from pathlib import Path
 
 import pytest
 from snippets import device, esi, pdo, rows, write
+from web_client import client
 
-from esicatalog import Catalog
+from esicatalog import Catalog, NotFound
 from esicatalog.catalog.database import catalog_url, make_engine
 from esicatalog.catalog.rederive import derive_again
 from esicatalog.catalog.settle import CONTENT_HASH, content_hash, write_state
+from esicatalog.web.links import device_path
 
 PLAIN = device(name="plain")
 RICHER = device(pdo("RxPdo", "#x1600", 8, 8), name="richer")
@@ -115,6 +117,26 @@ def test_devices_without_revision_are_variants_whatever_their_type(tmp_path):
         answer = catalog.identify(0xE5C, 5, 1)
         assert [(found.device.variant, found.device.type) for found in answer.variants] == list(enumerate(shown, 1))
         assert answer.candidates == ()
+
+
+async def test_a_description_without_revision_is_found_beside_one_with(tmp_path):
+    """``-`` is its revision wherever an identity is written; without any the latest is meant."""
+    beside = device(product="#x5", type_text="numbered")
+    bare = [device(product="#x5", type_text=kind).replace(' RevisionNo="#x1"', "") for kind in "AB"]
+    stored(tmp_path, {"a.xml": esi(beside + "".join(bare))})
+    web = await client(tmp_path / "all.db")
+    with Catalog.open(tmp_path / "all.db") as catalog:
+        listed = catalog.devices(all_variants=True)
+        assert len(listed) == 3
+        for found in listed:
+            assert catalog.device(found.identity_text).found == found
+            assert catalog.device(found.identity).found == found
+            response = await web.get(f"/-/esi/{device_path(found)}")
+            assert (response.status_code, f"<h1>{found.type}" in response.text) == (200, True)
+            assert ('id="exports"' in response.text) == (found.type == "numbered")
+        assert catalog.device("0xe5c:5").found.type == "numbered"
+        with pytest.raises(NotFound, match="has no variant 3"):
+            catalog.device("0xe5c:5:-@3")
 
 
 def test_variants_that_an_older_version_numbered_otherwise_are_numbered_again(tmp_path):

@@ -153,7 +153,7 @@ _IN_PATH = [
     for name, pattern in (
         ("vendor", "^0x[0-9a-f]{1,8}$"),
         ("product", "^0x[0-9a-f]{1,8}$"),
-        ("revision", "^(0x[0-9a-f]{1,8}|latest)$"),
+        ("revision", "^(0x[0-9a-f]{1,8}|latest|-)$"),
     )
 ]
 

@@ -139,7 +139,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
         "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
         "identity": found.identity_text,
-        **_exports(path, any(image.pdos for image in images)),
+        **_exports(path if found.revision_no is not None else "", any(image.pdos for image in images)),
         "chosen": "&".join(f"module={slot}%3D0x{ident:X}" for slot, ident in choice.items()),
         "drawing_css": DRAWING_CSS,
     }
