@@ -171,8 +171,9 @@ KEYS = """\
 
 `vendors.vendor_id` is the number that the ETG assigned. `devices` holds one row per distinct description, unique by
 (`vendor_id`, `product_code`, `revision_no`, `variant`): variant 1 is the preferred description of an identity, 2 and
-higher are differing ones, none is overwritten. A code that the file does not give is NULL, never 0. `devices.id` is a
-row number that differs between catalogs; keep the identity, not the row number.
+higher are differing ones, none is overwritten. A code that the file does not give is NULL, never 0: all descriptions of
+a product without revision are variants together; those without product code are only with others of their type.
+`devices.id` is a row number that differs between catalogs; keep the identity, not the row number.
 
 | what | table | how it hangs on vendor, product, revision | view with the identity beside every row |
 |---|---|---|---|

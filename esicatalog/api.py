@@ -155,10 +155,9 @@ class Catalog:
         return Verification(answer, described[best], image.findings, compared[best])
 
     def _records(self, found: "FoundDevice") -> "tuple[Device, tuple[Module, ...]]":
-        """Records of a described device that has vendor, product and revision."""
-        assert found.vendor_id is not None
-        assert found.product_code is not None
-        description = self.device(Identity(found.vendor_id, found.product_code, found.revision_no, found.variant))
+        """Records of a described device that has vendor and product."""
+        assert found.identity is not None
+        description = self.device(found.identity)
         return description.device, description.modules
 
     def devices(self, **filters: Any) -> "list[FoundDevice]":

@@ -6,6 +6,8 @@ from typing import NamedTuple
 from esicatalog.errors import InputError
 
 UINT32_MAX = 0xFFFF_FFFF
+NO_REVISION = "-"
+"""Stands for the revision of a description that names none."""
 _MOST_DIGITS = 20
 _SHOWN = 60
 
@@ -14,15 +16,19 @@ _NUMBER = re.compile(r"(?:0x|#x)([0-9a-f]+)|([0-9]+)", re.IGNORECASE)
 
 
 class Identity(NamedTuple):
-    """A device identity; ``revision_no`` None means the latest, ``variant`` None the preferred."""
+    """A device identity; ``revision_no`` None means the latest, ``variant`` None the preferred.
+
+    ``without_revision`` means the descriptions of the product that name none.
+    """
 
     vendor_id: int
     product_code: int
     revision_no: int | None = None
     variant: int | None = None
+    without_revision: bool = False
 
     def __str__(self) -> str:
-        revision = f":0x{self.revision_no:08x}" if self.revision_no is not None else ""
+        revision = f":0x{self.revision_no:08x}" if self.revision_no is not None else ":-" * self.without_revision
         variant = f"@{self.variant}" if self.variant is not None else ""
         return f"0x{self.vendor_id:08x}:0x{self.product_code:08x}{revision}{variant}"
 
@@ -47,18 +53,20 @@ def parse_number(text: str, what: str = "number", limit: int = UINT32_MAX) -> in
 
 
 def parse_identity(text: str) -> Identity:
-    """An identity written ``V:P[:R][@VARIANT]``. Raises :class:`InputError`."""
+    """An identity written ``V:P[:R][@VARIANT]``, R ``-`` where none is described. Raises :class:`InputError`."""
     numbers, at, variant_text = text.partition("@")
     parts = numbers.split(":")
     if len(parts) not in (2, 3):
         raise InputError(f"identity {text!r} is not VENDOR:PRODUCT[:REVISION][@VARIANT]")
+    without_revision = parts[2:] == [NO_REVISION]
     vendor_id, product_code, *rest = (
-        parse_number(part, what) for part, what in zip(parts, ("vendor", "product", "revision"), strict=False)
+        parse_number(part, what)
+        for part, what in zip(parts[:2] if without_revision else parts, ("vendor", "product", "revision"), strict=False)
     )
     variant = parse_number(variant_text, "variant") if at else None
     if variant == 0:
         raise InputError(f"identity {text!r}: variants count from 1")
-    return Identity(vendor_id, product_code, rest[0] if rest else None, variant)
+    return Identity(vendor_id, product_code, rest[0] if rest else None, variant, without_revision)
 
 
 def parse_mapped(text: str) -> tuple[int, int | None]:

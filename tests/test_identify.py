@@ -1,6 +1,7 @@
 """Who is on this bus: the same answer from Python, from the shell and over HTTP."""
 
 import json
+import re
 import socket
 from contextlib import ExitStack
 from pathlib import Path
@@ -8,6 +9,7 @@ from pathlib import Path
 import pytest
 import schemathesis
 from hypothesis import HealthCheck, assume, given, settings
+from lxml import html
 from schemathesis import GenerationMode
 from snippets import device, esi, one, pdo, rows
 from test_cli import run
@@ -21,6 +23,7 @@ from esicatalog.cli.serve import _listen
 from esicatalog.scan.front import read_scan
 from esicatalog.web.app import datasette_app
 from esicatalog.web.http import MAX_BODY_BYTES
+from esicatalog.web.openapi import openapi_document
 
 ROUTE = "/-/esi/identify.json"
 SLAVES = """\
@@ -106,6 +109,11 @@ def test_what_is_not_exact_says_why(several, numbers, match, words):
     assert found.match == match
     assert words in found.reason
     assert (found.device is None) == (match in ("vendor", "none"))
+
+
+def test_a_vendor_without_name_is_known_by_its_number(tmp_path):
+    db = catalog_of(tmp_path, esi(device(), vendor="<Id>#xE5C</Id>"))
+    assert answer(db, 0xE5C, 2).reason == "vendor 0x00000e5c is known, its product 0x00000002 is not"
 
 
 def test_the_product_of_the_nearest_code_is_a_candidate(several):
@@ -219,6 +227,7 @@ async def test_wrong_requests_are_400_with_words(data_db, query, words):
     [
         (b"", "the text is empty"),
         (b"[1]", "identity 0: expected an object"),
+        (b'["1:2", "2:72100946@99"]', "identity 1: '2:72100946@99' names a variant; leave it out"),
         (b'[{"vendor": 1}]', "identity 0: vendor and product are needed"),
         (b'[{"vendor": true, "product": 1}]', "vendor True is no number"),
         (b'[{"vendor": -1, "product": 1}]', "vendor -1 is no number"),
@@ -305,6 +314,15 @@ def test_openapi_says_what_the_routes_do(data_db):
             answered_as_promised()
 
 
+def test_openapi_lists_the_modules_that_the_route_of_a_device_reads(data_db):
+    paths = openapi_document("/")["paths"]
+    parameters = paths["/-/esi/device/{vendor}/{product}/{revision}.json"]["get"]["parameters"]
+    listed = {item["name"]: item for item in parameters}
+    assert list(listed) == ["vendor", "product", "revision", "module"]
+    items = listed["module"]["schema"]["items"]
+    assert all(re.search(items["pattern"], text) for text in items["examples"])
+
+
 def test_a_scan_on_the_shell(data_db, tmp_path):
     (tmp_path / "slaves.txt").write_text(SLAVES)
     done = run("identify", "--slaves", str(tmp_path / "slaves.txt"), db=data_db)
@@ -318,6 +336,42 @@ def test_a_scan_on_the_shell(data_db, tmp_path):
     assert "  1: alias 7 is also that of slave 0" in lines
     assert "  slaves           3, 1 with exact ESI" in lines
     assert "  process data     2 bytes out, 2 bytes in; unknown of slave 2" in lines
+
+
+async def test_a_description_without_revision_at_a_bus(tmp_path):
+    """Its sizes and its E-bus current count; it is shown without a revision, not with 0."""
+    content = "<Info><Electrical><EBusCurrent>200</EBusCurrent></Electrical></Info><Sm>Outputs</Sm>"
+    terminal = device(content + pdo("RxPdo", "#x1600", 16, attributes='Sm="0"'), product="#x5", type_text="A")
+    coupler = device("<Info><Electrical><EBusCurrent>-1000</EBusCurrent></Electrical></Info>", product="#x4")
+    described = (coupler + terminal.replace(' RevisionNo="#x1"', "")).replace('"YY"', '"YK"')
+    db, scan = catalog_of(tmp_path, esi(described)), "vendor,product,revision\n0xe5c,4,1\n0xe5c,5,1\n"
+    lines = run("identify", "--slaves", "-", db=db, stdin=scan).stdout.splitlines()
+    assert lines[2].split()[2:] == ["product", "A", "-", "800", "mA", "2", "0", "0.xml,", "line", "1"]
+    found = json.loads(run("identify", "--slaves", "-", "--format", "json", db=db, stdin=scan).stdout)[1]
+    slave = found["slave"]
+    assert (found["device"]["revision_no_hex"], slave["e_bus_left_ma"]) == (None, 800)
+    assert (slave["output_bytes"], slave["input_bytes"]) == (2, 0)
+    posted = await (await client(db)).post("/-/esi/scan", data={"scan": scan})
+    row = html.fromstring(posted.text).cssselect("table.slaves tbody tr")[1]
+    assert [cell.text_content() for cell in row.cssselect("td")[4:8]] == ["A", "800 mA", "2", "0"]
+
+
+async def test_pages_and_warnings_name_no_revision_that_is_not_there(tmp_path):
+    other = device("<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 16, attributes='Sm="0"'), type_text="other")
+    db = catalog_of(tmp_path, esi(device(revision="#x2") + other.replace(' RevisionNo="#x1"', "")))
+    (warning,) = answer(db, 0xE5C, 1, 2).warnings
+    assert "in 1 of 1 other revisions; the one without RevisionNo for example: SM0" in warning
+    shown = html.fromstring((await (await client(db)).get("/-/esi/device/0xe5c/1/2")).text)
+    cells = shown.cssselect("section[aria-labelledby=revisions] tbody td:first-child")
+    assert [cell.text_content().strip() for cell in cells] == ["-", "0x00000002"]
+    (tmp_path / "in" / "0.xml").write_text(esi(other.replace(' RevisionNo="#x1"', "")))
+    with Catalog.open(db) as catalog:
+        catalog.ingest([tmp_path / "in"], jobs=1)
+    latest = await (await client(db)).get("/-/esi/device/0xe5c/1/latest")
+    assert latest.status_code == 200
+    facts = html.fromstring(latest.text).cssselect("dl.facts dd")
+    assert facts[2].text_content().strip() == "-"
+    assert "  revision  -" in run("show", "0xe5c:1", db=db).stdout.splitlines()
 
 
 def test_pdos_and_objects_beside_a_scan(data_db, tmp_path):

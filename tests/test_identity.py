@@ -32,12 +32,20 @@ def test_what_is_no_uint32(text):
     assert len(str(error.value)) < 200
 
 
-@given(st.builds(Identity, UINT32, UINT32, st.none() | UINT32, st.none() | st.integers(1, 9)))
+VARIANT = st.none() | st.integers(1, 9)
+
+
+@given(
+    st.builds(Identity, UINT32, UINT32, st.none() | UINT32, VARIANT, st.just(False))
+    | st.builds(Identity, UINT32, UINT32, st.none(), VARIANT, st.just(True))
+)
 def test_identities_come_back(identity):
     assert parse_identity(str(identity)) == identity
 
 
-@pytest.mark.parametrize("text", ["", "1", "1:2:3:4", "1:", ":2", "a:b", "1:2@", "1:2@0", "1:2@x", "1:2:3@-1"])
+@pytest.mark.parametrize(
+    "text", ["", "1", "1:2:3:4", "1:", ":2", "1:-", "-:2:3", "a:b", "1:2@", "1:2@0", "1:2@x", "1:2:3@-1"]
+)
 def test_what_is_no_identity(text):
     with pytest.raises(InputError):
         parse_identity(text)

@@ -138,6 +138,13 @@ async def test_the_module_picker_recomputes_the_image(data_db):
     assert not [link for link in wrong.xpath("//a/@href") if "module=" in link]
 
 
+async def test_an_entry_without_length_has_none_on_its_page(tmp_path):
+    entries = pdo("RxPdo", "#x1600", 16, 8, attributes='Sm="0"').replace("<BitLen>16</BitLen>", "")
+    tree = await page(catalog_of(tmp_path, esi(device("<Sm>Outputs</Sm>" + entries))), "/-/esi/device/0xe5c/1/1")
+    for section in ("image", "pdos"):
+        assert texts(tree, f"section[aria-labelledby={section}] td:nth-child(2)") == ["", "8"]
+
+
 async def test_drawings_hold_every_entry(data_db):
     web = await client(data_db)
     tree = html.fromstring((await web.get(EYOU)).text)
@@ -338,6 +345,25 @@ async def test_exports_are_offered_and_served(data_db, target):
     assert response.status_code == 200, response.text
     assert response.headers["content-disposition"].startswith('attachment; filename="EYOU_ServoModule_V143.')
     assert response.content
+
+
+async def test_only_what_can_be_made_is_offered(tmp_path):
+    """A coupler has no process data; a module in its slot brings some."""
+    slots = (
+        '<Sm>Outputs</Sm><Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>#x10</ModuleIdent></Slot></Slots>'
+    )
+    mapped = pdo("RxPdo", "#x1600", 8, attributes='Sm="0"')
+    module = f'<Module><Type ModuleIdent="#x10">M</Type><Name>M</Name>{mapped}</Module>'
+    db = catalog_of(tmp_path, esi(device(slots), module))
+    web = await client(db)
+    for query, refused in (("", {"ros2", "linuxcnc"}), ("?module=0%3D0x10", set())):
+        section = (await page(db, f"/-/esi/device/0xe5c/1/1{query}")).cssselect("section[aria-labelledby=exports]")[0]
+        links = [link.get("href") for link in section.cssselect("a")]
+        assert {re.split(r"[/?]", link.partition("/export/")[2])[0] for link in links} == {*EXPORTS} - refused
+        for link in links:
+            assert (await web.get(link)).status_code == 200, link
+        notes = [text for text in texts(section, "p") if text.startswith("Not without process data")]
+        assert notes == (["Not without process data: ROS 2 slave YAML, LinuxCNC XML"] if refused else [])
 
 
 async def test_exports_take_choices_and_refuse_with_words(data_db):

@@ -27,7 +27,7 @@ from esicatalog.cli.main import cli
 
 TEXTS = (
     *("el", "EL", "8", "808", "d808", "ecx-d808", "ECX_D808", "ecx d808", "digital 8", "gital", "gi", "servo motor"),
-    *("#x1097", "0x00001097", "0x109", "4247", "0x0d080808", "_", "'", '"', "%", "a|b", "é", "İ", ""),
+    *("#x1097", "0x00001097", "0x109", "4247", "0x0d080808", "_", "808 _", "'", '"', "%", "a|b", "é", "İ", ""),
     *(
         "ubertrager",
         "Übertrager",
@@ -134,6 +134,7 @@ def test_devices_are_the_same_for_every_filter(both):
     assert here == there
     assert here["{'text': 'ubertrager'}"] == here["{'text': 'ÜBERTRÄGER'}"] != []
     assert here["{'text': ''}"] == here["{'text': '_'}"] == []
+    assert here["{'text': '808 _'}"] == here["{'text': '808'}"] != []
 
 
 def test_a_page_of_devices_is_the_same(both):

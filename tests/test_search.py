@@ -115,6 +115,9 @@ WORDS = esi(
         ("", []),
         ('" OR *', []),
         ("NEAR(", []),
+        ("_", []),
+        ("antrieb _", ["X9"]),
+        ("__ EL_", ["EL1100"]),
         ("name:x9 AND -", []),
     ],
 )
@@ -123,6 +126,18 @@ def test_words(tmp_path_factory, text, found):
     if not (db / "c.db").exists():
         catalog_of(db, WORDS)
     assert types(db / "c.db", text=text) == found
+
+
+def test_evidence_says_what_a_document_leaves_out(tmp_path):
+    mapped = pdo("RxPdo", "#x1600", 16).replace("<BitLen>16</BitLen>", "")
+    clocks = "<Dc><OpMode><AssignActivate>#x700</AssignActivate></OpMode></Dc>"
+    db = catalog_of(tmp_path, esi(device(mapped + clocks)))
+    with Catalog.open(db) as catalog:
+        (found,) = catalog.devices(maps=[(0x7000, 1)], sync="sync1")
+    assert set(found.evidence) == {
+        "0x7000:01, no BitLen, in RxPdo 0x1600 (not assigned by default)",
+        "SYNC1 in an OpMode without Name: AssignActivate 0x0700",
+    }
 
 
 def test_wrong_filters_are_errors(data_db):

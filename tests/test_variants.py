@@ -1,12 +1,19 @@
 """Descriptions of one identity: stored once per content, numbered by rule, whatever the order they came in."""
 
+import sqlite3
+from contextlib import closing
 from itertools import permutations
 from pathlib import Path
 
 import pytest
 from snippets import device, esi, pdo, rows, write
+from web_client import client
 
-from esicatalog import Catalog
+from esicatalog import Catalog, NotFound
+from esicatalog.catalog.database import catalog_url, make_engine
+from esicatalog.catalog.rederive import derive_again
+from esicatalog.catalog.settle import CONTENT_HASH, content_hash, write_state
+from esicatalog.web.links import device_path
 
 PLAIN = device(name="plain")
 RICHER = device(pdo("RxPdo", "#x1600", 8, 8), name="richer")
@@ -94,6 +101,63 @@ def test_devices_without_codes_are_told_apart_by_type(tmp_path):
     stored(tmp_path, {"a.xml": esi(caps)})
     found = rows(tmp_path / "all.db", "SELECT type, variant, product_code, revision_no FROM devices ORDER BY 1, 2")
     assert found == [(kind, number, None, None) for kind in ("CAP", "FEED") for number in (1, 2)]
+
+
+def test_devices_without_revision_are_variants_whatever_their_type(tmp_path):
+    """Nobody asks for a type: each is found by its number, and lists show the product once."""
+    bare = "".join(device(product="#x5", type_text=kind) for kind in "AB").replace(' RevisionNo="#x1"', "")
+    stored(tmp_path, {"a.xml": esi(bare)})
+    with Catalog.open(tmp_path / "all.db") as catalog:
+        assert len(catalog.devices()) == 1
+        every = [(found.identity_text, found.type) for found in catalog.devices(all_variants=True)]
+        assert [text for text, _ in every] == ["0x00000e5c:0x00000005:-", "0x00000e5c:0x00000005:-@2"]
+        assert sorted(kind for _, kind in every) == ["A", "B"]
+        shown = [catalog.device(f"0xe5c:5@{number}").found.type for number in (1, 2)]
+        assert shown == [kind for _, kind in every]
+        answer = catalog.identify(0xE5C, 5, 1)
+        assert [(found.device.variant, found.device.type) for found in answer.variants] == list(enumerate(shown, 1))
+        assert answer.candidates == ()
+
+
+async def test_a_description_without_revision_is_found_beside_one_with(tmp_path):
+    """``-`` is its revision wherever an identity is written; without any the latest is meant."""
+    beside = device(product="#x5", type_text="numbered")
+    bare = [device(product="#x5", type_text=kind).replace(' RevisionNo="#x1"', "") for kind in "AB"]
+    stored(tmp_path, {"a.xml": esi(beside + "".join(bare))})
+    web = await client(tmp_path / "all.db")
+    with Catalog.open(tmp_path / "all.db") as catalog:
+        listed = catalog.devices(all_variants=True)
+        assert len(listed) == 3
+        for found in listed:
+            assert catalog.device(found.identity_text).found == found
+            assert catalog.device(found.identity).found == found
+            response = await web.get(f"/-/esi/{device_path(found)}")
+            assert (response.status_code, f"<h1>{found.type}" in response.text) == (200, True)
+            assert ('id="exports"' in response.text) == (found.type == "numbered")
+        assert catalog.device("0xe5c:5").found.type == "numbered"
+        with pytest.raises(NotFound, match="has no variant 3"):
+            catalog.device("0xe5c:5:-@3")
+
+
+def test_variants_that_an_older_version_numbered_otherwise_are_numbered_again(tmp_path):
+    """It took descriptions without revision for others by their type; a migration derives everything anew."""
+    bare = "".join(device(product="#x5", type_text=kind) for kind in "AB").replace(' RevisionNo="#x1"', "")
+    db = tmp_path / "all.db"
+    stored(tmp_path, {"a.xml": esi(bare)})
+    with Catalog.open(db) as catalog:
+        expected = catalog.check()
+    with closing(sqlite3.connect(db)) as connection:
+        connection.execute("UPDATE devices SET variant = 1")
+        connection.commit()
+    engine = make_engine(catalog_url(db))
+    with engine.begin() as connection:
+        before = content_hash(connection)
+        write_state(connection, CONTENT_HASH, before)
+        derive_again(connection)
+    engine.dispose()
+    with Catalog.open(db) as catalog:
+        assert catalog.check() == expected
+        assert catalog.content_hash() == expected.content_hash != before
 
 
 def test_vendors_are_other_devices(tmp_path):

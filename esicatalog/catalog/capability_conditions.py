@@ -85,7 +85,8 @@ def sync(signal: str) -> Condition:
     query = sa.select(dc_modes.c.device_id, dc_modes.c.name, dc_modes.c.assign_activate).where(column == sa.true())
 
     def words(name: str | None, assign_activate: int) -> str:
-        return f"{signal.upper()} in OpMode {name!r}: AssignActivate 0x{assign_activate:04X}"
+        mode = f"OpMode {name!r}" if name is not None else "an OpMode without Name"
+        return f"{signal.upper()} in {mode}: AssignActivate 0x{assign_activate:04X}"
 
     ordered = query.order_by(dc_modes.c.device_id, dc_modes.c.position)
     evidence = by_row(ordered, dc_modes.c.device_id, words)

@@ -138,14 +138,13 @@ def _device_rules() -> Iterator[Rule]:
             )
         ),
     )
-    # Without codes the type decides what is a variant of what.
-    type_decides = sa.or_(columns.product_code.is_(None), columns.revision_no.is_(None))
+    # Without product code the type decides what is a variant of what.
     preferred = sa.func.row_number().over(
         partition_by=(
             columns.vendor_id,
             columns.product_code,
             columns.revision_no,
-            sa.case((type_decides, columns.type), else_=None),
+            sa.case((columns.product_code.is_(None), columns.type), else_=None),
         ),
         order_by=(
             columns.recovered,

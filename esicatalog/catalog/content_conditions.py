@@ -157,4 +157,5 @@ def _mapping_words(
     place = f"{direction} 0x{pdo:04X}" if pdo is not None else direction
     assigned = f"default on SM{sm}" if sm is not None else "not assigned by default"
     plug = f" of module 0x{module:X}" if module is not None else ""
-    return f"0x{index:04X}:{subindex:02X}, {bits} bit, in {place}{plug} ({assigned})"
+    length = f"{bits} bit" if bits is not None else "no BitLen"
+    return f"0x{index:04X}:{subindex:02X}, {length}, in {place}{plug} ({assigned})"

@@ -54,6 +54,8 @@ def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, Fou
     condition = [devices.c.vendor_id == identity.vendor_id, devices.c.product_code == identity.product_code]
     if identity.revision_no is not None:
         condition.append(devices.c.revision_no == identity.revision_no)
+    elif identity.without_revision:
+        condition.append(devices.c.revision_no.is_(None))
     rows = connection.execute(SUMMARY.where(*condition)).all()
     if not rows:
         raise NotFound(f"{identity} is not in the catalog; see: esicatalog identify {identity_words(identity)}")

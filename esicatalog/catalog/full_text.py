@@ -34,7 +34,9 @@ def _matches_inside(word: str) -> bool:
 
 
 def _search_words(text: str) -> list[str]:
-    return _WORD.findall(text.replace("#x", "0x").replace("#X", "0x"))
+    words = _WORD.findall(text.replace("#x", "0x").replace("#X", "0x"))
+    # To the tokenizer ``_`` stands between words: alone it is none, and nothing would match it.
+    return [word for word in words if word.strip("_")]
 
 
 def text_condition(text: str, dialect: str) -> Any:

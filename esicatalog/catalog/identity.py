@@ -68,8 +68,9 @@ class _Row(NamedTuple):
 _AT_BUS = (
     "SELECT d.physics, d.e_bus_current_ma, d.use_lrd_lwr, f.output_bytes, f.input_bytes, f.dc_supported "
     "FROM devices d JOIN device_facts f ON f.device_id = d.id "
-    "WHERE d.vendor_id = ? AND d.product_code = ? AND d.revision_no = ? AND d.variant = ?"
+    "WHERE d.vendor_id = ? AND d.product_code = ? AND d.variant = ? AND d.revision_no "
 )
+"""The rest is ``= ?`` or ``IS NULL``: an index serves either everywhere, ``IS NOT DISTINCT FROM`` not on PostgreSQL."""
 
 
 class IdentityLookup:
@@ -112,8 +113,12 @@ class IdentityLookup:
 
     def at_bus(self, device: FoundDevice) -> DeviceAtBus | None:
         """What a bus has to know of a described device."""
-        key = (device.vendor_id, device.product_code, device.revision_no, device.variant)
-        row = next(iter(self._query(_AT_BUS, key)), None)
+        key = (device.vendor_id, device.product_code, device.variant)
+        if device.revision_no is None:
+            rows = self._query(f"{_AT_BUS} IS NULL", key)
+        else:
+            rows = self._query(f"{_AT_BUS} = ?", (*key, device.revision_no))
+        row = next(iter(rows), None)
         if row is None:
             return None
         physics, current, no_lrw, output_bytes, input_bytes, dc_supported = row
@@ -127,7 +132,8 @@ class IdentityLookup:
         near = map(_device, self._query(_NEAR_PRODUCTS, (vendor_id, product_code) * 2))
         ranked = sorted(near, key=lambda device: _distance(device, product_code))
         candidates = tuple(ranked[:NEAREST])
-        reason = f"vendor {hex32(vendor_id)} ({name[0]}) is known, its product {hex32(product_code)} is not"
+        named = f" ({name[0]})" if name[0] else ""
+        reason = f"vendor {hex32(vendor_id)}{named} is known, its product {hex32(product_code)} is not"
         return Identification(*query, "vendor", reason, None, (), candidates)
 
     def _warnings(self, chosen: _Row, others: list[_Row]) -> tuple[str, ...]:
@@ -139,7 +145,7 @@ class IdentityLookup:
         words = self._difference(chosen.image_signature, nearest.image_signature, chosen.id, nearest.id)
         return (
             f"default process image differs in {len(differing)} of {len(others)} other revisions; "
-            f"{hex32(nearest.revision_no)} for example: {words}",
+            f"{hex32(nearest.revision_no) or 'the one without RevisionNo'} for example: {words}",
         )
 
     def _layout_difference(self, _: str | None, __: str | None, here: int, there: int) -> str:

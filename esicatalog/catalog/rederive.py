@@ -6,14 +6,14 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import RowBuffer, chunks
 from esicatalog.catalog.derived import PdoPlaces, derived_rows, pdo_places
 from esicatalog.catalog.reader import RecordReader
-from esicatalog.catalog.settle import settle_hidden
+from esicatalog.catalog.settle import number_variants_again, settle_hidden
 from esicatalog.model.derivation import derive
 
 _BATCH = 200
 
 
 def derive_again(connection: sa.Connection) -> None:
-    """Replace all derived rows by what this version derives from the stored descriptions."""
+    """Replace all that is derived, numbers of variants too, by what this version derives from the descriptions."""
     for table in (schema.device_facts, schema.drive_modes, schema.mode_evidence):
         connection.execute(sa.delete(table))
     connection.execute(sa.update(schema.pdo_entries).values(image_bit_offset=None))
@@ -26,6 +26,7 @@ def derive_again(connection: sa.Connection) -> None:
             buffer.add_derived(number, derived_rows(derived))
             _write_places(connection, number, pdo_places(derived.images))
         buffer.flush()
+    number_variants_again(connection)
     settle_hidden(connection, connection.execute(sa.select(schema.vendors.c.vendor_id)).scalars())
 
 

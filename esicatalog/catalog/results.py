@@ -5,6 +5,8 @@ from typing import Any
 
 import msgspec
 
+from esicatalog.identity import Identity
+
 _MOST_SHOWN = 12
 
 
@@ -28,6 +30,13 @@ class FoundDevice(msgspec.Struct, frozen=True):
         parts = (self.vendor_id, self.product_code, self.revision_no)
         text = ":".join(hex32(part) or "-" for part in parts)
         return text if self.variant == 1 else f"{text}@{self.variant}"
+
+    @property
+    def identity(self) -> Identity | None:
+        """The identity by which it is found again; None without vendor or product."""
+        if self.vendor_id is None or self.product_code is None:
+            return None
+        return Identity(self.vendor_id, self.product_code, self.revision_no, self.variant, self.revision_no is None)
 
     @property
     def shown_evidence(self) -> tuple[str, ...]:

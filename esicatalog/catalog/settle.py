@@ -127,11 +127,21 @@ def _settle_devices(connection: sa.Connection, affected: Affected) -> None:
     _number_variants(connection, identities)
 
 
+def number_variants_again(connection: sa.Connection) -> None:
+    """Number the variants of all descriptions by today's rules; the content hash tells of variants, and follows."""
+    columns = devices.c
+    identity = sa.select(columns.vendor_id, columns.product_code, columns.revision_no, columns.type).distinct()
+    _number_variants(connection, map(tuple, connection.execute(identity).all()))
+    if read_state(connection, CONTENT_HASH) is not None:
+        write_state(connection, CONTENT_HASH, content_hash(connection))
+
+
 def variant_group(vendor_id: int | None, product: int | None, revision: int | None, type_text: str | None) -> Any:
-    """What two descriptions must share to be variants of each other; without codes the type decides."""
-    if product is None or revision is None:
-        return (vendor_id, product, revision, type_text)
-    return (vendor_id, product, revision)
+    """What two descriptions must share to be variants of each other; without product code the type decides.
+
+    A missing revision does not: devices are asked for by product, and the type is no part of what is asked.
+    """
+    return (vendor_id, product, revision, type_text if product is None else None)
 
 
 def _number_variants(connection: sa.Connection, identities: Iterable[tuple[Any, ...]]) -> None:

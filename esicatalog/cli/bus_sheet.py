@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, slave_words
+from esicatalog.catalog.results import hex32
 from esicatalog.cli.common import table_lines
 
 _HEAD = ("pos", "alias", "identity", "ESI", "device", "revision", "E-bus left", "out", "in", "source")
@@ -36,7 +37,7 @@ def _row(item: IdentifiedSlave) -> list[str]:
         item.identity_text,
         answer.match,
         (described.device.type or "" if described is not None else slave.name or "").strip(),
-        "" if described is None or answer.match == "exact" else f"0x{described.device.revision_no or 0:08x}",
+        "" if described is None or answer.match == "exact" else hex32(described.device.revision_no) or "-",
         "" if report.e_bus_left_ma is None else f"{report.e_bus_left_ma} mA",
         _bytes(report.output_bytes),
         _bytes(report.input_bytes),

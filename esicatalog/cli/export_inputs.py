@@ -140,9 +140,9 @@ def _subject_of_catalog(catalog: "Catalog", identity: Identity, accept_revision:
     found = answer.device.device
     if not accept_revision:
         raise NotFound(f"{identity}: {answer.reason}; --accept-revision takes {found.identity_text}")
-    if found.vendor_id is None or found.product_code is None:
+    nearest = found.identity
+    if nearest is None:
         raise NotFound(f"{identity}: {answer.reason}")
     words = f"asked for {identity}, described is {found.identity_text}: {answer.reason}"
     click.echo(f"esicatalog: accepted, {words}", err=True)
-    nearest = Identity(found.vendor_id, found.product_code, found.revision_no, found.variant)
     return catalog.export_subject(nearest).standing_in(words)

@@ -85,7 +85,7 @@ def _neighbours(description: DeviceDescription) -> Iterator[str]:
     rows = [
         [
             "*" if item.device.revision_no == description.found.revision_no else "",
-            _hex(item.device.revision_no, 8),
+            _hex(item.device.revision_no, 8) or "-",
             revision_text(item.device.vendor_id, item.device.revision_no) or "",
             "hidden" if item.hidden else "",
             "layout changed" if item.layout_changed else "",
@@ -115,8 +115,11 @@ def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[st
     yield f"{found.type}  {found.name or ''}".rstrip()
     yield f"  vendor    {_hex(found.vendor_id, 8)}  {found.vendor or ''}".rstrip()
     yield f"  product   {_hex(found.product_code, 8)}  ({_text(found.product_code)})"
-    style = revision_text(found.vendor_id, found.revision_no)
-    yield f"  revision  {_hex(found.revision_no, 8)}  ({_text(found.revision_no)}{f', {style}' if style else ''})"
+    if found.revision_no is None:
+        yield "  revision  -"
+    else:
+        style = revision_text(found.vendor_id, found.revision_no)
+        yield f"  revision  {_hex(found.revision_no, 8)}  ({found.revision_no}{f', {style}' if style else ''})"
     if found.variant != 1:
         yield f"  variant   {found.variant}: not the preferred description of this identity"
     shown = [

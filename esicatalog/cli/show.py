@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 def command(identity: "Identity", db: str, modules: tuple[tuple[int, int], ...], output_format: str) -> None:
     """Print the sheet of one device: sync managers, process image, PDOs, InitCmds, DC modes, drive modes.
 
-    IDENTITY is VENDOR:PRODUCT[:REVISION][@VARIANT]; without REVISION the latest.
+    IDENTITY is VENDOR:PRODUCT[:REVISION][@VARIANT]; without REVISION the latest, with - as REVISION the description
+    that names none.
     """
     from esicatalog.api import Catalog
     from esicatalog.catalog.description import description_json

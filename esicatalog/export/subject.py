@@ -126,6 +126,7 @@ def _fits(subject: Subject, identity: Identity) -> bool:
         subject.vendor_id == identity.vendor_id
         and subject.product_code == identity.product_code
         and identity.revision_no in (None, subject.revision_no)
+        and not identity.without_revision
     )
 
 

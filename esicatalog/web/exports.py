@@ -36,12 +36,13 @@ Generate = Callable[[Subject, Choice], str | bytes]
 
 
 class Target(NamedTuple):
-    """A target: what it is called, the ending of its file, its media type, and what makes it."""
+    """A target: what it is called, the ending of its file, its media type, what makes it, and of which devices."""
 
     label: str
     ending: str
     media_type: str
     generate: Generate
+    needs_process_data: bool = False
 
 
 def _configured(generate: Callable[[Configuration], str]) -> Generate:
@@ -63,8 +64,8 @@ TARGETS: dict[str, Target] = {
     "igh": Target("IgH C header", "h", _C, _configured(igh_header)),
     "soem": Target("SOEM C header", "h", _C, _configured(soem_header)),
     "pysoem": Target("pysoem module", "py", "text/x-python; charset=utf-8", _configured(pysoem_module)),
-    "ros2": Target("ROS 2 slave YAML", "yaml", "application/yaml", _configured(ros2_slave)),
-    "linuxcnc": Target("LinuxCNC XML", "xml", "application/xml", _configured(linuxcnc_configuration)),
+    "ros2": Target("ROS 2 slave YAML", "yaml", "application/yaml", _configured(ros2_slave), True),
+    "linuxcnc": Target("LinuxCNC XML", "xml", "application/xml", _configured(linuxcnc_configuration), True),
     "cstruct": Target("ethercat cstruct", "c", _C, _configured(cstruct_of_configuration)),
     "sii": Target("EEPROM image", "bin", "application/octet-stream", _sii),
     "esi": Target("ESI XML", "xml", "application/xml", _esi),

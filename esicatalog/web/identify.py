@@ -12,6 +12,7 @@ from esicatalog.scan.text import decode_text
 from esicatalog.web.http import HttpError, body_of, check_names
 from esicatalog.web.uploads import MOST_IDENTITIES, read_uploaded_scan
 
+_SHOWN = 60
 _PARAMETERS = ("vendor", "product", "revision")
 _NAMES = {"vendor": "vendor_id", "product": "product_code", "revision": "revision_no"}
 """Members of an identity in JSON; the short and the long name mean the same."""
@@ -62,7 +63,10 @@ def _identity(item: Any, place: int) -> Identity:
     """An identity as an object, as a list of three, or as ``V:P:R``."""
     try:
         if isinstance(item, str):
-            return parse_identity(item)
+            identity = parse_identity(item)
+            if identity.variant is not None:
+                raise InputError(f"{item[:_SHOWN]!r} names a variant; leave it out, the answer holds all of them")
+            return identity
         if isinstance(item, list) and len(item) in (2, 3):
             item = dict(zip(_PARAMETERS, item, strict=False))
         if not isinstance(item, dict):

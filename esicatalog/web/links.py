@@ -4,17 +4,17 @@ from urllib.parse import quote, unquote, urlencode
 
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.errors import InputError
-from esicatalog.identity import Identity, parse_number
+from esicatalog.identity import NO_REVISION, Identity, parse_number
 
 BASE = "/-/esi/"
 
 
 def device_path(device: FoundDevice) -> str | None:
-    """Path of a device page below :data:`BASE`; None for a device without codes."""
-    numbers = (device.vendor_id, device.product_code, device.revision_no)
-    if None in numbers:
+    """Path of a device page below :data:`BASE`; None for a device without vendor or product code."""
+    if device.vendor_id is None or device.product_code is None:
         return None
-    path = "device/" + "/".join(f"0x{number:x}" for number in numbers)
+    revision = f"0x{device.revision_no:x}" if device.revision_no is not None else NO_REVISION
+    path = f"device/0x{device.vendor_id:x}/0x{device.product_code:x}/{revision}"
     return path if device.variant == 1 else f"{path}@{device.variant}"
 
 
@@ -29,8 +29,9 @@ def identity_of_path(vendor: str, product: str, revision: str) -> Identity:
     return Identity(
         parse_number(unquote(vendor), "vendor"),
         parse_number(unquote(product), "product"),
-        None if revision_text == "latest" else parse_number(revision_text, "revision"),
+        None if revision_text in ("latest", NO_REVISION) else parse_number(revision_text, "revision"),
         _variant(variant) if at else None,
+        revision_text == NO_REVISION,
     )
 
 

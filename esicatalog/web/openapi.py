@@ -153,9 +153,18 @@ _IN_PATH = [
     for name, pattern in (
         ("vendor", "^0x[0-9a-f]{1,8}$"),
         ("product", "^0x[0-9a-f]{1,8}$"),
-        ("revision", "^(0x[0-9a-f]{1,8}|latest)$"),
+        ("revision", "^(0x[0-9a-f]{1,8}|latest|-)$"),
     )
 ]
+
+
+_MODULE = {
+    "name": "module",
+    "in": "query",
+    "required": False,
+    "description": "Module in a slot, SLOT=IDENT; the process image is that with these modules",
+    "schema": _list({"type": "string", "pattern": "^[0-9]{1,4}=(0x[0-9a-f]{1,8})?$", "examples": ["0=0x219800", "1="]}),
+}
 
 
 def openapi_document(base_url: str) -> dict[str, Any]:
@@ -222,7 +231,7 @@ def openapi_document(base_url: str) -> dict[str, Any]:
                 "get": {
                     "operationId": "showDevice",
                     "summary": "Everything that the catalog knows of one device",
-                    "parameters": _IN_PATH,
+                    "parameters": [*_IN_PATH, _MODULE],
                     "responses": {
                         "200": _answers("The device", {"type": "object", "required": ["identity", "device"]}),
                         "404": _answers("There is no such device", _ref("Error")),

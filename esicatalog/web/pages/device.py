@@ -7,6 +7,7 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription, description_json
 from esicatalog.catalog.mapping import image_key
+from esicatalog.catalog.results import hex32
 from esicatalog.errors import InputError
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
@@ -126,6 +127,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
             {
                 "path": device_path(item.device),
                 "found": item.device,
+                "number": hex32(item.device.revision_no) or "-",
                 "text": revision_text(item.device.vendor_id, item.device.revision_no),
                 "hidden": item.hidden,
                 "layout_changed": item.layout_changed,
@@ -136,9 +138,18 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
         "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
         "identity": found.identity_text,
-        "exports": [{"name": name, "label": target.label} for name, target in TARGETS.items()] if path else [],
+        **_exports(path if found.revision_no is not None else "", any(image.pdos for image in images)),
         "chosen": "&".join(f"module={slot}%3D0x{ident:X}" for slot, ident in choice.items()),
         "drawing_css": DRAWING_CSS,
+    }
+
+
+def _exports(path: str, has_process_data: bool) -> dict[str, Any]:
+    """What is offered, and the labels of what cannot be made without process data."""
+    made = {name: target for name, target in TARGETS.items() if has_process_data or not target.needs_process_data}
+    return {
+        "exports": [{"name": name, "label": target.label} for name, target in made.items()] if path else [],
+        "not_exported": [target.label for name, target in TARGETS.items() if name not in made],
     }
 
 
