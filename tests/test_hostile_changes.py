@@ -1,5 +1,6 @@
 """What changes, vanishes or dies while it is read costs its own document and nothing else."""
 
+import io
 import json
 import os
 import signal
@@ -225,3 +226,99 @@ def test_long_requests_and_long_answers_do_not_wait_for_each_other(tmp_path):
     pool.stop()
     assert [outcome.status for outcome in outcomes] == ["stored"] * len(names)
     assert min(len(msgspec.msgpack.encode(outcome)) for outcome in outcomes) > 2**20
+
+
+def closed_to_us(monkeypatch, *paths: Path) -> None:
+    """These files and folders cannot be opened from now on, whoever runs the test."""
+    names = {os.fspath(path) for path in paths}
+
+    def refusing(function):
+        def opened(path, *arguments, **named):
+            if os.fspath(path) in names:
+                raise PermissionError(13, "Permission denied", os.fspath(path))
+            return function(path, *arguments, **named)
+
+        return opened
+
+    for owner, name in ((os, "scandir"), (os, "open"), (io, "open")):
+        monkeypatch.setattr(owner, name, refusing(getattr(owner, name)))
+
+
+@pytest.fixture
+def stored(tmp_path, folder) -> Catalog:
+    """A catalog of the folder, with documents below a subfolder, one of these in an archive."""
+    write(folder, {"sub/deep/b.xml": esi(device(product="#x5"))})
+    packed(folder / "sub" / "a.zip", "a.xml")
+    catalog = Catalog.open(tmp_path / "c.db", create=True)
+    catalog.ingest([folder], jobs=1)
+    return catalog
+
+
+def products(catalog: Catalog) -> list[int | None]:
+    return sorted(found.product_code for found in catalog.devices())
+
+
+def reported(catalog: Catalog, *paths: Path, prune: bool = False) -> dict[str, tuple[str, str | None]]:
+    report = catalog.ingest(paths, jobs=1, prune=prune)
+    assert catalog.check().problems == []
+    return {line.path: (line.status, line.message) for line in report.documents}
+
+
+def test_nothing_below_an_unreadable_folder_is_pruned(folder, stored, monkeypatch):
+    before = stored.content_hash()
+    with monkeypatch.context() as changed:
+        closed_to_us(changed, folder / "sub")
+        (folder / "victim.xml").unlink()
+        lines = reported(stored, folder, prune=True)
+    assert lines == {GOOD: ("unchanged", None), "sub": ("failed", "folder cannot be read: Permission denied")}
+    assert products(stored) == [1, 3, 5]
+    write(folder, {"victim.xml": esi(device(product="#x2"))})
+    assert {status for status, _ in reported(stored, folder, prune=True).values()} == {"stored", "unchanged"}
+    assert stored.content_hash() == before
+
+
+def test_an_unreadable_root_does_not_empty_the_catalog(folder, stored, monkeypatch):
+    closed_to_us(monkeypatch, folder)
+    assert reported(stored, folder, prune=True) == {".": ("failed", "folder cannot be read: Permission denied")}
+    assert products(stored) == [1, 2, 3, 5]
+
+
+@pytest.mark.parametrize("prune", [False, True])
+def test_what_an_unreadable_file_brought_before_stays(folder, stored, monkeypatch, prune):
+    before = stored.content_hash()
+    with monkeypatch.context() as changed:
+        closed_to_us(changed, folder / "victim.xml", folder / "sub" / "a.zip")
+        lines = reported(stored, folder, prune=prune)
+    assert lines["victim.xml"] == ("failed", "cannot be read: Permission denied")
+    assert lines["sub/a.zip"] == ("failed", "cannot be read: Permission denied")
+    assert products(stored) == [1, 2, 3, 5]
+    assert {status for status, _ in reported(stored, folder, prune=True).values()} == {"unchanged"}
+    assert stored.content_hash() == before
+
+
+def test_what_a_file_brought_whose_folder_may_only_be_listed_stays(folder, stored, monkeypatch):
+    stat = os.stat
+
+    def refusing(path, *arguments, **named):
+        if not isinstance(path, int) and Path(path).parent == folder / "sub":
+            raise PermissionError(13, "Permission denied", os.fspath(path))
+        return stat(path, *arguments, **named)
+
+    closed_to_us(monkeypatch, folder / "sub" / "deep")
+    monkeypatch.setattr(os, "stat", refusing)
+    lines = reported(stored, folder, prune=True)
+    assert (lines["sub/a.zip"][0], lines["sub/deep"][0]) == ("failed", "failed")
+    assert products(stored) == [1, 2, 3, 5]
+
+
+def test_a_document_keeps_a_dictionary_that_cannot_be_read(tmp_path, folder, monkeypatch):
+    profile = "<Profile><DictionaryFile>d.xml</DictionaryFile></Profile>"
+    declared = "<Object><Index>#x2000</Index><Name>O</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+    external = f"<EtherCATDict><Dictionary><DataTypes/><Objects>{declared}</Objects></Dictionary></EtherCATDict>"
+    write(folder, {"victim.xml": esi(device(profile, product="#x2")), "d.xml": external})
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([folder], jobs=1)
+        closed_to_us(monkeypatch, folder / "d.xml")
+        lines = reported(catalog, folder)
+        assert (lines["d.xml"][0], lines["victim.xml"][0]) == ("failed", "unchanged")
+        assert [found.product_code for found in catalog.devices(objects=[(0x2000, None)])] == [2]

@@ -56,4 +56,9 @@ def _hash(paths: Sequence[str | os.PathLike[str]], requests: IO[bytes], answers:
             folders[item.root] = ReferenceHashes(Folder(Path(item.root)))
         folders[item.root].of_member(item.name)
     if read_frame(requests.read) is not None:
-        write_frame(answers, msgspec.msgpack.encode({root: hashes.known for root, hashes in folders.items()}))
+        # Why something has no hash is asked again where that is needed.
+        hashed = {
+            root: {member: sha256 for member, sha256 in hashes.known.items() if sha256 is not None}
+            for root, hashes in folders.items()
+        }
+        write_frame(answers, msgspec.msgpack.encode(hashed))

@@ -9,7 +9,7 @@ from typing import NamedTuple, TypeVar
 
 from esicatalog.errors import EsiCatalogError, InputError
 from esicatalog.esi import containers
-from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive
+from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive, is_unreadable
 
 
 class Found(NamedTuple):
@@ -26,6 +26,8 @@ class Found(NamedTuple):
     size_bytes: int
     problem: tuple[str, str] | None = None
     """(status, words): ``skipped`` or ``failed``."""
+    is_unreadable: bool = False
+    """Whether this file, archive or folder is there, so that it may hold what it held before."""
 
 
 class FoundArchive(NamedTuple):
@@ -67,13 +69,15 @@ def _folder(root: Path) -> Iterator[Found | FoundArchive]:
 
     def unreadable(error: OSError) -> None:
         path = Path(error.filename)
-        problems.append(_problem(path, root, "failed", f"folder cannot be read: {error.strerror}"))
+        problem = _problem(path, root, "failed", f"folder cannot be read: {error.strerror}")
+        problems.append(problem._replace(is_unreadable=True))
 
     for folder, subfolders, names in os.walk(root, onerror=unreadable):
         subfolders.sort()
         for name in subfolders:
             path = Path(folder, name)
-            if path.is_symlink():
+            # Path.is_symlink() raises where the folder may be listed and not entered.
+            if os.path.islink(path):  # noqa: PTH114
                 yield _problem(path, root, "skipped", "symbolic link to a folder; name the folder itself to read it")
         for name in sorted(names):
             yield _file(Path(folder, name), root)
@@ -92,7 +96,8 @@ def _file(path: Path, root: Path, archive_by_content: bool = False) -> Found | F
                 if is_archive(stream.read(4)):
                     return FoundArchive(str(path), path.relative_to(root).as_posix())
     except OSError as error:
-        return _problem(path, root, "failed", f"cannot be read: {error.strerror}")
+        problem = _problem(path, root, "failed", f"cannot be read: {error.strerror}")
+        return problem._replace(is_unreadable=is_unreadable(error))
     member = path.relative_to(root).as_posix()
     return Found(str(path), member, str(root), False, (), member, status.st_size)
 

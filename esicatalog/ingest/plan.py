@@ -29,6 +29,15 @@ class HeldDocument(NamedTuple):
         status = self.status if self.status in ("skipped", "failed") else "unchanged"
         return DocumentLine(self.member, status, self.message, self.devices, self.modules)
 
+    def unreadable_line(self, message: str | None) -> DocumentLine:
+        """Its line in a report when it could not be read: the catalog keeps what it holds of it."""
+        return DocumentLine(self.member, "failed", message, self.devices, self.modules)
+
+    @property
+    def has_content(self) -> bool:
+        """Whether the document brought anything that is worth keeping."""
+        return self.status in ("stored", "recovered")
+
 
 class Held(NamedTuple):
     """What the catalog holds: documents by location, and completely read archives (row number, sha256) by location."""
@@ -92,8 +101,8 @@ def make_plan(
         try:
             sha256 = _file_sha256(item.location)
         except OSError as error:
-            seen.update(where for where, _ in members)
-            pending.append(unreadable_archive(item, f"cannot be read: {error.strerror or error}"))
+            problem = unreadable_archive(item, f"cannot be read: {error.strerror or error}")
+            pending.append(problem._replace(is_unreadable=True))
             continue
         if sha256 == known_sha256:
             seen.update(where for where, _ in members)
@@ -102,11 +111,17 @@ def make_plan(
             archives[item.location] = sha256
             pending.extend(archive_members(item))
     seen.update(item.location for item in pending)
+    closed = tuple(
+        item.location + separator for item in pending if item.is_unreadable for separator in (os.sep, NESTED)
+    )
+    seen.update(where for where in held.documents if where.startswith(closed))
     todo: list[Found] = []
     hashes = _PerFolder(hashed or {})
     for item in pending:
         known = held.documents.get(item.location)
-        if known is not None and _file_unchanged(item, known, hashes[item.root]):
+        if known is not None and item.is_unreadable and known.has_content:
+            unchanged.append(known.unreadable_line(item.problem[1] if item.problem is not None else None))
+        elif known is not None and _file_unchanged(item, known, hashes[item.root]):
             unchanged.append(known.unchanged_line())
         else:
             todo.append(item)

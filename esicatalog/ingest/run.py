@@ -115,6 +115,10 @@ def _write(
         if outcome.status == "unchanged":
             tell(held.documents[item.location].unchanged_line())
             return
+        document = held.documents.get(item.location)
+        if outcome.is_unreadable and document is not None and document.has_content:
+            tell(document.unreadable_line(outcome.message))
+            return
         archive = item.root if item.is_archive else None
         with stages("write"):
             line = _store(writer, item.location, item.member, archive, outcome)
