@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -322,3 +323,74 @@ def test_a_document_keeps_a_dictionary_that_cannot_be_read(tmp_path, folder, mon
         lines = reported(catalog, folder)
         assert (lines["d.xml"][0], lines["victim.xml"][0]) == ("failed", "unchanged")
         assert [found.product_code for found in catalog.devices(objects=[(0x2000, None)])] == [2]
+
+
+def test_an_archive_that_is_whole_again_has_no_failed_line(tmp_path):
+    folder = write(tmp_path / "in", {GOOD: esi(device())})
+    packed(folder / "a.zip", "a.xml")
+    whole = (folder / "a.zip").read_bytes()
+    (folder / "a.zip").write_bytes(whole[:100])
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        for _ in range(2):
+            lines = reported(catalog, folder)
+            assert lines["a.zip"][0] == "failed"
+            assert "not a usable zip archive" in lines["a.zip"][1]
+        (folder / "a.zip").write_bytes(whole)
+        for status in ("stored", "unchanged"):
+            assert reported(catalog, folder) == {GOOD: ("unchanged", None), "a.zip!a.xml": (status, None)}
+        (folder / "a.zip").write_bytes(whole[:100])
+        assert sorted(reported(catalog, folder)) == ["a.zip", GOOD]
+        assert products(catalog) == [1]
+
+
+def test_an_archive_that_can_be_read_again_has_no_failed_line(folder, stored, monkeypatch):
+    with monkeypatch.context() as changed:
+        closed_to_us(changed, folder / "sub" / "a.zip", folder / "sub" / "deep")
+        reported(stored, folder)
+    names = [GOOD, "sub/a.zip!a.xml", "sub/deep/b.xml", "victim.xml"]
+    assert sorted(reported(stored, folder)) == names
+    with stored._connection() as connection:
+        assert sorted(connection.exec_driver_sql("SELECT member FROM sources").scalars()) == names
+
+
+def test_a_file_and_the_members_of_an_archive_of_its_name_displace_each_other(folder, stored):
+    archive = folder / "sub" / "a.zip"
+    archive.write_text(esi(device(product="#x6")))
+    assert reported(stored, folder)["sub/a.zip"] == ("stored", None)
+    assert products(stored) == [1, 2, 5, 6]
+    packed(archive, "a.xml")
+    assert "sub/a.zip" not in reported(stored, archive)
+    assert products(stored) == [1, 2, 3, 5]
+
+
+def test_a_file_and_what_a_folder_of_its_name_held_displace_each_other(folder, stored):
+    shutil.rmtree(folder / "sub")
+    write(folder, {"sub": esi(device(product="#x6"))})
+    reported(stored, folder)
+    assert products(stored) == [1, 2, 6]
+    (folder / "sub").unlink()
+    write(folder, {"sub/b.xml": esi(device(product="#x5"))})
+    reported(stored, folder)
+    assert products(stored) == [1, 2, 5]
+
+
+def test_a_folder_that_is_called_like_a_member_of_a_changed_archive_stays(folder, stored):
+    archive = folder / "sub" / "a.zip"
+    write(folder, {"sub/a.zip!q/b.xml": esi(device(product="#x7"))})
+    reported(stored, folder)
+    packed(archive, "other.xml")
+    assert sorted(reported(stored, archive)) == ["a.zip!other.xml"]
+    assert products(stored) == [1, 2, 3, 5, 7]
+
+
+def test_members_that_cannot_be_named_are_reported_of_an_unchanged_archive_too(tmp_path):
+    folder = write(tmp_path / "in", {})
+    folder.mkdir()
+    packed(folder / "a.zip", "a.xml", "b\nb.xml")
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        first = reported(catalog, folder, prune=True)
+        assert {path: status for path, (status, _) in reported(catalog, folder, prune=True).items()} == {
+            "a.zip!a.xml": "unchanged",
+            "a.zip!b\\nb.xml": "failed",
+        }
+        assert set(first) == {"a.zip!a.xml", "a.zip!b\\nb.xml"}

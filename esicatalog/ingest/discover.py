@@ -107,8 +107,10 @@ def _with_usable_name(item: Item) -> Item | Found:
     if _UNUSABLE_NAME.search(item.location) is None:
         return item
     location, member = (_UNUSABLE_NAME.sub(_escaped, text) for text in (item.location, item.member))
-    words = "its name holds control characters or is not UTF-8; rename it"
-    return Found(location, member, location, False, (), member, 0, ("failed", words))
+    problem = ("failed", "its name holds control characters or is not UTF-8; rename it")
+    if isinstance(item, Found):
+        return item._replace(location=location, member=member, problem=problem)
+    return Found(location, member, location, False, (), member, 0, problem)
 
 
 def _escaped(match: re.Match[str]) -> str:

@@ -2,7 +2,8 @@
 
 import hashlib
 import os
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -21,7 +22,8 @@ class HeldDocument(NamedTuple):
     member: str
     devices: int
     modules: int
-    archive_id: int | None
+    archive: str | None
+    """Location of the archive that it lies in."""
     known: Known | None
 
     def unchanged_line(self) -> DocumentLine:
@@ -40,10 +42,10 @@ class HeldDocument(NamedTuple):
 
 
 class Held(NamedTuple):
-    """What the catalog holds: documents by location, and completely read archives (row number, sha256) by location."""
+    """What the catalog holds: documents by location, and the sha256 of completely read archives by location."""
 
     documents: dict[str, HeldDocument]
-    archives: dict[str, tuple[int, str]]
+    archives: dict[str, str]
 
 
 NOTHING_HELD = Held({}, {})
@@ -88,23 +90,23 @@ def make_plan(
     pending: list[Found] = []
     archives: dict[str, str] = {}
     seen: set[str] = set()
-    inside: dict[int | None, list[tuple[str, HeldDocument]]] = {}
+    containers: set[str] = set()
+    inside: dict[str | None, list[tuple[str, HeldDocument]]] = {}
     for where, document in held.documents.items():
-        inside.setdefault(document.archive_id, []).append((where, document))
+        inside.setdefault(document.archive, []).append((where, document))
     for item in discover(given):
-        seen.add(item.location)
         if not isinstance(item, FoundArchive):
             pending.append(item)
             continue
-        number, known_sha256 = held.archives.get(item.location, (0, None))
-        members = inside.get(number, [])
+        members = _members(item, inside.get(item.location, []))
         try:
             sha256 = _file_sha256(item.location)
         except OSError as error:
             problem = unreadable_archive(item, f"cannot be read: {error.strerror or error}")
             pending.append(problem._replace(is_unreadable=True))
             continue
-        if sha256 == known_sha256:
+        containers.add(item.location)
+        if sha256 == held.archives.get(item.location):
             seen.update(where for where, _ in members)
             unchanged.extend(document.unchanged_line() for _, document in members)
         else:
@@ -115,6 +117,12 @@ def make_plan(
         item.location + separator for item in pending if item.is_unreadable for separator in (os.sep, NESTED)
     )
     seen.update(where for where in held.documents if where.startswith(closed))
+    gone = [where for where in held.documents if where not in seen]
+    if gone:
+        containers.update(folder for item in pending if not item.is_archive for folder in _folders(item.location))
+        files = {item.location for item in pending if item.problem is None and not item.is_archive}
+        changes = _Changes(archives, containers, files, given if prune else [])
+        gone = [where for where in gone if changes.displace(where, held.documents[where])]
     todo: list[Found] = []
     hashes = _PerFolder(hashed or {})
     for item in pending:
@@ -131,7 +139,7 @@ def make_plan(
         todo,
         [_task(number, item, held) for number, item in enumerate(todo) if item.problem is None],
         [Outcome(number, *item.problem) for number, item in enumerate(todo) if item.problem is not None],
-        [where for where in held.documents if where not in seen and _is_gone(where, archives, prune, given)],
+        gone,
         archives,
     )
 
@@ -159,11 +167,39 @@ def _task(number: int, item: Found, held: Held) -> Task:
     return Task(number, item.root, item.is_archive, item.nested, item.name, known)
 
 
-def _is_gone(location: str, archives: Iterable[str], prune: bool, paths: list[str]) -> bool:
-    steps = location.split(NESTED)
-    if any(NESTED.join(steps[:count]) in archives for count in range(1, len(steps))):
-        return True
-    return prune and any(location == path or location.startswith(path + os.sep) for path in paths)
+def _members(archive: FoundArchive, inside: list[tuple[str, HeldDocument]]) -> list[tuple[str, HeldDocument]]:
+    """What the catalog holds of the members of an archive; of one that could not be used, the line that says so."""
+    members = [(where, document) for where, document in inside if where != archive.location]
+    return members or inside
+
+
+def _folders(location: str) -> Iterator[str]:
+    """The folders that a file lies in."""
+    for match in re.finditer(re.escape(os.sep), location):
+        yield location[: match.start()]
+
+
+class _Changes(NamedTuple):
+    """What lies below the paths now, of all that was held there before."""
+
+    archives: dict[str, str]
+    """Archives that are read again."""
+    containers: set[str]
+    """Archives and folders."""
+    files: set[str]
+    """Documents that are not in an archive."""
+    pruned: list[str]
+
+    def displace(self, location: str, document: HeldDocument) -> bool:
+        """Whether a document that was not found has to go: what is there in its place shows that, or it is pruned."""
+        archive = document.archive
+        return (
+            archive in self.archives
+            or archive in self.files
+            or location in self.containers
+            or any(folder in self.files for folder in _folders(archive or location))
+            or any(location == path or location.startswith(path + os.sep) for path in self.pruned)
+        )
 
 
 def _file_unchanged(item: Found, document: HeldDocument, hashes: ReferenceHashes) -> bool:

@@ -203,16 +203,14 @@ def _read_held(connection: sa.Connection) -> Held:
         sa.select(columns.source_id, columns.reference, columns.sha256).order_by(columns.source_id, columns.position)
     ):
         references.setdefault(number, []).append((reference, sha256))
+    archives = {row.id: row for row in connection.execute(sa.select(schema.archives))}
     documents = {}
     for row in connection.execute(sa.select(schema.sources)):
         readable = row.sha256 is not None and row.reader_version == __version__
         known = Known(row.sha256, tuple(references.get(row.id, ()))) if readable else None
+        archive = archives[row.archive_id].location if row.archive_id is not None else None
         documents[row.location] = HeldDocument(
-            row.status, row.message, row.member, row.device_count, row.module_count, row.archive_id, known
+            row.status, row.message, row.member, row.device_count, row.module_count, archive, known
         )
-    archives = {
-        row.location: (row.id, row.sha256)
-        for row in connection.execute(sa.select(schema.archives))
-        if row.reader_version == __version__
-    }
-    return Held(documents, archives)
+    read = {row.location: row.sha256 for row in archives.values() if row.reader_version == __version__}
+    return Held(documents, read)
