@@ -29,8 +29,8 @@ def ingest_changed(tmp_path, monkeypatch, change, jobs: int = 2) -> dict[str, tu
     """Ingest a folder that ``change`` alters between finding and reading its documents."""
     make_plan = planning.make_plan
 
-    def planned(*arguments):
-        made = make_plan(*arguments)
+    def planned(*arguments, **named):
+        made = make_plan(*arguments, **named)
         change()
         return made
 
@@ -114,8 +114,8 @@ def test_an_archive_that_vanishes_before_it_is_looked_into(tmp_path, folder, mon
     packed(folder / "a.zip", "a.xml")
     discover = planning.discover
 
-    def vanishing(paths):
-        for item in discover(paths):
+    def vanishing(*arguments):
+        for item in discover(*arguments):
             if item.member == "a.zip":
                 (folder / "a.zip").unlink()
             yield item

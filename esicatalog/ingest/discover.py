@@ -3,7 +3,7 @@
 import os
 import re
 import stat
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
@@ -42,12 +42,15 @@ Item = TypeVar("Item", bound=Found | FoundArchive)
 _UNUSABLE_NAME = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
 
 
-def discover(paths: Iterable[str | os.PathLike[str]]) -> Iterator[Found | FoundArchive]:
+def discover(
+    paths: Iterable[str | os.PathLike[str]], own_files: Set[str] = frozenset()
+) -> Iterator[Found | FoundArchive]:
     """Everything below the paths, each location once, sorted by name; archives are not opened.
 
-    Raises :class:`InputError` for a path that does not exist.
+    ``own_files`` of the catalog that is being filled are left out. Raises :class:`InputError` for a path that does
+    not exist.
     """
-    seen: set[str] = set()
+    seen = set(own_files)
     # Outer folders first: what lies below two of the paths is named relative to the outer one, whatever the order.
     for real in sorted(map(_existing, paths)):
         found = _folder(real) if real.is_dir() else [_file(real, real.parent, archive_by_content=True)]

@@ -3,7 +3,7 @@
 import hashlib
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 from pathlib import Path
 from typing import NamedTuple
 
@@ -80,10 +80,11 @@ def make_plan(
     held: Held = NOTHING_HELD,
     prune: bool = False,
     hashed: Hashes | None = None,
+    own_files: Set[str] = frozenset(),
 ) -> Plan:
     """Compare what lies below the paths with what the catalog holds, ``hashed`` being known already.
 
-    Raises :class:`InputError`.
+    ``own_files`` are the catalog's. Raises :class:`InputError`.
     """
     given = [os.path.realpath(path) for path in paths]
     unchanged: list[DocumentLine] = []
@@ -94,7 +95,7 @@ def make_plan(
     inside: dict[str | None, list[tuple[str, HeldDocument]]] = {}
     for where, document in held.documents.items():
         inside.setdefault(document.archive, []).append((where, document))
-    for item in discover(given):
+    for item in discover(given, own_files):
         if not isinstance(item, FoundArchive):
             pending.append(item)
             continue
@@ -122,7 +123,7 @@ def make_plan(
         containers.update(folder for item in pending if not item.is_archive for folder in _folders(item.location))
         files = {item.location for item in pending if item.problem is None and not item.is_archive}
         changes = _Changes(archives, containers, files, given if prune else [])
-        gone = [where for where in gone if changes.displace(where, held.documents[where])]
+        gone = [where for where in gone if where in own_files or changes.displace(where, held.documents[where])]
     todo: list[Found] = []
     hashes = _PerFolder(hashed or {})
     for item in pending:

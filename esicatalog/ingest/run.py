@@ -12,6 +12,7 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.database import database_error, sqlite_path
 from esicatalog.catalog.load import end_load, finish_indexes, finish_load, prepare_load
 from esicatalog.catalog.lock import only_writer
+from esicatalog.catalog.own_files import own_files
 from esicatalog.catalog.writer import SourceRow, Writer
 from esicatalog.errors import CatalogError
 from esicatalog.esi.stages import Stages
@@ -53,14 +54,16 @@ def ingest(
     """
     started = time.monotonic()
     stages = Stages()
+    path = sqlite_path(engine.url)
+    own = own_files(path) if path is not None else frozenset()
     try:
-        with only_writer(sqlite_path(engine.url)), engine.connect() as connection, without_cycle_search():
+        with only_writer(path), engine.connect() as connection, without_cycle_search():
             # What a load leaves on its connection, temporary tables and a large cache, ends with it.
             connection.detach()
             try:
                 held = _read_held(connection)
                 connection.commit()  # Planning may take long; who wants to change tables need not wait for it.
-                plan = reading.plan or reading.start(make_plan(paths, held, prune, reading.hashed()))
+                plan = reading.plan or reading.start(make_plan(paths, held, prune, reading.hashed(), own))
                 prepare_load(connection)
                 lines = _write(connection, plan, reading.outcomes, held, progress, stages)
                 with stages("index"):
