@@ -308,6 +308,16 @@ def test_overlapping_paths_in_any_order(tmp_path, library):
     assert ingest(tmp_path / "b.db", library / "other", library)[1] == first
 
 
+def test_an_archive_that_was_ingested_alone_is_named_as_in_its_folder(tmp_path, library):
+    """A member's path is part of the content hash."""
+    archive = zip_folder(library / "other", library / "other" / "a.zip")
+    ingest(tmp_path / "a.db", archive)
+    report, first = ingest(tmp_path / "a.db", library)
+    assert statuses(report)["other/a.zip!full.xml"] == "stored"
+    assert statuses(ingest(tmp_path / "a.db", library)[0])["other/a.zip!full.xml"] == "unchanged"
+    assert ingest(tmp_path / "b.db", library)[1] == first
+
+
 def test_a_missing_path_is_an_error(tmp_path):
     with Catalog.open(tmp_path / "c.db", create=True) as catalog, pytest.raises(InputError, match=r"gone"):
         catalog.ingest([tmp_path / "gone"])

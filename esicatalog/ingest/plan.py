@@ -107,7 +107,7 @@ def make_plan(
             pending.append(problem._replace(is_unreadable=True))
             continue
         containers.add(item.location)
-        if sha256 == held.archives.get(item.location):
+        if sha256 == held.archives.get(item.location) and all(_is_named_by(item, member) for _, member in members):
             seen.update(where for where, _ in members)
             unchanged.extend(document.unchanged_line() for _, document in members)
         else:
@@ -172,6 +172,11 @@ def _members(archive: FoundArchive, inside: list[tuple[str, HeldDocument]]) -> l
     """What the catalog holds of the members of an archive; of one that could not be used, the line that says so."""
     members = [(where, document) for where, document in inside if where != archive.location]
     return members or inside
+
+
+def _is_named_by(archive: FoundArchive, document: HeldDocument) -> bool:
+    """Whether a document has its name from the archive as it is found now: below another folder it has another one."""
+    return document.member == archive.member or document.member.startswith(archive.member + NESTED)
 
 
 def _folders(location: str) -> Iterator[str]:
