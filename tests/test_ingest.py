@@ -223,6 +223,55 @@ def test_a_changed_dictionary_file_changes_what_refers_to_it(tmp_path, library):
     assert rows(tmp_path / "c.db", query) == []
 
 
+def module(ident: str, content: str = "") -> str:
+    return f'<Module><Type ModuleIdent="{ident}">M{ident}</Type><Name>M</Name>{content}</Module>'
+
+
+def module_document(*modules: str, vendor: str = "#xE5C", head: str = "") -> str:
+    """An EtherCATModule document."""
+    return (
+        f"<EtherCATModule>{head}<Vendor><Id>{vendor}</Id><Name>Modules</Name></Vendor>"
+        f"<Modules>{''.join(modules)}</Modules></EtherCATModule>"
+    )
+
+
+def carrier(*references: str) -> str:
+    """A document with a device whose slot takes module 0x10, which one of the references brings."""
+    slots = "<Slots><Slot MinInstances='1' MaxInstances='1'><ModuleIdent Default='1'>#x10</ModuleIdent></Slot></Slots>"
+    named = "".join(f"<InfoReference>{text}</InfoReference>" for text in references)
+    return esi(device(slots)).replace("<EtherCATInfo>", f"<EtherCATInfo>{named}", 1)
+
+
+MODULES = "SELECT vendor_id, module_ident FROM modules ORDER BY 1, 2"
+
+
+def test_of_referenced_modules_only_those_are_stored_that_a_device_carries(tmp_path):
+    """Their own document need not be ingested."""
+    folder = write(
+        tmp_path / "in", {"dev.xml": carrier("mods.xml"), "mods.xml": module_document(module("#x10"), module("#x99"))}
+    )
+    ingest(tmp_path / "c.db", folder / "dev.xml")
+    assert rows(tmp_path / "c.db", MODULES) == [(0xE5C, 0x10)]
+    ingest(tmp_path / "c.db", folder)
+    assert rows(tmp_path / "c.db", MODULES) == [(0xE5C, 0x10), (0xE5C, 0x99)]
+    (folder / "mods.xml").unlink()
+    ingest(tmp_path / "c.db", folder, prune=True)
+    assert rows(tmp_path / "c.db", MODULES) == []
+
+
+def test_a_referenced_module_is_of_the_vendor_of_its_own_document(tmp_path):
+    folder = write(
+        tmp_path / "in", {"dev.xml": carrier("mods.xml"), "mods.xml": module_document(module("#x10"), vendor="#x2")}
+    )
+    hashes = {ingest(tmp_path / f"{number}.db", *paths)[1] for number, paths in enumerate(([folder], [folder] * 2))}
+    assert rows(tmp_path / "0.db", MODULES) == [(2, 0x10)]
+    assert rows(tmp_path / "0.db", "SELECT vendor_id FROM devices") == [(0xE5C,)]
+    ingest(tmp_path / "2.db", folder / "mods.xml")
+    assert ingest(tmp_path / "2.db", folder)[1] in hashes
+    with Catalog.open(tmp_path / "0.db") as catalog:
+        assert [held.module_ident for held in catalog.device("0xE5C:1:1").modules] == [0x10]
+
+
 def test_a_removed_file_goes_with_prune_only(tmp_path, library):
     ingest(tmp_path / "c.db", library)
     (library / "full.xml").unlink()

@@ -53,6 +53,13 @@ class ReadDocument(msgspec.Struct, frozen=True):
     findings: tuple[Finding, ...]
 
 
+class ReferencedModule(NamedTuple):
+    """A module of a document that another one names by InfoReference, with the vendor of its own document."""
+
+    module: Module
+    vendor_id: int | None
+
+
 class Pulled(NamedTuple):
     """A document that was read because another one refers to it."""
 
@@ -124,17 +131,19 @@ class Reader:
             [section.findall(path) for section in elements] for path in ("Descriptions/Devices/Device", of_modules)
         )
         references: list[Reference] = []
+        referenced: list[tuple[ReferencedModule, ...]]
         if container is not None:
             pull = _Puller(self, container, member, notes, references)
             infos = [pull.resolve(*section) for section in zip(infos, devices, modules, strict=True)]
-            referenced = tuple(pull.modules(info, element) for info, element in zip(infos, elements, strict=True))
+            referenced = [pull.modules(info, element) for info, element in zip(infos, elements, strict=True)]
         else:
-            referenced = tuple(() for _ in infos)
+            referenced = [() for _ in infos]
         return _result(
             parsed,
             notes,
             infos=tuple(infos),
-            referenced_modules=referenced,
+            referenced_modules=tuple(tuple(item.module for item in section) for section in referenced),
+            referenced_vendor_ids=tuple(tuple(item.vendor_id for item in section) for section in referenced),
             references=tuple(references),
             device_lines=tuple(tuple(map(lines.of, section)) for section in devices),
             module_lines=tuple(tuple(map(lines.of, section)) for section in modules),
@@ -156,7 +165,7 @@ class Reader:
         held = {
             "DictionaryFile": document.dictionary,
             "DiagFile": document.diag_messages,
-            "InfoReference": tuple(module for info in document.infos for module in info.modules) or None,
+            "InfoReference": _modules_of(document) or None,
         }[kind]
         if held is None:
             raise NotAnEsiDocument(f"its root {document.root} does not fit {kind}")
@@ -196,6 +205,14 @@ class _Trees:
         tree, held = self._kept.pop(sha256, (None, 0))
         self._held_bytes -= held
         return tree
+
+
+def _modules_of(document: Document) -> tuple[ReferencedModule, ...]:
+    return tuple(
+        ReferencedModule(module, info.vendor.vendor_id if info.vendor is not None else None)
+        for info in document.infos
+        for module in info.modules
+    )
 
 
 def _sections(root: etree._Element, notes: Notes) -> tuple[list[etree._Element], list[EsiInfo]]:
@@ -244,9 +261,9 @@ class _Puller:
             return info
         return msgspec.structs.replace(info, devices=devices, modules=modules)
 
-    def modules(self, info: EsiInfo, element: etree._Element) -> tuple[Module, ...]:
+    def modules(self, info: EsiInfo, element: etree._Element) -> tuple[ReferencedModule, ...]:
         """Modules of the documents that ``info`` names by InfoReference."""
-        found: list[Module] = []
+        found: list[ReferencedModule] = []
         for text in info.info_references:
             found.extend(self._pull("InfoReference", text, element) or ())
         return tuple(found)

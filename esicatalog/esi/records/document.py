@@ -119,6 +119,8 @@ class Document(Record):
     """Of an EtherCATDiag document."""
     referenced_modules: tuple[tuple[Module, ...], ...] = ()
     """Modules of the documents named by InfoReference, one tuple an ``infos`` item."""
+    referenced_vendor_ids: tuple[tuple[int | None, ...], ...] = ()
+    """The vendor of each of these: a document of modules has its own."""
     references: tuple[Reference, ...] = ()
     device_lines: tuple[tuple[int, ...], ...] = ()
     module_lines: tuple[tuple[int, ...], ...] = ()
