@@ -272,6 +272,62 @@ def test_a_referenced_module_is_of_the_vendor_of_its_own_document(tmp_path):
         assert [held.module_ident for held in catalog.device("0xE5C:1:1").modules] == [0x10]
 
 
+WITH_DICTIONARY = module("#x10", "<Profile><DictionaryFile>{}</DictionaryFile></Profile>")
+CARRIED = (
+    "SELECT o.name FROM device_modules d JOIN profiles p ON p.module_id = d.module_id "
+    "JOIN dictionary_objects l ON l.dictionary_id = p.dictionary_id JOIN objects o ON o.id = l.object_id"
+)
+"""Names of the objects of the modules that devices carry."""
+
+
+@pytest.mark.parametrize(
+    ("reference", "place"), [("mods.xml", "."), ("modules\\MODS.xml", "modules"), ("../mods.xml", "..")]
+)
+def test_a_referenced_module_has_the_dictionary_beside_its_own_document(tmp_path, reference, place):
+    folder = tmp_path / "in"
+    dev = folder / "a" / "dev.xml"
+    beside = dev.parent / place
+    write(folder, {"a/dev.xml": carrier(reference)})
+    write(beside, {"mods.xml": module_document(WITH_DICTIONARY.format("d.xml")), "d.xml": EXTERNAL.format("O")})
+    ingest(tmp_path / "c.db", folder)
+    assert rows(tmp_path / "c.db", MODULES) == [(0xE5C, 0x10)]
+    assert rows(tmp_path / "c.db", CARRIED) == [("O",)]
+    assert rows(tmp_path / "c.db", "SELECT rule FROM findings WHERE rule = 'L60'") == []
+    write(beside, {"d.xml": EXTERNAL.format("Another")})
+    report, changed = ingest(tmp_path / "c.db", folder)
+    assert set(statuses(report).values()) == {"stored"}
+    assert rows(tmp_path / "c.db", CARRIED) == [("Another",)]
+    assert changed == ingest(tmp_path / "fresh.db", folder)[1]
+    assert set(statuses(ingest(tmp_path / "c.db", folder)[0]).values()) == {"unchanged"}
+
+
+def test_equal_documents_of_modules_have_the_dictionaries_of_their_own_places(tmp_path):
+    folder = tmp_path / "in"
+    for name in ("a", "b"):
+        write(
+            folder / name,
+            {
+                "dev.xml": carrier("mods.xml"),
+                "mods.xml": module_document(WITH_DICTIONARY.format("d.xml")),
+                "d.xml": EXTERNAL.format(name),
+            },
+        )
+    zip_folder(folder / "b", folder / "b.zip")
+    shutil.rmtree(folder / "b")
+    ingest(tmp_path / "c.db", folder)
+    assert sorted(rows(tmp_path / "c.db", CARRIED)) == [("a",), ("b",)]
+
+
+def test_documents_of_modules_that_refer_to_each_other_and_to_themselves_end(tmp_path):
+    circle = "<InfoReference>other.xml</InfoReference><InfoReference>mods.xml</InfoReference>"
+    mods = module_document(WITH_DICTIONARY.format("mods.xml"), head=circle)
+    files = {"mods.xml": mods, "other.xml": esi(device()).replace("<Vendor>", circle + "<Vendor>", 1)}
+    folder = write(tmp_path / "in", {"dev.xml": carrier("mods.xml", "dev.xml", "other.xml"), **files})
+    report, first = ingest(tmp_path / "c.db", folder)
+    assert set(statuses(report).values()) == {"stored"}
+    assert ingest(tmp_path / "d.db", *sorted(folder.iterdir(), reverse=True))[1] == first
+
+
 def test_a_removed_file_goes_with_prune_only(tmp_path, library):
     ingest(tmp_path / "c.db", library)
     (library / "full.xml").unlink()

@@ -95,7 +95,7 @@ class Reference(Record):
     kind: str = ""
     """DictionaryFile, DiagFile or InfoReference."""
     text: str = ""
-    """As the vendor wrote it."""
+    """As the vendor wrote it; what a document of modules pulls in is named as seen from the one that refers to it."""
     location: str | None = None
     """Where it was found, relative to the folder or archive; None when it was not."""
     sha256: str | None = None
