@@ -102,21 +102,22 @@ class Catalog:
         :class:`~esicatalog.errors.InputError` for a missing path and
         :class:`~esicatalog.errors.CatalogError` when the database cannot be written.
         """
+        from esicatalog.catalog.own_files import own_files
         from esicatalog.ingest.plan import make_plan
         from esicatalog.ingest.process import interrupts_wait
         from esicatalog.ingest.reading import Reading
 
-        given = list(paths)
+        given, own = list(paths), own_files(self._target)
         with Reading(jobs) as reading:
             if self._opened is None and _is_missing_file(self._target):
-                reading.start(make_plan(given))
+                reading.start(make_plan(given, own_files=own))
             elif self._opened is None:
-                reading.hash_ahead(given)
+                reading.hash_ahead(given, own)
 
             def read_all() -> None:
                 """Begin with what a catalog that is about to be made lacks: everything."""
                 if reading.plan is None:
-                    reading.start(make_plan(given, hashed=reading.hashed()))
+                    reading.start(make_plan(given, hashed=reading.hashed(), own_files=own))
 
             with interrupts_wait():
                 from esicatalog.ingest.run import ingest

@@ -21,6 +21,10 @@ class BrokenDocument(DocumentError):
     """The document should be ESI, but nothing usable can be read from it."""
 
 
+class UnreadableDocument(BrokenDocument):
+    """The document is there, but cannot be read now, for want of permission for instance; what it holds is unknown."""
+
+
 class InputError(EsiCatalogError):
     """A path, number, identity or option that cannot be used."""
 

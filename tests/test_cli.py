@@ -375,3 +375,30 @@ def test_a_profile_of_an_ingest_accounts_for_all_stages(tmp_path, data):
     again = run("ingest", data, "--profile", db=tmp_path / "c.db")
     assert [line.split()[0] for line in again.stderr.splitlines()[1:]] == list(profile)
     assert "profile" not in json.loads(run("ingest", data, "--format", "json", db=tmp_path / "c.db").stdout)
+
+
+@pytest.mark.parametrize("db", [None, "sqlite:///catalog.db", "link.db"])
+def test_a_catalog_that_lies_among_its_documents_is_none_of_them(tmp_path, monkeypatch, db):
+    write(tmp_path, {"a.xml": esi(device()), "catalog.db-wal.xml": esi(device(product="#x2"))})
+    if db == "link.db":
+        (tmp_path / db).symlink_to("catalog.db")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("ESICATALOG_DB", raising=False)
+    for _ in range(2):
+        result = run("ingest", ".", "--format", "json", *(("--db", db) if db else ()))
+        assert result.exit_code == 0, result.output
+        paths = [line["path"] for line in json.loads(result.stdout)["documents"]]
+        assert paths == ["a.xml", "catalog.db-wal.xml"]
+        write(tmp_path, {"catalog.db.inspect.json": "{}"})
+
+
+def test_what_an_ingest_of_an_older_version_stored_of_the_catalog_itself_goes(tmp_path):
+    write(tmp_path, {"a.xml": esi(device())})
+    db = tmp_path / "catalog.db"
+    run("ingest", tmp_path, db=db)
+    with closing(sqlite3.connect(db)) as connection:
+        columns = "location, member, status, reader_version, device_count, module_count"
+        connection.execute(f"INSERT INTO sources ({columns}) VALUES (?, 'catalog.db', 'skipped', '0', 0, 0)", [str(db)])
+        connection.commit()
+    run("ingest", tmp_path, db=db)
+    assert rows(db, "SELECT member FROM sources") == [("a.xml",)]

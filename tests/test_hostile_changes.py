@@ -1,7 +1,9 @@
 """What changes, vanishes or dies while it is read costs its own document and nothing else."""
 
+import io
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -27,8 +29,8 @@ def ingest_changed(tmp_path, monkeypatch, change, jobs: int = 2) -> dict[str, tu
     """Ingest a folder that ``change`` alters between finding and reading its documents."""
     make_plan = planning.make_plan
 
-    def planned(*arguments):
-        made = make_plan(*arguments)
+    def planned(*arguments, **named):
+        made = make_plan(*arguments, **named)
         change()
         return made
 
@@ -112,8 +114,8 @@ def test_an_archive_that_vanishes_before_it_is_looked_into(tmp_path, folder, mon
     packed(folder / "a.zip", "a.xml")
     discover = planning.discover
 
-    def vanishing(paths):
-        for item in discover(paths):
+    def vanishing(*arguments):
+        for item in discover(*arguments):
             if item.member == "a.zip":
                 (folder / "a.zip").unlink()
             yield item
@@ -225,3 +227,170 @@ def test_long_requests_and_long_answers_do_not_wait_for_each_other(tmp_path):
     pool.stop()
     assert [outcome.status for outcome in outcomes] == ["stored"] * len(names)
     assert min(len(msgspec.msgpack.encode(outcome)) for outcome in outcomes) > 2**20
+
+
+def closed_to_us(monkeypatch, *paths: Path) -> None:
+    """These files and folders cannot be opened from now on, whoever runs the test."""
+    names = {os.fspath(path) for path in paths}
+
+    def refusing(function):
+        def opened(path, *arguments, **named):
+            if os.fspath(path) in names:
+                raise PermissionError(13, "Permission denied", os.fspath(path))
+            return function(path, *arguments, **named)
+
+        return opened
+
+    for owner, name in ((os, "scandir"), (os, "open"), (io, "open")):
+        monkeypatch.setattr(owner, name, refusing(getattr(owner, name)))
+
+
+@pytest.fixture
+def stored(tmp_path, folder) -> Catalog:
+    """A catalog of the folder, with documents below a subfolder, one of these in an archive."""
+    write(folder, {"sub/deep/b.xml": esi(device(product="#x5"))})
+    packed(folder / "sub" / "a.zip", "a.xml")
+    catalog = Catalog.open(tmp_path / "c.db", create=True)
+    catalog.ingest([folder], jobs=1)
+    return catalog
+
+
+def products(catalog: Catalog) -> list[int | None]:
+    return sorted(found.product_code for found in catalog.devices())
+
+
+def reported(catalog: Catalog, *paths: Path, prune: bool = False) -> dict[str, tuple[str, str | None]]:
+    report = catalog.ingest(paths, jobs=1, prune=prune)
+    assert catalog.check().problems == []
+    return {line.path: (line.status, line.message) for line in report.documents}
+
+
+def test_nothing_below_an_unreadable_folder_is_pruned(folder, stored, monkeypatch):
+    before = stored.content_hash()
+    with monkeypatch.context() as changed:
+        closed_to_us(changed, folder / "sub")
+        (folder / "victim.xml").unlink()
+        lines = reported(stored, folder, prune=True)
+    assert lines == {GOOD: ("unchanged", None), "sub": ("failed", "folder cannot be read: Permission denied")}
+    assert products(stored) == [1, 3, 5]
+    write(folder, {"victim.xml": esi(device(product="#x2"))})
+    assert {status for status, _ in reported(stored, folder, prune=True).values()} == {"stored", "unchanged"}
+    assert stored.content_hash() == before
+
+
+def test_an_unreadable_root_does_not_empty_the_catalog(folder, stored, monkeypatch):
+    closed_to_us(monkeypatch, folder)
+    assert reported(stored, folder, prune=True) == {".": ("failed", "folder cannot be read: Permission denied")}
+    assert products(stored) == [1, 2, 3, 5]
+
+
+@pytest.mark.parametrize("prune", [False, True])
+def test_what_an_unreadable_file_brought_before_stays(folder, stored, monkeypatch, prune):
+    before = stored.content_hash()
+    with monkeypatch.context() as changed:
+        closed_to_us(changed, folder / "victim.xml", folder / "sub" / "a.zip")
+        lines = reported(stored, folder, prune=prune)
+    assert lines["victim.xml"] == ("failed", "cannot be read: Permission denied")
+    assert lines["sub/a.zip"] == ("failed", "cannot be read: Permission denied")
+    assert products(stored) == [1, 2, 3, 5]
+    assert {status for status, _ in reported(stored, folder, prune=True).values()} == {"unchanged"}
+    assert stored.content_hash() == before
+
+
+def test_what_a_file_brought_whose_folder_may_only_be_listed_stays(folder, stored, monkeypatch):
+    stat = os.stat
+
+    def refusing(path, *arguments, **named):
+        if not isinstance(path, int) and Path(path).parent == folder / "sub":
+            raise PermissionError(13, "Permission denied", os.fspath(path))
+        return stat(path, *arguments, **named)
+
+    closed_to_us(monkeypatch, folder / "sub" / "deep")
+    monkeypatch.setattr(os, "stat", refusing)
+    lines = reported(stored, folder, prune=True)
+    assert (lines["sub/a.zip"][0], lines["sub/deep"][0]) == ("failed", "failed")
+    assert products(stored) == [1, 2, 3, 5]
+
+
+def test_a_document_keeps_a_dictionary_that_cannot_be_read(tmp_path, folder, monkeypatch):
+    profile = "<Profile><DictionaryFile>d.xml</DictionaryFile></Profile>"
+    declared = "<Object><Index>#x2000</Index><Name>O</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+    external = f"<EtherCATDict><Dictionary><DataTypes/><Objects>{declared}</Objects></Dictionary></EtherCATDict>"
+    write(folder, {"victim.xml": esi(device(profile, product="#x2")), "d.xml": external})
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([folder], jobs=1)
+        closed_to_us(monkeypatch, folder / "d.xml")
+        lines = reported(catalog, folder)
+        assert (lines["d.xml"][0], lines["victim.xml"][0]) == ("failed", "unchanged")
+        assert [found.product_code for found in catalog.devices(objects=[(0x2000, None)])] == [2]
+
+
+def test_an_archive_that_is_whole_again_has_no_failed_line(tmp_path):
+    folder = write(tmp_path / "in", {GOOD: esi(device())})
+    packed(folder / "a.zip", "a.xml")
+    whole = (folder / "a.zip").read_bytes()
+    (folder / "a.zip").write_bytes(whole[:100])
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        for _ in range(2):
+            lines = reported(catalog, folder)
+            assert lines["a.zip"][0] == "failed"
+            assert "not a usable zip archive" in lines["a.zip"][1]
+        (folder / "a.zip").write_bytes(whole)
+        for status in ("stored", "unchanged"):
+            assert reported(catalog, folder) == {GOOD: ("unchanged", None), "a.zip!a.xml": (status, None)}
+        (folder / "a.zip").write_bytes(whole[:100])
+        assert sorted(reported(catalog, folder)) == ["a.zip", GOOD]
+        assert products(catalog) == [1]
+
+
+def test_an_archive_that_can_be_read_again_has_no_failed_line(folder, stored, monkeypatch):
+    with monkeypatch.context() as changed:
+        closed_to_us(changed, folder / "sub" / "a.zip", folder / "sub" / "deep")
+        reported(stored, folder)
+    names = [GOOD, "sub/a.zip!a.xml", "sub/deep/b.xml", "victim.xml"]
+    assert sorted(reported(stored, folder)) == names
+    with stored._connection() as connection:
+        assert sorted(connection.exec_driver_sql("SELECT member FROM sources").scalars()) == names
+
+
+def test_a_file_and_the_members_of_an_archive_of_its_name_displace_each_other(folder, stored):
+    archive = folder / "sub" / "a.zip"
+    archive.write_text(esi(device(product="#x6")))
+    assert reported(stored, folder)["sub/a.zip"] == ("stored", None)
+    assert products(stored) == [1, 2, 5, 6]
+    packed(archive, "a.xml")
+    assert "sub/a.zip" not in reported(stored, archive)
+    assert products(stored) == [1, 2, 3, 5]
+
+
+def test_a_file_and_what_a_folder_of_its_name_held_displace_each_other(folder, stored):
+    shutil.rmtree(folder / "sub")
+    write(folder, {"sub": esi(device(product="#x6"))})
+    reported(stored, folder)
+    assert products(stored) == [1, 2, 6]
+    (folder / "sub").unlink()
+    write(folder, {"sub/b.xml": esi(device(product="#x5"))})
+    reported(stored, folder)
+    assert products(stored) == [1, 2, 5]
+
+
+def test_a_folder_that_is_called_like_a_member_of_a_changed_archive_stays(folder, stored):
+    archive = folder / "sub" / "a.zip"
+    write(folder, {"sub/a.zip!q/b.xml": esi(device(product="#x7"))})
+    reported(stored, folder)
+    packed(archive, "other.xml")
+    assert sorted(reported(stored, archive)) == ["a.zip!other.xml"]
+    assert products(stored) == [1, 2, 3, 5, 7]
+
+
+def test_members_that_cannot_be_named_are_reported_of_an_unchanged_archive_too(tmp_path):
+    folder = write(tmp_path / "in", {})
+    folder.mkdir()
+    packed(folder / "a.zip", "a.xml", "b\nb.xml")
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        first = reported(catalog, folder, prune=True)
+        assert {path: status for path, (status, _) in reported(catalog, folder, prune=True).items()} == {
+            "a.zip!a.xml": "unchanged",
+            "a.zip!b\\nb.xml": "failed",
+        }
+        assert set(first) == {"a.zip!a.xml", "a.zip!b\\nb.xml"}

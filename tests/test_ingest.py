@@ -223,6 +223,111 @@ def test_a_changed_dictionary_file_changes_what_refers_to_it(tmp_path, library):
     assert rows(tmp_path / "c.db", query) == []
 
 
+def module(ident: str, content: str = "") -> str:
+    return f'<Module><Type ModuleIdent="{ident}">M{ident}</Type><Name>M</Name>{content}</Module>'
+
+
+def module_document(*modules: str, vendor: str = "#xE5C", head: str = "") -> str:
+    """An EtherCATModule document."""
+    return (
+        f"<EtherCATModule>{head}<Vendor><Id>{vendor}</Id><Name>Modules</Name></Vendor>"
+        f"<Modules>{''.join(modules)}</Modules></EtherCATModule>"
+    )
+
+
+def carrier(*references: str) -> str:
+    """A document with a device whose slot takes module 0x10, which one of the references brings."""
+    slots = "<Slots><Slot MinInstances='1' MaxInstances='1'><ModuleIdent Default='1'>#x10</ModuleIdent></Slot></Slots>"
+    named = "".join(f"<InfoReference>{text}</InfoReference>" for text in references)
+    return esi(device(slots)).replace("<EtherCATInfo>", f"<EtherCATInfo>{named}", 1)
+
+
+MODULES = "SELECT vendor_id, module_ident FROM modules ORDER BY 1, 2"
+
+
+def test_of_referenced_modules_only_those_are_stored_that_a_device_carries(tmp_path):
+    """Their own document need not be ingested."""
+    folder = write(
+        tmp_path / "in", {"dev.xml": carrier("mods.xml"), "mods.xml": module_document(module("#x10"), module("#x99"))}
+    )
+    ingest(tmp_path / "c.db", folder / "dev.xml")
+    assert rows(tmp_path / "c.db", MODULES) == [(0xE5C, 0x10)]
+    ingest(tmp_path / "c.db", folder)
+    assert rows(tmp_path / "c.db", MODULES) == [(0xE5C, 0x10), (0xE5C, 0x99)]
+    (folder / "mods.xml").unlink()
+    ingest(tmp_path / "c.db", folder, prune=True)
+    assert rows(tmp_path / "c.db", MODULES) == []
+
+
+def test_a_referenced_module_is_of_the_vendor_of_its_own_document(tmp_path):
+    folder = write(
+        tmp_path / "in", {"dev.xml": carrier("mods.xml"), "mods.xml": module_document(module("#x10"), vendor="#x2")}
+    )
+    hashes = {ingest(tmp_path / f"{number}.db", *paths)[1] for number, paths in enumerate(([folder], [folder] * 2))}
+    assert rows(tmp_path / "0.db", MODULES) == [(2, 0x10)]
+    assert rows(tmp_path / "0.db", "SELECT vendor_id FROM devices") == [(0xE5C,)]
+    ingest(tmp_path / "2.db", folder / "mods.xml")
+    assert ingest(tmp_path / "2.db", folder)[1] in hashes
+    with Catalog.open(tmp_path / "0.db") as catalog:
+        assert [held.module_ident for held in catalog.device("0xE5C:1:1").modules] == [0x10]
+
+
+WITH_DICTIONARY = module("#x10", "<Profile><DictionaryFile>{}</DictionaryFile></Profile>")
+CARRIED = (
+    "SELECT o.name FROM device_modules d JOIN profiles p ON p.module_id = d.module_id "
+    "JOIN dictionary_objects l ON l.dictionary_id = p.dictionary_id JOIN objects o ON o.id = l.object_id"
+)
+"""Names of the objects of the modules that devices carry."""
+
+
+@pytest.mark.parametrize(
+    ("reference", "place"), [("mods.xml", "."), ("modules\\MODS.xml", "modules"), ("../mods.xml", "..")]
+)
+def test_a_referenced_module_has_the_dictionary_beside_its_own_document(tmp_path, reference, place):
+    folder = tmp_path / "in"
+    dev = folder / "a" / "dev.xml"
+    beside = dev.parent / place
+    write(folder, {"a/dev.xml": carrier(reference)})
+    write(beside, {"mods.xml": module_document(WITH_DICTIONARY.format("d.xml")), "d.xml": EXTERNAL.format("O")})
+    ingest(tmp_path / "c.db", folder)
+    assert rows(tmp_path / "c.db", MODULES) == [(0xE5C, 0x10)]
+    assert rows(tmp_path / "c.db", CARRIED) == [("O",)]
+    assert rows(tmp_path / "c.db", "SELECT rule FROM findings WHERE rule = 'L60'") == []
+    write(beside, {"d.xml": EXTERNAL.format("Another")})
+    report, changed = ingest(tmp_path / "c.db", folder)
+    assert set(statuses(report).values()) == {"stored"}
+    assert rows(tmp_path / "c.db", CARRIED) == [("Another",)]
+    assert changed == ingest(tmp_path / "fresh.db", folder)[1]
+    assert set(statuses(ingest(tmp_path / "c.db", folder)[0]).values()) == {"unchanged"}
+
+
+def test_equal_documents_of_modules_have_the_dictionaries_of_their_own_places(tmp_path):
+    folder = tmp_path / "in"
+    for name in ("a", "b"):
+        write(
+            folder / name,
+            {
+                "dev.xml": carrier("mods.xml"),
+                "mods.xml": module_document(WITH_DICTIONARY.format("d.xml")),
+                "d.xml": EXTERNAL.format(name),
+            },
+        )
+    zip_folder(folder / "b", folder / "b.zip")
+    shutil.rmtree(folder / "b")
+    ingest(tmp_path / "c.db", folder)
+    assert sorted(rows(tmp_path / "c.db", CARRIED)) == [("a",), ("b",)]
+
+
+def test_documents_of_modules_that_refer_to_each_other_and_to_themselves_end(tmp_path):
+    circle = "<InfoReference>other.xml</InfoReference><InfoReference>mods.xml</InfoReference>"
+    mods = module_document(WITH_DICTIONARY.format("mods.xml"), head=circle)
+    files = {"mods.xml": mods, "other.xml": esi(device()).replace("<Vendor>", circle + "<Vendor>", 1)}
+    folder = write(tmp_path / "in", {"dev.xml": carrier("mods.xml", "dev.xml", "other.xml"), **files})
+    report, first = ingest(tmp_path / "c.db", folder)
+    assert set(statuses(report).values()) == {"stored"}
+    assert ingest(tmp_path / "d.db", *sorted(folder.iterdir(), reverse=True))[1] == first
+
+
 def test_a_removed_file_goes_with_prune_only(tmp_path, library):
     ingest(tmp_path / "c.db", library)
     (library / "full.xml").unlink()
@@ -306,6 +411,16 @@ def test_an_archive_that_was_removed_and_comes_back_is_read_again(tmp_path, libr
 def test_overlapping_paths_in_any_order(tmp_path, library):
     first = ingest(tmp_path / "a.db", library, library / "other")[1]
     assert ingest(tmp_path / "b.db", library / "other", library)[1] == first
+
+
+def test_an_archive_that_was_ingested_alone_is_named_as_in_its_folder(tmp_path, library):
+    """A member's path is part of the content hash."""
+    archive = zip_folder(library / "other", library / "other" / "a.zip")
+    ingest(tmp_path / "a.db", archive)
+    report, first = ingest(tmp_path / "a.db", library)
+    assert statuses(report)["other/a.zip!full.xml"] == "stored"
+    assert statuses(ingest(tmp_path / "a.db", library)[0])["other/a.zip!full.xml"] == "unchanged"
+    assert ingest(tmp_path / "b.db", library)[1] == first
 
 
 def test_a_missing_path_is_an_error(tmp_path):

@@ -7,12 +7,13 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any
 
+from esicatalog.catalog.own_files import INSPECT_SUFFIX
 from esicatalog.errors import CatalogError
 
 
 def inspect_path(file: Path) -> Path:
     """Where the counts of a file lie."""
-    return file.with_name(f"{file.name}.inspect.json")
+    return file.with_name(file.name + INSPECT_SUFFIX)
 
 
 def inspect_data(file: Path) -> dict[str, Any]:

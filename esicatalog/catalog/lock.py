@@ -5,14 +5,13 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
+from esicatalog.catalog.own_files import LOCK_SUFFIX
 from esicatalog.errors import CatalogError
 
 try:
     import fcntl
 except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
-
-_SUFFIX = "-ingest"
 
 
 @contextlib.contextmanager
@@ -26,7 +25,7 @@ def only_writer(path: Path | None) -> Iterator[None]:
         yield
         return
     real = Path(os.path.realpath(path))
-    lock = real.with_name(real.name + _SUFFIX)
+    lock = real.with_name(real.name + LOCK_SUFFIX)
     descriptor = _locked(lock, path)
     try:
         yield

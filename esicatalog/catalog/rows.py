@@ -204,18 +204,23 @@ class RowMaker:
         if document.diag_messages is not None:
             out.diagnostics = self._diagnostics(document.diag_messages)
         for section, info in enumerate(document.infos):
-            self._info(section, info, document.referenced_modules[section], read)
+            self._info(section, info, read)
         return out
 
-    def _info(self, section: int, info: EsiInfo, referenced: tuple[Module, ...], read: ReadDocument) -> None:
+    def _info(self, section: int, info: EsiInfo, read: ReadDocument) -> None:
         document = read.document
         vendor_id = info.vendor.vendor_id if info.vendor is not None else None
-        keys = {id(module): self._module(module, vendor_id) for module in (*info.modules, *referenced)}
+        keys = {id(module): self._module(module, vendor_id) for module in info.modules}
+        referenced = document.referenced_modules[section]
+        vendor_ids = dict(zip(map(id, referenced), document.referenced_vendor_ids[section], strict=True))
         for position, module in enumerate(info.modules):
             line = document.module_lines[section][position]
             self._out.modules.append(Placement(section, position, line, keys[id(module)]))
         for position, device in enumerate(info.devices):
             reachable = reachable_modules(device, (*info.modules, *referenced))
+            for module in reachable:
+                if id(module) not in keys:  # Of referenced modules only those are stored that a device carries.
+                    keys[id(module)] = self._module(module, vendor_ids[id(module)])
             key = self._device(device, vendor_id, reachable, [keys[id(module)] for module in reachable])
             line = document.device_lines[section][position]
             self._out.devices.append(Placement(section, position, line, key, device.group_type))

@@ -5,6 +5,7 @@ with Windows separators and another letter case than on disk. Member names are r
 """
 
 import copy
+import errno
 import io
 import os
 import posixpath
@@ -16,7 +17,7 @@ from typing import Protocol
 
 from zlib_ng import zlib_ng
 
-from esicatalog.errors import BrokenDocument, InputError
+from esicatalog.errors import BrokenDocument, InputError, UnreadableDocument
 
 MAX_DOCUMENT_BYTES = 256 * 1024 * 1024
 """Largest document that is read, and largest archive inside another. Real ESI files end at about 10 MB; all devices of
@@ -58,6 +59,15 @@ def resolve_reference(container: Container, document: str, reference: str) -> st
     return container.find(joined)
 
 
+_NO_FILE = (None, errno.ENOENT, errno.ENOTDIR, errno.EISDIR, errno.ELOOP, errno.ENXIO)
+"""What :class:`OSError` says where there is no regular file at all."""
+
+
+def is_unreadable(error: OSError) -> bool:
+    """Whether a file or folder is there and only cannot be read now, so that it may hold what it held before."""
+    return error.errno not in _NO_FILE
+
+
 def open_regular(path: str | Path) -> io.FileIO:
     """Open a regular file for reading; raises :class:`OSError` for pipes and devices instead of waiting for them."""
     stream = io.FileIO(path, opener=lambda name, flags: os.open(name, flags | getattr(os, "O_NONBLOCK", 0)))
@@ -68,12 +78,16 @@ def open_regular(path: str | Path) -> io.FileIO:
 
 
 def read_file(path: Path) -> bytes:
-    """The bytes of a regular file; raises :class:`BrokenDocument` for anything else, and never waits for a writer."""
+    """The bytes of a regular file; raises :class:`BrokenDocument` for anything else, and never waits for a writer.
+
+    It is an :class:`UnreadableDocument` where the file is there all the same.
+    """
     try:
         with open_regular(path) as stream:
             content = stream.read(MAX_DOCUMENT_BYTES + 1)
     except OSError as error:
-        raise BrokenDocument(f"cannot be read: {error.strerror or error}") from error
+        kind = UnreadableDocument if is_unreadable(error) else BrokenDocument
+        raise kind(f"cannot be read: {error.strerror or error}") from error
     if len(content) > MAX_DOCUMENT_BYTES:
         raise BrokenDocument(TOO_LARGE)
     return content
@@ -100,7 +114,8 @@ class Folder:
             found = f"{found}/{name}" if found else name
         path = self.root / found
         inside = path.resolve().is_relative_to(self.root)
-        return found if inside and path.is_file() else None
+        # Path.is_file() raises where the folder may be listed and not entered.
+        return found if inside and os.path.isfile(path) else None  # noqa: PTH113
 
     def _listing(self, folder: str) -> dict[str, str]:
         listing = self._listings.get(folder)

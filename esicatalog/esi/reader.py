@@ -1,5 +1,6 @@
 """Reading documents into records, with everything they refer to."""
 
+import posixpath
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -53,6 +54,13 @@ class ReadDocument(msgspec.Struct, frozen=True):
     findings: tuple[Finding, ...]
 
 
+class ReferencedModule(NamedTuple):
+    """A module of a document that another one names by InfoReference, with the vendor of its own document."""
+
+    module: Module
+    vendor_id: int | None
+
+
 class Pulled(NamedTuple):
     """A document that was read because another one refers to it."""
 
@@ -72,7 +80,7 @@ class Reader:
     def __init__(self, stages: Stages | None = None) -> None:
         self._stages = stages or Stages()
         self._repeats = Repeats(_REPEATED, Layouts(_REPEATED).read)
-        self._standalone: dict[str, ReadDocument] = {}
+        self._standalone: dict[_PulledKey, tuple[Container, ReadDocument]] = {}
         self._trees = _Trees()
         self._pulled: dict[tuple[int, str], tuple[Container, Pulled]] = {}
 
@@ -93,22 +101,33 @@ class Reader:
         self, content: bytes, member: str = "", container: Container | None = None
     ) -> tuple[ReadDocument, Callable[[], DocumentTree]]:
         """:meth:`read`, and what gives the elements of the document."""
+        return self._read_content(content, member, container, with_modules=True)
+
+    def _read_content(
+        self, content: bytes, member: str, container: Container | None, with_modules: bool
+    ) -> tuple[ReadDocument, Callable[[], DocumentTree]]:
         with self._stages("parse"):
             cut = self._repeats.cut(content)
             parsed = parse_as_it_is(cut.content) if cut is not None else None
         if cut is not None and parsed is not None:
             lines = Lines(cut.content)
-            read = self._read(parsed, lines, cut, member, container)
+            read = self._read(parsed, lines, cut, member, container, with_modules)
             if cut.is_complete:
                 return read, DocumentTree(parsed.root, lines, cut).itself
         with self._stages("parse"):
             parsed = parse_document(content)
         lines = Lines(content)
-        read = self._read(parsed, lines, None, member, container)
+        read = self._read(parsed, lines, None, member, container, with_modules)
         return read, DocumentTree(parsed.root, lines).itself
 
     def _read(
-        self, parsed: ParsedDocument, lines: Lines, cut: Cut | None, member: str, container: Container | None
+        self,
+        parsed: ParsedDocument,
+        lines: Lines,
+        cut: Cut | None,
+        member: str,
+        container: Container | None,
+        with_modules: bool,
     ) -> ReadDocument:
         notes = Notes(OWNERS, cut, lines.of)
         if parsed.recovered:
@@ -124,17 +143,18 @@ class Reader:
             [section.findall(path) for section in elements] for path in ("Descriptions/Devices/Device", of_modules)
         )
         references: list[Reference] = []
+        referenced: list[tuple[ReferencedModule, ...]] = [() for _ in infos]
         if container is not None:
             pull = _Puller(self, container, member, notes, references)
             infos = [pull.resolve(*section) for section in zip(infos, devices, modules, strict=True)]
-            referenced = tuple(pull.modules(info, element) for info, element in zip(infos, elements, strict=True))
-        else:
-            referenced = tuple(() for _ in infos)
+            if with_modules:
+                referenced = [pull.modules(info, element) for info, element in zip(infos, elements, strict=True)]
         return _result(
             parsed,
             notes,
             infos=tuple(infos),
-            referenced_modules=referenced,
+            referenced_modules=tuple(tuple(item.module for item in section) for section in referenced),
+            referenced_vendor_ids=tuple(tuple(item.vendor_id for item in section) for section in referenced),
             references=tuple(references),
             device_lines=tuple(tuple(map(lines.of, section)) for section in devices),
             module_lines=tuple(tuple(map(lines.of, section)) for section in modules),
@@ -144,9 +164,14 @@ class Reader:
         found = read_record(DictInfo, parsed.root, notes)
         return _result(parsed, notes, schema_version=found.schema_version, dictionary=found.dictionary)
 
-    def external(self, kind: str, container: Container, member: str, content: bytes, sha256: str) -> Any:
-        """Dictionary, diagnosis texts or modules of a referenced document; raises :class:`DocumentError`."""
-        read = self._read_standalone(content, sha256)
+    def external(
+        self, kind: str, container: Container, member: str, content: bytes, sha256: str
+    ) -> tuple[Any, tuple[Reference, ...]]:
+        """Dictionary, diagnosis texts or modules of a referenced document, and what it refers to itself.
+
+        Raises :class:`DocumentError`.
+        """
+        read = self._read_pulled(kind, container, member, content, sha256)
 
         def tree() -> DocumentTree:
             return self._trees.take(sha256) or self.read_tree(container.read(member))[1]()
@@ -156,23 +181,40 @@ class Reader:
         held = {
             "DictionaryFile": document.dictionary,
             "DiagFile": document.diag_messages,
-            "InfoReference": tuple(module for info in document.infos for module in info.modules) or None,
+            "InfoReference": _modules_of(document) or None,
         }[kind]
         if held is None:
             raise NotAnEsiDocument(f"its root {document.root} does not fit {kind}")
-        return held
+        return held, document.references
 
-    def _read_standalone(self, content: bytes, sha256: str) -> ReadDocument:
-        """Read a document that others refer to, and keep it: it is asked for again, as itself too."""
-        known = self._standalone.get(sha256)
-        if known is None:
-            if len(self._standalone) >= _MAX_STANDALONE:
-                self._standalone.clear()
-                self._pulled.clear()
-            known, tree = self.read_tree(content)
-            self._standalone[sha256] = known
-            self._trees.keep(sha256, tree(), len(content))
-        return known
+    def _read_pulled(self, kind: str, container: Container, member: str, content: bytes, sha256: str) -> ReadDocument:
+        """Read a document that others refer to, and keep it: it is asked for again, as itself too.
+
+        A document of modules is read with the dictionaries and diagnosis texts that lie around it, never with the
+        modules of others: nobody asks for these, and documents may refer to each other in circles.
+        """
+        of_modules = kind == "InfoReference"
+        anywhere, here = _PulledKey(sha256, of_modules), _PulledKey(sha256, of_modules, id(container), member)
+        known = self._standalone.get(anywhere) or self._standalone.get(here)
+        if known is not None:
+            return known[1]
+        if len(self._standalone) >= _MAX_STANDALONE:
+            self._standalone.clear()
+            self._pulled.clear()
+        around = container if of_modules else None
+        read, tree = self._read_content(content, member, around, with_modules=False)
+        self._standalone[here if read.document.references else anywhere] = (container, read)
+        self._trees.keep(sha256, tree(), len(content))
+        return read
+
+
+class _PulledKey(NamedTuple):
+    """What a document that others refer to is kept by; one that refers to nothing is the same in every place."""
+
+    sha256: str
+    of_modules: bool
+    container: int = 0
+    member: str = ""
 
 
 class _Trees:
@@ -196,6 +238,14 @@ class _Trees:
         tree, held = self._kept.pop(sha256, (None, 0))
         self._held_bytes -= held
         return tree
+
+
+def _modules_of(document: Document) -> tuple[ReferencedModule, ...]:
+    return tuple(
+        ReferencedModule(module, info.vendor.vendor_id if info.vendor is not None else None)
+        for info in document.infos
+        for module in info.modules
+    )
 
 
 def _sections(root: etree._Element, notes: Notes) -> tuple[list[etree._Element], list[EsiInfo]]:
@@ -244,9 +294,9 @@ class _Puller:
             return info
         return msgspec.structs.replace(info, devices=devices, modules=modules)
 
-    def modules(self, info: EsiInfo, element: etree._Element) -> tuple[Module, ...]:
+    def modules(self, info: EsiInfo, element: etree._Element) -> tuple[ReferencedModule, ...]:
         """Modules of the documents that ``info`` names by InfoReference."""
-        found: list[Module] = []
+        found: list[ReferencedModule] = []
         for text in info.info_references:
             found.extend(self._pull("InfoReference", text, element) or ())
         return tuple(found)
@@ -276,18 +326,27 @@ class _Puller:
             return self._pulled[key]
         member = resolve_reference(self._container, self._member, text)
         held, sha256, problem = None, None, "was not found beside the document"
+        further: tuple[Reference, ...] = ()
         if member is not None:
             try:
                 content = self._container.read(member)
                 sha256 = sha256_hex(content)
-                held = self._reader.external(kind, self._container, member, content, sha256)
+                held, further = self._reader.external(kind, self._container, member, content, sha256)
             except DocumentError as error:
                 problem = f"cannot be used: {error}"
         if held is None:
             self._notes.find(element, "L60", "W", f"{kind} {text!r} {problem}")
         self._references.append(Reference(kind=kind, text=text, location=member, sha256=sha256))
+        # When one of these changes, what this document says does too.
+        self._references += [msgspec.structs.replace(item, text=_seen_past(text, item.text)) for item in further]
         self._pulled[key] = held
         return held
+
+
+def _seen_past(document: str, reference: str) -> str:
+    """A reference in a document as seen from the one that refers to that document by the text ``document``."""
+    folder = posixpath.dirname(document.strip().replace("\\", "/"))
+    return posixpath.join(folder, reference.strip().replace("\\", "/")) if folder else reference
 
 
 def _same(new: Record, old: Record) -> bool:

@@ -2,7 +2,7 @@
 
 import os
 import select
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from pathlib import Path
 from typing import IO
 
@@ -18,12 +18,12 @@ _PATIENCE_SECONDS = 60.0
 
 
 class HashingAhead:
-    """The plain files below the paths being hashed, where this process can be copied."""
+    """The plain files below the paths being hashed, but for ``own_files``, where this process can be copied."""
 
-    def __init__(self, paths: Sequence[str | os.PathLike[str]]) -> None:
+    def __init__(self, paths: Sequence[str | os.PathLike[str]], own_files: Set[str] = frozenset()) -> None:
         self._helper: Helper | None = None
         if can_fork():
-            self._helper = forked(lambda requests, answers: _hash(paths, requests, answers))
+            self._helper = forked(lambda requests, answers: _hash(paths, own_files, requests, answers))
 
     def take(self) -> Hashes:
         """What is known by now; the rest is nobody's work any more."""
@@ -44,10 +44,12 @@ class HashingAhead:
             self._helper = None
 
 
-def _hash(paths: Sequence[str | os.PathLike[str]], requests: IO[bytes], answers: IO[bytes]) -> None:
+def _hash(
+    paths: Sequence[str | os.PathLike[str]], own_files: Set[str], requests: IO[bytes], answers: IO[bytes]
+) -> None:
     """Hash file after file until that is asked for, or nobody is left to ask."""
     folders: dict[str, ReferenceHashes] = {}
-    for item in discover(paths):
+    for item in discover(paths, own_files):
         if select.select([requests], [], [], 0)[0]:
             break
         if isinstance(item, FoundArchive) or item.problem is not None:
@@ -56,4 +58,9 @@ def _hash(paths: Sequence[str | os.PathLike[str]], requests: IO[bytes], answers:
             folders[item.root] = ReferenceHashes(Folder(Path(item.root)))
         folders[item.root].of_member(item.name)
     if read_frame(requests.read) is not None:
-        write_frame(answers, msgspec.msgpack.encode({root: hashes.known for root, hashes in folders.items()}))
+        # Why something has no hash is asked again where that is needed.
+        hashed = {
+            root: {member: sha256 for member, sha256 in hashes.known.items() if sha256 is not None}
+            for root, hashes in folders.items()
+        }
+        write_frame(answers, msgspec.msgpack.encode(hashed))

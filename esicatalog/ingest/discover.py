@@ -3,13 +3,13 @@
 import os
 import re
 import stat
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 from esicatalog.errors import EsiCatalogError, InputError
 from esicatalog.esi import containers
-from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive
+from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive, is_unreadable
 
 
 class Found(NamedTuple):
@@ -26,6 +26,8 @@ class Found(NamedTuple):
     size_bytes: int
     problem: tuple[str, str] | None = None
     """(status, words): ``skipped`` or ``failed``."""
+    is_unreadable: bool = False
+    """Whether this file, archive or folder is there, so that it may hold what it held before."""
 
 
 class FoundArchive(NamedTuple):
@@ -40,12 +42,15 @@ Item = TypeVar("Item", bound=Found | FoundArchive)
 _UNUSABLE_NAME = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
 
 
-def discover(paths: Iterable[str | os.PathLike[str]]) -> Iterator[Found | FoundArchive]:
+def discover(
+    paths: Iterable[str | os.PathLike[str]], own_files: Set[str] = frozenset()
+) -> Iterator[Found | FoundArchive]:
     """Everything below the paths, each location once, sorted by name; archives are not opened.
 
-    Raises :class:`InputError` for a path that does not exist.
+    ``own_files`` of the catalog that is being filled are left out. Raises :class:`InputError` for a path that does
+    not exist.
     """
-    seen: set[str] = set()
+    seen = set(own_files)
     # Outer folders first: what lies below two of the paths is named relative to the outer one, whatever the order.
     for real in sorted(map(_existing, paths)):
         found = _folder(real) if real.is_dir() else [_file(real, real.parent, archive_by_content=True)]
@@ -67,13 +72,15 @@ def _folder(root: Path) -> Iterator[Found | FoundArchive]:
 
     def unreadable(error: OSError) -> None:
         path = Path(error.filename)
-        problems.append(_problem(path, root, "failed", f"folder cannot be read: {error.strerror}"))
+        problem = _problem(path, root, "failed", f"folder cannot be read: {error.strerror}")
+        problems.append(problem._replace(is_unreadable=True))
 
     for folder, subfolders, names in os.walk(root, onerror=unreadable):
         subfolders.sort()
         for name in subfolders:
             path = Path(folder, name)
-            if path.is_symlink():
+            # Path.is_symlink() raises where the folder may be listed and not entered.
+            if os.path.islink(path):  # noqa: PTH114
                 yield _problem(path, root, "skipped", "symbolic link to a folder; name the folder itself to read it")
         for name in sorted(names):
             yield _file(Path(folder, name), root)
@@ -92,7 +99,8 @@ def _file(path: Path, root: Path, archive_by_content: bool = False) -> Found | F
                 if is_archive(stream.read(4)):
                     return FoundArchive(str(path), path.relative_to(root).as_posix())
     except OSError as error:
-        return _problem(path, root, "failed", f"cannot be read: {error.strerror}")
+        problem = _problem(path, root, "failed", f"cannot be read: {error.strerror}")
+        return problem._replace(is_unreadable=is_unreadable(error))
     member = path.relative_to(root).as_posix()
     return Found(str(path), member, str(root), False, (), member, status.st_size)
 
@@ -102,8 +110,10 @@ def _with_usable_name(item: Item) -> Item | Found:
     if _UNUSABLE_NAME.search(item.location) is None:
         return item
     location, member = (_UNUSABLE_NAME.sub(_escaped, text) for text in (item.location, item.member))
-    words = "its name holds control characters or is not UTF-8; rename it"
-    return Found(location, member, location, False, (), member, 0, ("failed", words))
+    problem = ("failed", "its name holds control characters or is not UTF-8; rename it")
+    if isinstance(item, Found):
+        return item._replace(location=location, member=member, problem=problem)
+    return Found(location, member, location, False, (), member, 0, problem)
 
 
 def _escaped(match: re.Match[str]) -> str:

@@ -2,7 +2,8 @@
 
 import hashlib
 import os
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Iterator, Set
 from pathlib import Path
 from typing import NamedTuple
 
@@ -21,7 +22,8 @@ class HeldDocument(NamedTuple):
     member: str
     devices: int
     modules: int
-    archive_id: int | None
+    archive: str | None
+    """Location of the archive that it lies in."""
     known: Known | None
 
     def unchanged_line(self) -> DocumentLine:
@@ -29,12 +31,21 @@ class HeldDocument(NamedTuple):
         status = self.status if self.status in ("skipped", "failed") else "unchanged"
         return DocumentLine(self.member, status, self.message, self.devices, self.modules)
 
+    def unreadable_line(self, message: str | None) -> DocumentLine:
+        """Its line in a report when it could not be read: the catalog keeps what it holds of it."""
+        return DocumentLine(self.member, "failed", message, self.devices, self.modules)
+
+    @property
+    def has_content(self) -> bool:
+        """Whether the document brought anything that is worth keeping."""
+        return self.status in ("stored", "recovered")
+
 
 class Held(NamedTuple):
-    """What the catalog holds: documents by location, and completely read archives (row number, sha256) by location."""
+    """What the catalog holds: documents by location, and the sha256 of completely read archives by location."""
 
     documents: dict[str, HeldDocument]
-    archives: dict[str, tuple[int, str]]
+    archives: dict[str, str]
 
 
 NOTHING_HELD = Held({}, {})
@@ -69,44 +80,57 @@ def make_plan(
     held: Held = NOTHING_HELD,
     prune: bool = False,
     hashed: Hashes | None = None,
+    own_files: Set[str] = frozenset(),
 ) -> Plan:
     """Compare what lies below the paths with what the catalog holds, ``hashed`` being known already.
 
-    Raises :class:`InputError`.
+    ``own_files`` are the catalog's. Raises :class:`InputError`.
     """
     given = [os.path.realpath(path) for path in paths]
     unchanged: list[DocumentLine] = []
     pending: list[Found] = []
     archives: dict[str, str] = {}
     seen: set[str] = set()
-    inside: dict[int | None, list[tuple[str, HeldDocument]]] = {}
+    containers: set[str] = set()
+    inside: dict[str | None, list[tuple[str, HeldDocument]]] = {}
     for where, document in held.documents.items():
-        inside.setdefault(document.archive_id, []).append((where, document))
-    for item in discover(given):
-        seen.add(item.location)
+        inside.setdefault(document.archive, []).append((where, document))
+    for item in discover(given, own_files):
         if not isinstance(item, FoundArchive):
             pending.append(item)
             continue
-        number, known_sha256 = held.archives.get(item.location, (0, None))
-        members = inside.get(number, [])
+        members = _members(item, inside.get(item.location, []))
         try:
             sha256 = _file_sha256(item.location)
         except OSError as error:
-            seen.update(where for where, _ in members)
-            pending.append(unreadable_archive(item, f"cannot be read: {error.strerror or error}"))
+            problem = unreadable_archive(item, f"cannot be read: {error.strerror or error}")
+            pending.append(problem._replace(is_unreadable=True))
             continue
-        if sha256 == known_sha256:
+        containers.add(item.location)
+        if sha256 == held.archives.get(item.location) and all(_is_named_by(item, member) for _, member in members):
             seen.update(where for where, _ in members)
             unchanged.extend(document.unchanged_line() for _, document in members)
         else:
             archives[item.location] = sha256
             pending.extend(archive_members(item))
     seen.update(item.location for item in pending)
+    closed = tuple(
+        item.location + separator for item in pending if item.is_unreadable for separator in (os.sep, NESTED)
+    )
+    seen.update(where for where in held.documents if where.startswith(closed))
+    gone = [where for where in held.documents if where not in seen]
+    if gone:
+        containers.update(folder for item in pending if not item.is_archive for folder in _folders(item.location))
+        files = {item.location for item in pending if item.problem is None and not item.is_archive}
+        changes = _Changes(archives, containers, files, given if prune else [])
+        gone = [where for where in gone if where in own_files or changes.displace(where, held.documents[where])]
     todo: list[Found] = []
     hashes = _PerFolder(hashed or {})
     for item in pending:
         known = held.documents.get(item.location)
-        if known is not None and _file_unchanged(item, known, hashes[item.root]):
+        if known is not None and item.is_unreadable and known.has_content:
+            unchanged.append(known.unreadable_line(item.problem[1] if item.problem is not None else None))
+        elif known is not None and _file_unchanged(item, known, hashes[item.root]):
             unchanged.append(known.unchanged_line())
         else:
             todo.append(item)
@@ -116,7 +140,7 @@ def make_plan(
         todo,
         [_task(number, item, held) for number, item in enumerate(todo) if item.problem is None],
         [Outcome(number, *item.problem) for number, item in enumerate(todo) if item.problem is not None],
-        [where for where in held.documents if where not in seen and _is_gone(where, archives, prune, given)],
+        gone,
         archives,
     )
 
@@ -144,11 +168,44 @@ def _task(number: int, item: Found, held: Held) -> Task:
     return Task(number, item.root, item.is_archive, item.nested, item.name, known)
 
 
-def _is_gone(location: str, archives: Iterable[str], prune: bool, paths: list[str]) -> bool:
-    steps = location.split(NESTED)
-    if any(NESTED.join(steps[:count]) in archives for count in range(1, len(steps))):
-        return True
-    return prune and any(location == path or location.startswith(path + os.sep) for path in paths)
+def _members(archive: FoundArchive, inside: list[tuple[str, HeldDocument]]) -> list[tuple[str, HeldDocument]]:
+    """What the catalog holds of the members of an archive; of one that could not be used, the line that says so."""
+    members = [(where, document) for where, document in inside if where != archive.location]
+    return members or inside
+
+
+def _is_named_by(archive: FoundArchive, document: HeldDocument) -> bool:
+    """Whether a document has its name from the archive as it is found now: below another folder it has another one."""
+    return document.member == archive.member or document.member.startswith(archive.member + NESTED)
+
+
+def _folders(location: str) -> Iterator[str]:
+    """The folders that a file lies in."""
+    for match in re.finditer(re.escape(os.sep), location):
+        yield location[: match.start()]
+
+
+class _Changes(NamedTuple):
+    """What lies below the paths now, of all that was held there before."""
+
+    archives: dict[str, str]
+    """Archives that are read again."""
+    containers: set[str]
+    """Archives and folders."""
+    files: set[str]
+    """Documents that are not in an archive."""
+    pruned: list[str]
+
+    def displace(self, location: str, document: HeldDocument) -> bool:
+        """Whether a document that was not found has to go: what is there in its place shows that, or it is pruned."""
+        archive = document.archive
+        return (
+            archive in self.archives
+            or archive in self.files
+            or location in self.containers
+            or any(folder in self.files for folder in _folders(archive or location))
+            or any(location == path or location.startswith(path + os.sep) for path in self.pruned)
+        )
 
 
 def _file_unchanged(item: Found, document: HeldDocument, hashes: ReferenceHashes) -> bool:

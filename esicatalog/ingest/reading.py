@@ -3,7 +3,7 @@ what an existing one may hold while that is being opened.
 """
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
 from itertools import chain
 from typing import Self
 
@@ -34,11 +34,11 @@ class Reading:
     def __exit__(self, *error: object) -> None:
         self._stop()
 
-    def hash_ahead(self, paths: Sequence[str | os.PathLike[str]]) -> None:
-        """Begin to hash the files below the paths, where that can go on beside this process."""
+    def hash_ahead(self, paths: Sequence[str | os.PathLike[str]], own_files: Set[str]) -> None:
+        """Begin to hash the files below the paths, ``own_files`` apart, where that can go on beside this process."""
         from esicatalog.ingest.ahead import HashingAhead
 
-        hashing = HashingAhead(paths)
+        hashing = HashingAhead(paths, own_files)
         self._hashed, self._stop = hashing.take, hashing.end
 
     def hashed(self) -> Hashes:

@@ -12,6 +12,7 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.database import database_error, sqlite_path
 from esicatalog.catalog.load import end_load, finish_indexes, finish_load, prepare_load
 from esicatalog.catalog.lock import only_writer
+from esicatalog.catalog.own_files import own_files
 from esicatalog.catalog.writer import SourceRow, Writer
 from esicatalog.errors import CatalogError
 from esicatalog.esi.stages import Stages
@@ -53,14 +54,16 @@ def ingest(
     """
     started = time.monotonic()
     stages = Stages()
+    path = sqlite_path(engine.url)
+    own = own_files(path) if path is not None else frozenset()
     try:
-        with only_writer(sqlite_path(engine.url)), engine.connect() as connection, without_cycle_search():
+        with only_writer(path), engine.connect() as connection, without_cycle_search():
             # What a load leaves on its connection, temporary tables and a large cache, ends with it.
             connection.detach()
             try:
                 held = _read_held(connection)
                 connection.commit()  # Planning may take long; who wants to change tables need not wait for it.
-                plan = reading.plan or reading.start(make_plan(paths, held, prune, reading.hashed()))
+                plan = reading.plan or reading.start(make_plan(paths, held, prune, reading.hashed(), own))
                 prepare_load(connection)
                 lines = _write(connection, plan, reading.outcomes, held, progress, stages)
                 with stages("index"):
@@ -114,6 +117,10 @@ def _write(
             incomplete.add(item.root)
         if outcome.status == "unchanged":
             tell(held.documents[item.location].unchanged_line())
+            return
+        document = held.documents.get(item.location)
+        if outcome.is_unreadable and document is not None and document.has_content:
+            tell(document.unreadable_line(outcome.message))
             return
         archive = item.root if item.is_archive else None
         with stages("write"):
@@ -199,16 +206,14 @@ def _read_held(connection: sa.Connection) -> Held:
         sa.select(columns.source_id, columns.reference, columns.sha256).order_by(columns.source_id, columns.position)
     ):
         references.setdefault(number, []).append((reference, sha256))
+    archives = {row.id: row for row in connection.execute(sa.select(schema.archives))}
     documents = {}
     for row in connection.execute(sa.select(schema.sources)):
         readable = row.sha256 is not None and row.reader_version == __version__
         known = Known(row.sha256, tuple(references.get(row.id, ()))) if readable else None
+        archive = archives[row.archive_id].location if row.archive_id is not None else None
         documents[row.location] = HeldDocument(
-            row.status, row.message, row.member, row.device_count, row.module_count, row.archive_id, known
+            row.status, row.message, row.member, row.device_count, row.module_count, archive, known
         )
-    archives = {
-        row.location: (row.id, row.sha256)
-        for row in connection.execute(sa.select(schema.archives))
-        if row.reader_version == __version__
-    }
-    return Held(documents, archives)
+    read = {row.location: row.sha256 for row in archives.values() if row.reader_version == __version__}
+    return Held(documents, read)

@@ -35,6 +35,8 @@ class Outcome(msgspec.Struct):
     rows: DocumentRows | None = None
     seconds: dict[str, float] = {}
     """Processor time by stage."""
+    is_unreadable: bool = False
+    """Whether the document is there and only could not be read now."""
 
 
 class Answer(msgspec.Struct):

@@ -14,7 +14,7 @@ from typing import IO
 import msgspec
 
 from esicatalog.catalog.rows import RowMaker
-from esicatalog.errors import DocumentError, EsiCatalogError, NotAnEsiDocument
+from esicatalog.errors import DocumentError, EsiCatalogError, NotAnEsiDocument, UnreadableDocument
 from esicatalog.esi.containers import Archive, Container, Folder, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.reader import Reader
@@ -59,7 +59,8 @@ class DocumentWorker:
                 content = container.read(task.member) if pulled is None else b""
                 sha256, byte_count = (sha256_hex(content), len(content)) if pulled is None else pulled[:2]
         except EsiCatalogError as error:
-            return Outcome(task.number, "failed", str(error))
+            unreadable = isinstance(error, UnreadableDocument)
+            return Outcome(task.number, "failed", str(error), is_unreadable=unreadable)
         except MemoryError:
             return Outcome(task.number, "failed", "needs more memory than a document may take")
         outcome = Outcome(task.number, "stored", None, sha256, byte_count)

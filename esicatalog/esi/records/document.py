@@ -95,7 +95,7 @@ class Reference(Record):
     kind: str = ""
     """DictionaryFile, DiagFile or InfoReference."""
     text: str = ""
-    """As the vendor wrote it."""
+    """As the vendor wrote it; what a document of modules pulls in is named as seen from the one that refers to it."""
     location: str | None = None
     """Where it was found, relative to the folder or archive; None when it was not."""
     sha256: str | None = None
@@ -119,6 +119,8 @@ class Document(Record):
     """Of an EtherCATDiag document."""
     referenced_modules: tuple[tuple[Module, ...], ...] = ()
     """Modules of the documents named by InfoReference, one tuple an ``infos`` item."""
+    referenced_vendor_ids: tuple[tuple[int | None, ...], ...] = ()
+    """The vendor of each of these: a document of modules has its own."""
     references: tuple[Reference, ...] = ()
     device_lines: tuple[tuple[int, ...], ...] = ()
     module_lines: tuple[tuple[int, ...], ...] = ()
