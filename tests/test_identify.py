@@ -282,9 +282,10 @@ async def test_who_may_not_see_the_database_gets_no_answer(data_db):
     assert (await application.client.get("/-/esi/openapi.json")).status_code == 403
 
 
-def test_the_server_cannot_write(data_db):
+def test_the_server_cannot_write(data_db, tmp_path):
+    (tmp_path / "new.xml").write_text(esi(device()))
     with Catalog.open(data_db, read_only=True) as catalog, pytest.raises(CatalogError, match="readonly"):
-        catalog.ingest([data_db.parent], jobs=1)
+        catalog.ingest([tmp_path], jobs=1)
     assert one(data_db, "PRAGMA journal_mode") == "delete"
 
 
