@@ -20,7 +20,7 @@ from esicatalog.export.init_cmds import MODULE_IDENT_LIST, StartCommand, single_
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, MODES_DISPLAY, MODES_OF_OPERATION, STATUSWORD
-from esicatalog.model.drive_evidence import MAX_AXES
+from esicatalog.model.drive_evidence import MODES_OF_OPERATION_OF_AXES
 
 PROGRAM = "ethercat_driver_ros2"
 _INTERFACES = {
@@ -38,7 +38,6 @@ _INTERFACES = {
 """Names that ros2_control and the controllers of the driver use, by the CiA 402 object of the first axis."""
 _INTERFACES_BY_NAME = {CIA402_NAMES[index]: interface for index, interface in _INTERFACES.items()}
 """The same for drives that have such values elsewhere: motion terminals (profile 5001) and SoE."""
-_MODES = frozenset(MODES_OF_OPERATION + axis * AXIS_STEP for axis in range(MAX_AXES))
 _HELD_BY = {0x6061, 0x6064}
 """Mapped, they let the CiA 402 plugin hold the actual position."""
 _NOT_PLAIN = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null"))
@@ -122,7 +121,7 @@ def _pdo_list(configuration: Configuration, found: Listed, direction: str, remar
     modes = {
         sdo.object_index: sdo.data
         for sdo in found.sdos
-        if sdo.object_index in _MODES and not sdo.subindex and not sdo.complete_access
+        if sdo.object_index in MODES_OF_OPERATION_OF_AXES and not sdo.subindex and not sdo.complete_access
     }
     pdos = (
         PdoRows(

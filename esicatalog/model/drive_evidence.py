@@ -33,6 +33,8 @@ from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 
 MAX_AXES = 8
+MODES_OF_OPERATION_OF_AXES = range(MODES_OF_OPERATION, MODES_OF_OPERATION + MAX_AXES * AXIS_STEP, AXIS_STEP)
+"""Where 0x6060 lies, axis by axis."""
 _CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES)}
 """Axes by their controlword."""
 YES, NO = "yes", "no"

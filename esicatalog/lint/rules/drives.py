@@ -5,13 +5,12 @@ from collections.abc import Iterator
 from esicatalog.lint.registry import WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, Dictionaries, ModuleSubject
 from esicatalog.model.cia402 import (
-    AXIS_STEP,
     CONTROLWORD,
     MODES_OF_OPERATION,
     STATUSWORD,
     SUPPORTED_DRIVE_MODES,
 )
-from esicatalog.model.drive_evidence import MAX_AXES, ModeEvidence, written_mode
+from esicatalog.model.drive_evidence import MODES_OF_OPERATION_OF_AXES, ModeEvidence, written_mode
 
 _DEVICE_TYPE = 0x1000
 _NEEDED = (CONTROLWORD, STATUSWORD, MODES_OF_OPERATION, SUPPORTED_DRIVE_MODES)
@@ -20,7 +19,6 @@ _DOUBTS = {
     "A+ short": "is shorter than its type",
 }
 _AGAINST_NAME = "C3"
-_MODES_OF_ALL_AXES = range(MODES_OF_OPERATION, MODES_OF_OPERATION + MAX_AXES * AXIS_STEP, AXIS_STEP)
 
 
 @rule("L57", WARNING, "CiA 402 object 0x6060: the command would start another mode than the name promises")
@@ -45,7 +43,7 @@ def _writing(subject: ModuleSubject, item: ModeEvidence) -> int:
     written = {
         number: index
         for number, command in enumerate(subject.coe_init_cmds)
-        if (index := command.object_index or 0) in _MODES_OF_ALL_AXES
+        if (index := command.object_index or 0) in MODES_OF_OPERATION_OF_AXES
         and (mode := written_mode(command, index)) is not None
         and mode.name == item.mode
     }
