@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
-from esicatalog.identity import Identity, parse_identity
+from esicatalog.identity import Identity, parse_identity, parse_modes, require_numbers
 
 if TYPE_CHECKING:
     import sqlalchemy as sa
@@ -90,12 +90,12 @@ class Catalog:
 
     def ingest(
         self,
-        paths: Iterable[str | os.PathLike[str]],
+        paths: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
         jobs: int | None = None,
         prune: bool = False,
         progress: "Progress | None" = None,
     ) -> "IngestReport":
-        """Ingest files, folders and zip archives; what is unchanged is skipped.
+        """Ingest files, folders and zip archives, one path or several; what is unchanged is skipped.
 
         ``jobs`` is the number of worker processes (default: one a core, 1 = none); ``prune`` also removes what the
         given folders no longer hold; ``progress`` is called after every document. Raises
@@ -107,7 +107,9 @@ class Catalog:
         from esicatalog.ingest.process import interrupts_wait
         from esicatalog.ingest.reading import Reading
 
-        given, own = list(paths), own_files(self._target)
+        # A text is iterable, too: each of its characters would be taken for a path.
+        given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+        own = own_files(self._target)
         with Reading(jobs) as reading:
             if self._opened is None and _is_missing_file(self._target):
                 reading.start(make_plan(given, own_files=own))
@@ -125,7 +127,11 @@ class Catalog:
             return ingest(self._open(create=True, when_new=read_all), given, reading, prune, progress)
 
     def identify(self, vendor_id: int, product_code: int, revision_no: int | None = None) -> "Identification":
-        """What the catalog knows about an identity; see :class:`~esicatalog.catalog.results.Identification`."""
+        """What the catalog knows about an identity; see :class:`~esicatalog.catalog.results.Identification`.
+
+        Raises :class:`~esicatalog.errors.InputError` for what is no number of 32 bits.
+        """
+        require_numbers(vendor_id, product_code, revision_no or 0)
         return (self._lookup or self._identities()).identify(vendor_id, product_code, revision_no)
 
     def identify_scan(
@@ -165,12 +171,14 @@ class Catalog:
         """Devices that fulfil all conditions, each with its evidence.
 
         ``filters`` are the fields of :class:`~esicatalog.catalog.device_filter.DeviceFilter`, for example
-        ``modes=["CSV"], sync="sync1"`` or ``maps=[(0x60FF, None)], bits=32``. Raises
+        ``modes=["CSV"]`` or ``modes="CSV"``, ``sync="sync1"`` or ``maps=[(0x60FF, None)], bits=32``. Raises
         :class:`~esicatalog.errors.InputError`, and :class:`~esicatalog.errors.NotFound` for an unknown ``like``.
         """
         from esicatalog.catalog.device_filter import DeviceFilter
 
         given: dict[str, Any] = {name: tuple(v) if isinstance(v, list) else v for name, v in filters.items()}
+        if isinstance(given.get("modes"), str):
+            given["modes"] = parse_modes(given["modes"])
         return self.find(DeviceFilter(**given))
 
     def find(self, wanted: "DeviceFilter") -> "list[FoundDevice]":

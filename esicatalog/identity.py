@@ -52,6 +52,13 @@ def parse_number(text: str, what: str = "number", limit: int = UINT32_MAX) -> in
     return value
 
 
+def require_numbers(*numbers: int) -> None:
+    """Raise :class:`InputError` unless these can be numbers of an identity, whatever type callers declared."""
+    for number in numbers:
+        if not (isinstance(number, int) and 0 <= number <= UINT32_MAX):
+            raise InputError(f"{str(number)[:_SHOWN]!r} is no number of an identity; those go from 0 to 0xffffffff")
+
+
 def parse_identity(text: str) -> Identity:
     """An identity written ``V:P[:R][@VARIANT]``, R ``-`` where none is described. Raises :class:`InputError`."""
     numbers, at, variant_text = text.partition("@")

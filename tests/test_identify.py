@@ -16,7 +16,7 @@ from test_cli import run
 from test_search import catalog_of
 from web_client import client, new_client
 
-from esicatalog import Catalog, CatalogError
+from esicatalog import Catalog, CatalogError, InputError
 from esicatalog.catalog.filter_texts import SHARPENS
 from esicatalog.catalog.results import json_bytes
 from esicatalog.cli.serve import _listen
@@ -70,6 +70,14 @@ def several(tmp_path_factory) -> Path:
 def answer(db: Path, *numbers: int):
     with Catalog.open(db) as catalog:
         return catalog.identify(*numbers)
+
+
+@pytest.mark.parametrize(
+    "numbers", [(2**70, 1), (-1, 1), (1, 2**32), (1, 1, 2**32), ("0xe5c", 1), (1, 1, "0x1"), (1, None)]
+)
+def test_what_is_no_number_of_an_identity_is_refused(several, numbers):
+    with Catalog.open(several) as catalog, pytest.raises(InputError, match="is no number of an identity"):
+        catalog.identify(*numbers)
 
 
 def test_exact_with_all_variants_and_the_others_near(several):
