@@ -34,7 +34,7 @@ from library import (
 )
 from snippets import device, esi, rows, write
 
-from esicatalog import Catalog
+from esicatalog import Catalog, CatalogError
 from esicatalog.cli.main import cli
 
 L6N = "0x4321:0x8100"
@@ -133,6 +133,15 @@ def test_a_full_disk(tmp_path, library, whole, part, expected, share, start):
         assert_completed_by_running_again(db, expected, library)
 
 
+def test_a_disk_too_small_for_a_snapshot_is_the_one_that_is_named(tmp_path, whole):
+    with small_disk(tmp_path / "disk", whole.stat().st_size // 1024 // 2) as disk:
+        with Catalog.open(whole) as catalog, pytest.raises(CatalogError) as told:
+            catalog.snapshot(disk / "s.db")
+        assert str(told.value).startswith(f"{disk / 's.db'}: ")
+        assert list(disk.iterdir()) == []
+        assert_consistent(whole)
+
+
 def test_a_full_disk_is_no_obstacle_to_reading(tmp_path, whole):
     with small_disk(tmp_path / "disk", whole.stat().st_size // 1024 + 64) as disk:
         db = Path(shutil.copy(whole, disk / "c.db"))
@@ -164,7 +173,6 @@ def test_files_that_may_not_grow(tmp_path, library, part, expected, kilobytes, s
 def test_a_database_that_may_not_grow(tmp_path, library, part, expected, monkeypatch):
     """SQLite's own limit on pages gives the very error of a full disk, at each of many places."""
     from esicatalog.catalog import database
-    from esicatalog.errors import CatalogError
 
     make_engine = database.make_engine
     for pages in (40, 130, 300):

@@ -3,14 +3,15 @@
 import json
 import os
 import tempfile
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import RowBuffer
-from esicatalog.catalog.database import open_catalog
+from esicatalog.catalog.database import database_error, open_catalog
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.inspect_data import inspect_data, inspect_path
 from esicatalog.catalog.load import end_load, finish_load, prepare_load
@@ -57,6 +58,8 @@ def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
             unfinished = Path(folder, path.name)
             _copy(source, unfinished, expected)
             _publish(unfinished, path)
+    except sa.exc.DBAPIError as error:
+        raise database_error(str(path), error) from error
     except OSError as error:
         raise InputError(f"{path}: {error.strerror}; no snapshot was made") from error
     return Snapshot(path, expected, was_there=False)
@@ -100,13 +103,22 @@ def _copy(source: sa.Connection, file: Path, expected: str) -> None:
 
 def _copy_rows(source: sa.Connection, target: sa.Connection) -> None:
     buffer = RowBuffer(target)
-    for table in schema.metadata.sorted_tables:
-        if table is schema.catalog_state:
-            continue
-        query = sa.select(table).order_by(*table.primary_key.columns).execution_options(yield_per=_BATCH_ROWS)
-        for rows in source.execute(query).partitions():
-            buffer.add(table.name, map(tuple, rows))
-            buffer.flush()
+    for name, rows in _batches(source):
+        buffer.add(name, map(tuple, rows))
+        buffer.flush()
+
+
+def _batches(source: sa.Connection) -> Iterator[tuple[str, Sequence[sa.Row[Any]]]]:
+    """All rows by table; an error in reading them is the source's, whatever becomes of the file."""
+    try:
+        for table in schema.metadata.sorted_tables:
+            if table is schema.catalog_state:
+                continue
+            query = sa.select(table).order_by(*table.primary_key.columns).execution_options(yield_per=_BATCH_ROWS)
+            for rows in source.execute(query).partitions():
+                yield table.name, rows
+    except sa.exc.DBAPIError as error:
+        raise database_error(str(source.engine.url.database), error) from error
 
 
 def _publish(unfinished: Path, path: Path) -> None:
