@@ -222,7 +222,9 @@ ARCHIVES = {
     ),
     "oversized.zip": Case(lambda: announcing(270_000_000, member("a.xml")), "failed", "larger than 256 MB"),
     "understated.zip": Case(lambda: announcing(20, member("a.xml")), "failed", "cannot be unpacked"),
-    "encrypted.zip": Case(lambda: encrypted(member("a.xml")), "failed", "encrypted"),
+    "encrypted.zip": Case(
+        lambda: encrypted(member("a.xml")), "failed", "is encrypted; pack it anew without a password"
+    ),
     "directory.zip": Case(large_directory, "failed", "directory is too large"),
     "cut.zip": Case(lambda: member("a.xml")[:200], "failed", "not a usable zip archive"),
     "no-name.zip": Case(lambda: member("a\nb.xml"), "failed", "rename it"),

@@ -423,6 +423,52 @@ def test_an_archive_that_was_ingested_alone_is_named_as_in_its_folder(tmp_path, 
     assert ingest(tmp_path / "b.db", library)[1] == first
 
 
+def test_an_archive_without_files_has_its_line_until_it_holds_some(tmp_path):
+    folder = tmp_path / "in"
+    folder.mkdir()
+    (folder / "a.zip").write_bytes(b"PK\x03\x04")
+    assert statuses(ingest(tmp_path / "c.db", folder)[0]) == {"a.zip": "failed"}
+    zipfile.ZipFile(folder / "a.zip", "w").close()
+    for _ in range(2):
+        assert statuses(ingest(tmp_path / "c.db", folder)[0]) == {"a.zip": "skipped"}
+        assert rows(tmp_path / "c.db", "SELECT status, message FROM sources") == [
+            ("skipped", "an archive without files")
+        ]
+    with zipfile.ZipFile(folder / "a.zip", "w") as archive:
+        archive.writestr("inner.zip", b"PK\x05\x06" + bytes(18))
+        archive.writestr("a.xml", esi(device()))
+    assert statuses(ingest(tmp_path / "c.db", folder)[0]) == {"a.zip!a.xml": "stored", "a.zip!inner.zip": "skipped"}
+
+
+@pytest.mark.parametrize("order", [("x.zip", "x.zip!a.xml"), ("x.zip!a.xml", "x.zip")])
+def test_a_file_called_like_a_member_does_not_take_its_place(tmp_path, order):
+    folder = tmp_path / "in"
+    folder.mkdir()
+    for name in order:
+        if name == "x.zip":
+            with zipfile.ZipFile(folder / name, "w") as archive:
+                archive.writestr("a.xml", esi(device()))
+        else:
+            write(folder, {name: esi(device(product="#x2"))})
+        ingest(tmp_path / "c.db", folder)
+    expected = {"x.zip!a.xml": "unchanged", "x.zip!a.xml (again)": "failed"}
+    assert statuses(ingest(tmp_path / "c.db", folder)[0]) == expected
+    assert rows(tmp_path / "c.db", "SELECT product_code FROM devices") == [(1,)]
+    (folder / "x.zip").unlink()
+    assert statuses(ingest(tmp_path / "c.db", folder, prune=True)[0]) == {"x.zip!a.xml": "stored"}
+    assert rows(tmp_path / "c.db", "SELECT product_code FROM devices") == [(2,)]
+
+
+@pytest.mark.parametrize("kind", [str, Path])
+def test_one_path_is_one_path(tmp_path, monkeypatch, kind):
+    """The characters of ``../..`` are the folder that one is in, the root and so on."""
+    write(tmp_path / "in", {"a.xml": esi(device())})
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        assert statuses(catalog.ingest(kind("../in"), jobs=1)) == {"a.xml": "stored"}
+
+
 def test_a_missing_path_is_an_error(tmp_path):
     with Catalog.open(tmp_path / "c.db", create=True) as catalog, pytest.raises(InputError, match=r"gone"):
         catalog.ingest([tmp_path / "gone"])

@@ -3,7 +3,7 @@
 Everything between two calls of :meth:`Writer.commit` is one transaction; what is committed is always consistent.
 """
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import sqlalchemy as sa
 
@@ -41,26 +41,17 @@ _PARENTS = {
 """Parent table of the tables whose rows hang on another row."""
 
 
-class SourceRow:
-    """Where a document came from and what became of it; ``archive`` is the location of the archive it lies in."""
+class SourceRow(NamedTuple):
+    """Where a document came from and what became of it."""
 
-    def __init__(
-        self,
-        location: str,
-        member: str,
-        status: str,
-        message: str | None = None,
-        sha256: str | None = None,
-        byte_count: int | None = None,
-        archive: str | None = None,
-    ) -> None:
-        self.location = location
-        self.member = member
-        self.status = status
-        self.message = message
-        self.sha256 = sha256
-        self.byte_count = byte_count
-        self.archive = archive
+    location: str
+    member: str
+    status: str
+    message: str | None = None
+    sha256: str | None = None
+    byte_count: int | None = None
+    archive: str | None = None
+    """Location of the archive it lies in."""
 
 
 class Writer:

@@ -31,6 +31,8 @@ MAX_NESTING = 3
 _SMALL_BYTES = 1024 * 1024
 """Members up to here may have any ratio."""
 _MAX_DIRECTORY_BYTES = 256 * MAX_MEMBERS
+_ENCRYPTED = 0x1
+"""Bit of a member's flags."""
 NESTED = "!"
 """Separates an archive from its member: ``vendor.zip!EL/EL1xxx.xml``."""
 
@@ -176,6 +178,8 @@ class Archive:
             raise BrokenDocument(TOO_LARGE)
         if info.file_size > max(_SMALL_BYTES, MAX_RATIO * info.compress_size):
             raise BrokenDocument(f"expands to more than {MAX_RATIO} times its packed size; no ESI document does")
+        if info.flag_bits & _ENCRYPTED:
+            raise BrokenDocument("is encrypted; pack it anew without a password")
         if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
             raise BrokenDocument("packed by another method than deflate; pack it anew")
         try:

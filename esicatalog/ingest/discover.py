@@ -39,6 +39,7 @@ class FoundArchive(NamedTuple):
 
 Item = TypeVar("Item", bound=Found | FoundArchive)
 
+_EMPTY = "an archive without files"
 _UNUSABLE_NAME = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
 
 
@@ -129,14 +130,17 @@ def archive_members(archive: FoundArchive) -> Iterator[Found]:
     try:
         opened = Archive(Path(archive.location))
     except InputError as error:
-        yield unreadable_archive(archive, str(error))
+        yield unusable_archive(archive, "failed", str(error))
+        return
+    if not opened.members():
+        yield unusable_archive(archive, "skipped", _EMPTY)
         return
     yield from map(_with_usable_name, _members(archive, opened, (), _Allowance()))
 
 
-def unreadable_archive(archive: FoundArchive, words: str) -> Found:
-    """The line of an archive that cannot be opened."""
-    return Found(archive.location, archive.member, archive.location, True, (), "", 0, ("failed", words))
+def unusable_archive(archive: FoundArchive, status: str, words: str) -> Found:
+    """The line of an archive from which no member comes."""
+    return Found(archive.location, archive.member, archive.location, True, (), "", 0, (status, words))
 
 
 class _Allowance:
@@ -169,7 +173,10 @@ def _members(archive: FoundArchive, opened: Archive, nested: tuple[str, ...], al
             if len(nested) + 1 >= MAX_NESTING:
                 raise InputError(f"archives nested deeper than {MAX_NESTING}")
             inner = Archive(opened.read(name))
-            yield from _members(archive, inner, (*nested, name), allowance)
+            if inner.members():
+                yield from _members(archive, inner, (*nested, name), allowance)
+            else:
+                yield found._replace(problem=("skipped", _EMPTY))
         except EsiCatalogError as error:
             yield found._replace(problem=("failed", str(error)))
 

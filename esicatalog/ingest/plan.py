@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from esicatalog.esi.containers import NESTED, Folder, open_regular
-from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover, unreadable_archive
+from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover, unusable_archive
 from esicatalog.ingest.report import DocumentLine
 from esicatalog.ingest.tasks import Known, Outcome, Task
 from esicatalog.ingest.unchanged import Hashes, ReferenceHashes, is_unchanged
@@ -87,46 +87,94 @@ def make_plan(
     ``own_files`` are the catalog's. Raises :class:`InputError`.
     """
     given = [os.path.realpath(path) for path in paths]
-    unchanged: list[DocumentLine] = []
-    pending: list[Found] = []
-    archives: dict[str, str] = {}
-    seen: set[str] = set()
-    containers: set[str] = set()
+    below = _look_below(discover(given, own_files), held)
+    gone = _gone(below, held, given if prune else [], own_files)
+    unchanged, todo = _compared(below.documents, held, hashed or {})
+    todo.sort(key=_reading_order)
+    return Plan(
+        below.unchanged + unchanged,
+        todo,
+        [_task(number, item, held) for number, item in enumerate(todo) if item.problem is None],
+        [Outcome(number, *item.problem) for number, item in enumerate(todo) if item.problem is not None],
+        gone,
+        below.archives,
+    )
+
+
+class _Below(NamedTuple):
+    """What lies below the paths, archives opened where they are not what the catalog has read already."""
+
+    documents: list[Found]
+    archives: dict[str, str]
+    """Archives that were opened, with their sha256."""
+    known_archives: set[str]
+    """Archives that are unchanged."""
+    known: set[str]
+    """Locations of what these hold."""
+    unchanged: list[DocumentLine]
+    """The lines of these."""
+
+
+def _look_below(found: Iterable[Found | FoundArchive], held: Held) -> _Below:
+    below = _Below([], {}, set(), set(), [])
     inside: dict[str | None, list[tuple[str, HeldDocument]]] = {}
     for where, document in held.documents.items():
         inside.setdefault(document.archive, []).append((where, document))
-    for item in discover(given, own_files):
+    for item in found:
         if not isinstance(item, FoundArchive):
-            pending.append(item)
+            below.documents.append(item)
             continue
         members = _members(item, inside.get(item.location, []))
         try:
             sha256 = _file_sha256(item.location)
         except OSError as error:
-            problem = unreadable_archive(item, f"cannot be read: {error.strerror or error}")
-            pending.append(problem._replace(is_unreadable=True))
+            problem = unusable_archive(item, "failed", f"cannot be read: {error.strerror or error}")
+            below.documents.append(problem._replace(is_unreadable=True))
             continue
-        containers.add(item.location)
         if sha256 == held.archives.get(item.location) and all(_is_named_by(item, member) for _, member in members):
-            seen.update(where for where, _ in members)
-            unchanged.extend(document.unchanged_line() for _, document in members)
+            below.known_archives.add(item.location)
+            below.known.update(where for where, _ in members)
+            below.unchanged.extend(document.unchanged_line() for _, document in members)
         else:
-            archives[item.location] = sha256
-            pending.extend(archive_members(item))
-    seen.update(item.location for item in pending)
+            below.archives[item.location] = sha256
+            below.documents.extend(archive_members(item))
+    return below._replace(documents=list(_one_of_each(below.documents, below.known)))
+
+
+def _one_of_each(documents: Iterable[Found], known: Set[str]) -> Iterator[Found]:
+    """A file may be called what a member of an archive beside it is called: it does not take the other's place."""
+    met = set(known)
+    for item in documents:
+        if item.location in met:
+            words = ("failed", "another file, or a member of an archive, goes by this name; rename one of them")
+            yield item._replace(location=f"{item.location} (again)", member=f"{item.member} (again)", problem=words)
+        else:
+            met.add(item.location)
+            yield item
+
+
+def _gone(below: _Below, held: Held, pruned: list[str], own_files: Set[str]) -> list[str]:
+    """Locations that the catalog holds and that have to go."""
     closed = tuple(
-        item.location + separator for item in pending if item.is_unreadable for separator in (os.sep, NESTED)
+        item.location + separator for item in below.documents if item.is_unreadable for separator in (os.sep, NESTED)
     )
-    seen.update(where for where in held.documents if where.startswith(closed))
-    gone = [where for where in held.documents if where not in seen]
-    if gone:
-        containers.update(folder for item in pending if not item.is_archive for folder in _folders(item.location))
-        files = {item.location for item in pending if item.problem is None and not item.is_archive}
-        changes = _Changes(archives, containers, files, given if prune else [])
-        gone = [where for where in gone if where in own_files or changes.displace(where, held.documents[where])]
+    there = below.known.union(item.location for item in below.documents)
+    gone = [where for where in held.documents if where not in there and not where.startswith(closed)]
+    if not gone:
+        return []
+    containers = below.known_archives.union(below.archives)
+    containers.update(folder for item in below.documents if not item.is_archive for folder in _folders(item.location))
+    files = {item.location for item in below.documents if item.problem is None and not item.is_archive}
+    changes = _Changes(below.archives, containers, files, pruned)
+    return [where for where in gone if where in own_files or changes.displace(where, held.documents[where])]
+
+
+def _compared(documents: list[Found], held: Held, hashed: Hashes) -> tuple[list[DocumentLine], list[Found]]:
+    """The lines of documents that stay as the catalog has them, and the documents to read."""
+    unchanged: list[DocumentLine] = []
     todo: list[Found] = []
-    hashes = _PerFolder(hashed or {})
-    for item in pending:
+    hashes = _PerFolder(hashed)
+    for item in documents:
         known = held.documents.get(item.location)
         if known is not None and item.is_unreadable and known.has_content:
             unchanged.append(known.unreadable_line(item.problem[1] if item.problem is not None else None))
@@ -134,15 +182,7 @@ def make_plan(
             unchanged.append(known.unchanged_line())
         else:
             todo.append(item)
-    todo.sort(key=_reading_order)
-    return Plan(
-        unchanged,
-        todo,
-        [_task(number, item, held) for number, item in enumerate(todo) if item.problem is None],
-        [Outcome(number, *item.problem) for number, item in enumerate(todo) if item.problem is not None],
-        gone,
-        archives,
-    )
+    return unchanged, todo
 
 
 class _PerFolder(dict[str, ReferenceHashes]):

@@ -90,60 +90,78 @@ def _write(
     stages: Stages,
 ) -> list[DocumentLine]:
     """Store the outcomes of a plan; returns the lines of all documents."""
-    lines: list[DocumentLine] = []
-
-    def tell(line: DocumentLine) -> None:
-        lines.append(line)
-        if progress is not None:
-            progress(line, len(lines), plan.document_count)
-
+    storing = _Storing(plan, held, Writer(connection, __version__, stages), progress, stages)
     for line in plan.unchanged:
-        tell(line)
+        storing.tell(line)
     if plan.is_empty:
-        return lines
-    writer = Writer(connection, __version__, stages)
-    for location in plan.gone:
-        writer.forget(location)
-    writer.commit()
-    for location in plan.archives:
-        writer.archive_begun(location)
-    writer.commit()
-    incomplete: set[str] = set()
-
-    def keep(outcome: Outcome) -> None:
-        stages.add(outcome.seconds)
-        item = plan.todo[outcome.number]
-        if outcome.status == "failed" and outcome.sha256 is None and item.problem is None:
-            incomplete.add(item.root)
-        if outcome.status == "unchanged":
-            tell(held.documents[item.location].unchanged_line())
-            return
-        document = held.documents.get(item.location)
-        if outcome.is_unreadable and document is not None and document.has_content:
-            tell(document.unreadable_line(outcome.message))
-            return
-        archive = item.root if item.is_archive else None
-        with stages("write"):
-            line = _store(writer, item.location, item.member, archive, outcome)
-        tell(line)
-
+        return storing.lines
+    storing.begin()
     pace = _Pace()
     batches = _file_batches if connection.dialect.name == "sqlite" else _server_batches
     last_count = min(_MOST_LAST_OUTCOMES, len(plan.todo) // _LAST_SHARE)
     for part in (islice(outcomes, len(plan.todo) - last_count), outcomes):
         for batch in batches(part, pace):
             for outcome in batch:
-                keep(outcome)
+                storing.keep(outcome)
             with pace.measured():
-                writer.commit()
+                storing.writer.commit()
         with stages("index"):
             finish_indexes(connection)
-    for location, sha256 in plan.archives.items():
-        # A document that could not be read, because its process was killed for instance, is tried again next time.
-        if location not in incomplete:
-            writer.archive_done(location, sha256)
-    writer.commit()
-    return lines
+    storing.end()
+    return storing.lines
+
+
+class _Storing:
+    """The outcomes of a plan on their way into the catalog, and the lines that tell of them."""
+
+    def __init__(self, plan: Plan, held: Held, writer: Writer, progress: Progress | None, stages: Stages) -> None:
+        self._plan = plan
+        self._held = held
+        self.writer = writer
+        self._progress = progress
+        self._stages = stages
+        self.lines: list[DocumentLine] = []
+        self._incomplete: set[str] = set()
+        """Archives of which a document could not be read, because its process was killed for instance."""
+
+    def tell(self, line: DocumentLine) -> None:
+        """Take down what became of a document."""
+        self.lines.append(line)
+        if self._progress is not None:
+            self._progress(line, len(self.lines), self._plan.document_count)
+
+    def begin(self) -> None:
+        """Drop what is gone, and say of each archive that it is being read."""
+        for location in self._plan.gone:
+            self.writer.forget(location)
+        self.writer.commit()
+        for location in self._plan.archives:
+            self.writer.archive_begun(location)
+        self.writer.commit()
+
+    def keep(self, outcome: Outcome) -> None:
+        """Store what became of a document, unless the catalog keeps what it has."""
+        self._stages.add(outcome.seconds)
+        item = self._plan.todo[outcome.number]
+        if outcome.status == "failed" and outcome.sha256 is None and item.problem is None:
+            self._incomplete.add(item.root)
+        document = self._held.documents.get(item.location)
+        if document is not None and outcome.status == "unchanged":
+            self.tell(document.unchanged_line())
+        elif document is not None and outcome.is_unreadable and document.has_content:
+            self.tell(document.unreadable_line(outcome.message))
+        else:
+            archive = item.root if item.is_archive else None
+            with self._stages("write"):
+                line = _store(self.writer, item.location, item.member, archive, outcome)
+            self.tell(line)
+
+    def end(self) -> None:
+        """Say of the archives that were read as a whole that they were; the others are read again next time."""
+        for location, sha256 in self._plan.archives.items():
+            if location not in self._incomplete:
+                self.writer.archive_done(location, sha256)
+        self.writer.commit()
 
 
 class _Pace:
