@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, assume, given, settings
 from lxml import html
 from schemathesis import GenerationMode
 from snippets import device, esi, one, pdo, rows
-from test_cli import run
+from test_cli import one_line_error, run
 from test_search import catalog_of
 from web_client import client, new_client
 
@@ -497,3 +497,18 @@ def test_scenario_of_real_terminals(corpus, tmp_path):
         (bus,) = catalog.identify_scan(scan)
     assert [item.identification.match for item in bus.slaves] == ["exact", "vendor", "none", "none"]
     assert bus.slaves[0].identification.device.device.type == "EL2008"
+
+
+def test_errors_name_the_file_or_the_number(data_db, tmp_path):
+    (tmp_path / "bad.csv").write_text("vendor,product,revision\n0xe5c,zz,1\n")
+    (tmp_path / "slaves.csv").write_text("0xe5c,0x0d080808,0x110000\n")
+    (tmp_path / "garbage.txt").write_text("hello\n")
+    slaves, garbage = ("--slaves", tmp_path / "slaves.csv"), tmp_path / "garbage.txt"
+    for words, start in (
+        (("--slaves", tmp_path / "bad.csv"), f"{tmp_path / 'bad.csv'}: line 2: product 'zz' is not a number"),
+        ((*slaves, "--pdos", f"0={garbage}"), f"{garbage}: "),
+        ((*slaves, "--sdos", garbage), f"{garbage}: "),
+        (("--eni", garbage), f"{garbage}: "),
+        (("0x1097", "0x2406", "0xzz"), "revision '0xzz' is not a number"),
+    ):
+        assert one_line_error(run("identify", *words, db=data_db)).startswith(f"esicatalog: {start}")

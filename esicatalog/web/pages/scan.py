@@ -7,8 +7,7 @@ from esicatalog.api import Catalog
 from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, slave_words
 from esicatalog.errors import EsiCatalogError
 from esicatalog.scan.text import decode_text, is_utf16
-from esicatalog.sii.decode import decode_sii
-from esicatalog.sii.files import image_bytes
+from esicatalog.sii.files import read_sii
 from esicatalog.sii.text import sheet_lines
 from esicatalog.web.http import Page, body_of
 from esicatalog.web.links import device_path
@@ -49,7 +48,7 @@ def _looks_like_image(content: bytes) -> bool:
 
 
 def _image(content: bytes, catalog: Catalog) -> dict[str, Any]:
-    image = decode_sii(image_bytes(content))
+    image = read_sii(content)
     header = image.header
     answer = catalog.identify(header.vendor_id, header.product_code, header.revision_no)
     device = answer.device.device if answer.device is not None else None
