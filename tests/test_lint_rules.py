@@ -17,7 +17,7 @@ from esicatalog.lint.registry import SEVERITY_WORDS
 from esicatalog.lint.rules import ALL_RULES
 
 FILES = Path(__file__).parent / "lint"
-RULE_IDS = [f"L{number:02}" for number in range(1, 68)]
+RULE_IDS = [f"L{number:02}" for number in range(1, 69)]
 _EXPECTED = re.compile(r"<!-- (L\d\d) ([EWI]) -->")
 
 
@@ -279,7 +279,7 @@ def test_bit_fields_of_an_idn_are_narrower_than_their_type(tmp_path):
 
 def test_l44_looks_from_the_sub_item_that_reaches_furthest(tmp_path):
     sub_items = "".join(
-        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>USINT</Type><BitSize>{bits}</BitSize>"
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>{type_name}</Type><BitSize>{bits}</BitSize>"
         f"<BitOffs>{offset}</BitOffs></SubItem>"
         for number, (name, type_name, bits, offset) in enumerate(
             [("n", "USINT", 8, 0), ("a", "STRING(20)", 160, 16), ("b", "UINT", 16, 32), ("c", "UINT", 16, 64)]

@@ -89,14 +89,14 @@ class IdentityLookup:
             return self._unknown_product(query)
         exact = [row for row in rows if row.revision_no == revision_no] if revision_no is not None else []
         if exact:
-            match, reason, chosen = EXACT, "the catalog describes exactly this revision", exact
+            match, reason = EXACT, "the catalog describes exactly this revision"
+            chosen = sorted(exact, key=lambda row: row.variant)
             others = sorted(
                 (row for row in rows if row.revision_no != revision_no and row.variant == 1),
                 key=lambda row: (row.hidden, abs((row.revision_no or 0) - (revision_no or 0))),
             )
         else:
             match, reason, chosen, others = _nearest(rows, revision_no)
-        chosen.sort(key=lambda row: row.variant)
         variants = tuple([IdentifiedDevice(_device(row), self.sources(row.id)) for row in chosen])
         candidates = tuple(map(_device, others[:NEAREST]))
         return Identification(
@@ -178,12 +178,23 @@ def _distance(device: FoundDevice, product_code: int) -> tuple[int, int, bool, i
 
 
 def _nearest(rows: list[_Row], revision_no: int | None) -> tuple[str, str, list[_Row], list[_Row]]:
-    """Match, reason, the chosen descriptions and the others, best first."""
-    preferred = [row for row in rows if row.variant == 1]
+    """Match, reason, the chosen descriptions and those of other revisions, best first.
+
+    Variants of one revision may have different CheckRevisionNo, so each is ranked; of the others one a revision counts.
+    """
     ranked = rank(
         revision_no,
-        [Described(row.revision_no, row.check_revision_no, bool(row.hidden)) for row in preferred],
+        [Described(row.revision_no, row.check_revision_no, bool(row.hidden), row.variant) for row in rows],
     )
-    best = preferred[ranked[0].position]
-    chosen = [row for row in rows if row.revision_no == best.revision_no]
-    return ranked[0].match, ranked[0].reason, chosen, [preferred[item.position] for item in ranked[1:]]
+    best = rows[ranked[0].position]
+    in_order = [rows[item.position] for item in ranked]
+    chosen = [row for row in in_order if row.revision_no == best.revision_no]
+    others: dict[int | None, _Row] = {}
+    for row in in_order:
+        if row.revision_no != best.revision_no:
+            others.setdefault(row.revision_no, row)
+    return ranked[0].match, ranked[0].reason, chosen, list(others.values())
+
+
+def _listed(rows: Iterable[tuple[Any, ...]]) -> str:
+    return ", ".join(" ".join(map(str, row)) for row in rows) or "none"
