@@ -489,6 +489,50 @@ def test_wrong_usage_is_one_line(data_db, words):
 @pytest.mark.corpus
 def test_scenario_of_real_terminals(corpus, tmp_path):
     """EL2008 exactly, EL3204 by vendor only (its code is in no file there), two invented devices not at all."""
+PDOS = 'SM0: PhysAddr 0x1000, DefaultSize    0, ControlRegister 0x64, Enable 1\n  RxPDO 0x1600 "R"\n'
+
+
+def test_the_variant_that_fits_the_printed_pdos_is_named(tmp_path):
+    wide, narrow = (
+        device("<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", *bits, attributes='Sm="0"')) for bits in ((8, 8), (8,))
+    )
+    db = catalog_of(tmp_path, esi(wide), esi(narrow))
+    scan = "vendor,product,revision\n0xe5c,1,1\n"
+    (found,) = json.loads(compared(db, tmp_path, scan, f'{PDOS}    PDO entry 0x7000:01, 8 bit, "a"\n').stdout)
+    assert (found["device"]["variant"], found["slave"]["output_bytes"]) == (2, 1)
+    assert [item["variant"] for item in found["variants"]] == [1, 2]
+    assert found["slave"]["differences"] == []
+    assert found["slave"]["notes"] == ["variant 2 of 2 fits its PDOs best"]
+    (neither,) = json.loads(
+        compared(
+            db,
+            tmp_path,
+            scan,
+            'SM0: PhysAddr 0x1000, DefaultSize 0, ControlRegister 0x64, Enable 1\n  RxPDO 0x1601 "R"\n',
+        ).stdout
+    )
+    assert (neither["device"]["variant"], neither["slave"]["notes"]) == (1, ["all 2 variants fit its PDOs alike"])
+
+
+def test_lists_of_a_slave_without_description_are_not_dropped_silently(data_db, tmp_path):
+    (found,) = json.loads(compared(data_db, tmp_path, "vendor,product\n0xcd,0x456\n", PDOS).stdout)
+    assert found["slave"]["notes"] == ["PDOs not compared: no description of slave 0"]
+    assert found["slave"]["differences"] == []
+
+
+def test_a_reference_clock_behind_slaves_of_which_nothing_is_known(tmp_path):
+    """A coupler's description says nothing of clocks, though it has one; a list of identities neither."""
+    mode = "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
+    db = catalog_of(tmp_path, esi(device(product="#x1") + device(mode, product="#x2")))
+    done = run("identify", "--slaves", "-", db=db, stdin="vendor,product,revision\n0xe5c,1,1\n0xe5c,2,1\n")
+    words = "slave 1 is the first known to have distributed clocks; nothing is known of slave 0"
+    assert f"  reference clock  {words}" in done.stdout.splitlines()
+    excluded = mode.replace("<Dc>", '<Dc PotentialReferenceClock="0">')
+    other = catalog_of(tmp_path / "other", esi(device(mode, product="#x1") + device(excluded, product="#x2")))
+    done = run("identify", "--slaves", "-", db=other, stdin="vendor,product,revision\n0xe5c,2,1\n0xe5c,1,1\n")
+    assert "  reference clock  slave 1 is the first that can be it" in done.stdout.splitlines()
+
+
     (text,) = (corpus / "cli").rglob("*scenario1__slaves.txt")
     scan = read_scan(text.read_text())
     db = tmp_path / "c.db"

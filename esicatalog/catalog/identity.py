@@ -66,7 +66,8 @@ class _Row(NamedTuple):
 
 
 _AT_BUS = (
-    "SELECT d.physics, d.e_bus_current_ma, d.use_lrd_lwr, f.output_bytes, f.input_bytes, f.dc_supported "
+    "SELECT d.physics, d.e_bus_current_ma, d.use_lrd_lwr, f.output_bytes, f.input_bytes, f.dc_supported, "
+    "d.dc_potential_reference_clock "
     "FROM devices d JOIN device_facts f ON f.device_id = d.id "
     "WHERE d.vendor_id = ? AND d.product_code = ? AND d.variant = ? AND d.revision_no "
 )
@@ -121,8 +122,9 @@ class IdentityLookup:
         row = next(iter(rows), None)
         if row is None:
             return None
-        physics, current, no_lrw, output_bytes, input_bytes, dc_supported = row
-        return DeviceAtBus(physics, current, bool(no_lrw), output_bytes, input_bytes, bool(dc_supported))
+        physics, current, no_lrw, output_bytes, input_bytes, dc_supported, reference_clock = row
+        may_be_clock = bool(reference_clock) if reference_clock is not None else None
+        return DeviceAtBus(physics, current, bool(no_lrw), output_bytes, input_bytes, bool(dc_supported), may_be_clock)
 
     def _unknown_product(self, query: tuple[int, int, int | None]) -> Identification:
         vendor_id, product_code, _ = query

@@ -4,7 +4,7 @@ import asyncio
 from typing import Any
 
 from esicatalog.api import Catalog
-from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, slave_words
+from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, reference_clock_words, slave_words
 from esicatalog.errors import EsiCatalogError
 from esicatalog.scan.text import decode_text, is_utf16
 from esicatalog.sii.files import read_sii
@@ -63,12 +63,11 @@ def _image(content: bytes, catalog: Catalog) -> dict[str, Any]:
 
 def _bus(bus: BusReport) -> dict[str, Any]:
     summary = bus.summary
-    clock = summary.reference_clock_candidate
     facts = [
         ("with exact ESI", f"{len(bus.slaves) - len(bus.not_exact_at)} of {len(bus.slaves)}"),
         ("process data", f"{summary.output_bytes} bytes out, {summary.input_bytes} bytes in"),
         ("sizes unknown of", slave_words(summary.bytes_unknown_at)),
-        ("reference clock", f"slave {clock} is the first that can be it" if clock is not None else "no candidate"),
+        ("reference clock", reference_clock_words(summary)),
         ("no LRW", slave_words(summary.no_lrw_at)),
         ("E-bus supply exceeded at", slave_words(summary.e_bus_exceeded_at)),
         ("E-bus current unknown of", slave_words(summary.e_bus_unknown_at)),
