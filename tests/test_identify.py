@@ -16,7 +16,7 @@ from test_cli import one_line_error, run
 from test_search import catalog_of
 from web_client import client, new_client
 
-from esicatalog import Catalog, CatalogError
+from esicatalog import Catalog, CatalogError, parse_identity
 from esicatalog.catalog.filter_texts import SHARPENS
 from esicatalog.catalog.results import json_bytes
 from esicatalog.cli.serve import _listen
@@ -82,11 +82,55 @@ def test_exact_with_all_variants_and_the_others_near(several):
 
 
 def test_another_layout_is_a_warning_that_names_the_difference(several):
-    (warning,) = answer(several, 0xE5C, 1, 0x00120000).warnings
+    *_, warning = answer(several, 0xE5C, 1, 0x00120000).warnings
     assert warning == (
         "default process image differs in 2 of 2 other revisions; 0x00100000 for example: "
         "SM0 byte 0.0 is 0x7000:01 (16 bit) here, 0x7000:01 (8 bit) there"
     )
+
+
+def test_another_layout_of_a_variant_is_a_warning(several):
+    first, _ = answer(several, 0xE5C, 1, 0x00120000).warnings
+    assert first == (
+        "default process image differs in 1 of 1 other variants of this identity; @2 for example: "
+        "SM0 byte 0.0 is 0x7000:01 (16 bit) here, 0x7000:01 (8 bit) there"
+    )
+
+
+@pytest.mark.parametrize(
+    ("there", "words"),
+    [
+        ("<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="8"'), "sampled otherwise: 4 bytes"),
+        ("<Sm>Other</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="4"'), "SM0 Other there"),
+    ],
+)
+def test_layouts_with_the_same_entries_say_in_what_they_differ(tmp_path, there, words):
+    here = "<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="4"')
+    db = catalog_of(tmp_path, esi(device(here, revision="#x1") + device(there, revision="#x2")))
+    (warning,) = answer(db, 0xE5C, 1, 1).warnings
+    assert words in warning
+    assert "modules" not in warning
+
+
+def test_an_empty_sync_manager_more_is_the_same_layout(tmp_path):
+    content = "<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0"')
+    empty = content.replace("</Sm>", "</Sm><Sm Virtual='1'>Inputs</Sm>")
+    db = catalog_of(tmp_path, esi(device(content, revision="#x1") + device(empty, revision="#x2")))
+    assert answer(db, 0xE5C, 1, 1).warnings == ()
+    assert rows(db, "SELECT layout_changed FROM device_revisions ORDER BY revision_no") == [(0,), (0,)]
+    with Catalog.open(db) as catalog:
+        assert [found.revision_no for found in catalog.devices(like=parse_identity("0xe5c:1:1"))] == [2]
+
+
+def test_the_variant_whose_rule_accepts_the_revision_is_the_answer(tmp_path):
+    """The preferred description, which has more PDO entries, says nothing of other revisions."""
+    longer = device(pdo("RxPdo", "#x1600", 8, 8), revision="#x10")
+    accepting = device(pdo("RxPdo", "#x1600", 8), revision="#x10").replace("<Type ", '<Type CheckRevisionNo="EQ_OR_G" ')
+    db = catalog_of(tmp_path, esi(longer), esi(accepting), esi(device(revision="#x11")))
+    found = answer(db, 0xE5C, 1, 0x12)
+    assert (found.match, found.device.device.variant) == ("accepted", 2)
+    assert [item.device.variant for item in found.variants] == [2, 1]
+    assert [item.revision_no for item in found.candidates] == [0x11]
 
 
 def test_hidden_is_found_when_asked_for_and_passed_over_otherwise(several):
@@ -445,50 +489,6 @@ def test_a_list_beside_a_scan_of_two_masters_names_its_own(data_db, tmp_path):
     assert told == [False, True, False]
 
 
-def test_a_master_configuration(data_db, tmp_path):
-    eni = (
-        "<EtherCATConfig><Config><Slave><Info><Name>Term</Name><PhysAddr>1001</PhysAddr><VendorId>3676</VendorId>"
-        "<ProductCode>218630152</ProductCode><RevisionNo>1114112</RevisionNo></Info></Slave></Config></EtherCATConfig>"
-    )
-    (tmp_path / "bus.xml").write_text(eni)
-    (found,) = json.loads(run("identify", "--eni", str(tmp_path / "bus.xml"), "--format", "json", db=data_db).stdout)
-    assert (found["match"], found["device"]["type"], found["slave"]["name"]) == ("exact", "ECX-D808", "Term")
-
-
-def test_an_eeprom_image(data_db, tmp_path):
-    """Header words 8 to 13 are vendor, product and revision; a category end mark follows the header."""
-    words = [0x0E5C, 0, 0x0808, 0x0D08, 0, 0x0011]
-    header = bytearray(128)
-    header[16:28] = b"".join(word.to_bytes(2, "little") for word in words)
-    (tmp_path / "dump.bin").write_bytes(bytes(header) + b"\xff\xff")
-    done = run("identify", "--sii", str(tmp_path / "dump.bin"), db=data_db)
-    assert done.stdout.startswith("exact")
-    (tmp_path / "empty.bin").write_bytes(b"\xff" * 256)
-    empty = run("identify", "--sii", str(tmp_path / "empty.bin"), db=data_db)
-    assert empty.exit_code == 2
-    assert "an empty EEPROM" in empty.stderr
-
-
-@pytest.mark.parametrize(
-    "words",
-    [
-        (),
-        ("1",),
-        ("1", "2", "--slaves", "x"),
-        ("--slaves", "x", "--eni", "y"),
-        ("1", "2", "--pdos", "x"),
-        ("--slaves", "missing.txt"),
-    ],
-)
-def test_wrong_usage_is_one_line(data_db, words):
-    done = run("identify", *words, db=data_db)
-    assert done.exit_code == 2
-    assert len(done.stderr.splitlines()) == 1
-
-
-@pytest.mark.corpus
-def test_scenario_of_real_terminals(corpus, tmp_path):
-    """EL2008 exactly, EL3204 by vendor only (its code is in no file there), two invented devices not at all."""
 PDOS = 'SM0: PhysAddr 0x1000, DefaultSize    0, ControlRegister 0x64, Enable 1\n  RxPDO 0x1600 "R"\n'
 
 
@@ -533,6 +533,50 @@ def test_a_reference_clock_behind_slaves_of_which_nothing_is_known(tmp_path):
     assert "  reference clock  slave 1 is the first that can be it" in done.stdout.splitlines()
 
 
+def test_a_master_configuration(data_db, tmp_path):
+    eni = (
+        "<EtherCATConfig><Config><Slave><Info><Name>Term</Name><PhysAddr>1001</PhysAddr><VendorId>3676</VendorId>"
+        "<ProductCode>218630152</ProductCode><RevisionNo>1114112</RevisionNo></Info></Slave></Config></EtherCATConfig>"
+    )
+    (tmp_path / "bus.xml").write_text(eni)
+    (found,) = json.loads(run("identify", "--eni", str(tmp_path / "bus.xml"), "--format", "json", db=data_db).stdout)
+    assert (found["match"], found["device"]["type"], found["slave"]["name"]) == ("exact", "ECX-D808", "Term")
+
+
+def test_an_eeprom_image(data_db, tmp_path):
+    """Header words 8 to 13 are vendor, product and revision; a category end mark follows the header."""
+    words = [0x0E5C, 0, 0x0808, 0x0D08, 0, 0x0011]
+    header = bytearray(128)
+    header[16:28] = b"".join(word.to_bytes(2, "little") for word in words)
+    (tmp_path / "dump.bin").write_bytes(bytes(header) + b"\xff\xff")
+    done = run("identify", "--sii", str(tmp_path / "dump.bin"), db=data_db)
+    assert done.stdout.startswith("exact")
+    (tmp_path / "empty.bin").write_bytes(b"\xff" * 256)
+    empty = run("identify", "--sii", str(tmp_path / "empty.bin"), db=data_db)
+    assert empty.exit_code == 2
+    assert "an empty EEPROM" in empty.stderr
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        (),
+        ("1",),
+        ("1", "2", "--slaves", "x"),
+        ("--slaves", "x", "--eni", "y"),
+        ("1", "2", "--pdos", "x"),
+        ("--slaves", "missing.txt"),
+    ],
+)
+def test_wrong_usage_is_one_line(data_db, words):
+    done = run("identify", *words, db=data_db)
+    assert done.exit_code == 2
+    assert len(done.stderr.splitlines()) == 1
+
+
+@pytest.mark.corpus
+def test_scenario_of_real_terminals(corpus, tmp_path):
+    """EL2008 exactly, EL3204 by vendor only (its code is in no file there), two invented devices not at all."""
     (text,) = (corpus / "cli").rglob("*scenario1__slaves.txt")
     scan = read_scan(text.read_text())
     db = tmp_path / "c.db"

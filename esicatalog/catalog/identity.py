@@ -5,7 +5,7 @@ thousand, and the statements below are all it takes.
 """
 
 import functools
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
 
 from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
@@ -34,6 +34,20 @@ _LAYOUT = (
     "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND p.image_sm IS NOT NULL "
     "ORDER BY p.image_sm, e.image_bit_offset"
 )
+_HAS_MODULES = "SELECT 1 FROM device_modules WHERE device_id = ? LIMIT 1"
+_BESIDE_LAYOUT = (
+    (
+        "SyncManagers with PDOs are {} here, {} there",
+        "SELECT 'SM' || s.position, coalesce(nullif(s.usage, ''), 'of no use') FROM sync_managers s "
+        "WHERE s.device_id = ? AND EXISTS "
+        "(SELECT 1 FROM pdos p WHERE p.device_id = s.device_id AND p.image_sm = s.position) ORDER BY s.position",
+    ),
+    (
+        "the same entries are sampled otherwise: {} here, {} there",
+        "SELECT output_bytes, 'bytes out,', input_bytes, 'in' FROM device_facts WHERE device_id = ?",
+    ),
+)
+"""In what layouts with the same entries at the same places can differ, in words and as a statement."""
 _CONTENT_HASH = "SELECT value FROM catalog_state WHERE key = 'content_hash'"
 _VENDOR = "SELECT name FROM vendors WHERE vendor_id = ?"
 _NEAR_PRODUCTS = " UNION ALL ".join(
@@ -100,9 +114,8 @@ class IdentityLookup:
             match, reason, chosen, others = _nearest(rows, revision_no)
         variants = tuple([IdentifiedDevice(_device(row), self.sources(row.id)) for row in chosen])
         candidates = tuple(map(_device, others[:NEAREST]))
-        return Identification(
-            *query, match, reason, variants[0], variants, candidates, self._warnings(chosen[0], others)
-        )
+        warnings = tuple(self._warnings(chosen, others))
+        return Identification(*query, match, reason, variants[0], variants, candidates, warnings)
 
     def sources(self, device_id: int) -> tuple[DeviceSource, ...]:
         """Documents and lines that carry a description."""
@@ -138,17 +151,22 @@ class IdentityLookup:
         reason = f"vendor {hex32(vendor_id)}{named} is known, its product {hex32(product_code)} is not"
         return Identification(*query, "vendor", reason, None, (), candidates)
 
-    def _warnings(self, chosen: _Row, others: list[_Row]) -> tuple[str, ...]:
-        """Other revisions with another default process image: code written for one reads wrong data on the other."""
-        differing = [row for row in others if row.image_signature != chosen.image_signature]
-        if not differing:
-            return ()
-        nearest = differing[0]
-        words = self._difference(chosen.image_signature, nearest.image_signature, chosen.id, nearest.id)
-        return (
-            f"default process image differs in {len(differing)} of {len(others)} other revisions; "
-            f"{hex32(nearest.revision_no) or 'the one without RevisionNo'} for example: {words}",
+    def _warnings(self, chosen: list[_Row], others: list[_Row]) -> Iterator[str]:
+        """Descriptions with another default process image: code written for one reads wrong data on the other."""
+        ours, variants = chosen[0], chosen[1:]
+        groups: tuple[tuple[list[_Row], str, Callable[[_Row], str]], ...] = (
+            (variants, "variants of this identity", lambda row: f"@{row.variant}"),
+            (others, "revisions", lambda row: hex32(row.revision_no) or "the one without RevisionNo"),
         )
+        for rows, what, name in groups:
+            differing = [row for row in rows if row.image_signature != ours.image_signature]
+            if differing:
+                nearest = differing[0]
+                words = self._difference(ours.image_signature, nearest.image_signature, ours.id, nearest.id)
+                yield (
+                    f"default process image differs in {len(differing)} of {len(rows)} other {what}; "
+                    f"{name(nearest)} for example: {words}"
+                )
 
     def _layout_difference(self, _: str | None, __: str | None, here: int, there: int) -> str:
         ours, theirs = self._layout(here), self._layout(there)
@@ -159,7 +177,13 @@ class IdentityLookup:
                     f"SM{sm} byte {byte_bit(bit_offset)} is {ours.get(place, 'nothing')} here, "
                     f"{theirs.get(place, 'nothing')} there"
                 )
-        return "in PDOs of modules"
+        if any(list(self._query(_HAS_MODULES, (device_id,))) for device_id in (here, there)):
+            return "in PDOs of modules"
+        for words, statement in _BESIDE_LAYOUT:
+            shown = [_listed(self._query(statement, (device_id,))) for device_id in (here, there)]
+            if shown[0] != shown[1]:
+                return words.format(*shown)
+        return "in the samples of oversampled PDOs"
 
     def _layout(self, device_id: int) -> dict[tuple[int, int], str]:
         return {
