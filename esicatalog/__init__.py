@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     )
     from esicatalog.esi.reader import ReadDocument, read_esi
     from esicatalog.identity import Identity, parse_identity
+    from esicatalog.sii.files import read_sii
+    from esicatalog.sii.image import SiiImage
 
 _WHERE = {
     "esicatalog.api": ("Catalog",),
@@ -36,6 +38,8 @@ _WHERE = {
     ),
     "esicatalog.esi.reader": ("ReadDocument", "read_esi"),
     "esicatalog.identity": ("Identity", "parse_identity"),
+    "esicatalog.sii.files": ("read_sii",),
+    "esicatalog.sii.image": ("SiiImage",),
 }
 _MODULE_OF = {name: module for module, names in _WHERE.items() for name in names}
 
@@ -53,9 +57,11 @@ __all__ = [
     "NotAnEsiDocument",
     "NotFound",
     "ReadDocument",
+    "SiiImage",
     "__version__",
     "parse_identity",
     "read_esi",
+    "read_sii",
 ]
 
 

@@ -12,6 +12,8 @@ _MOST_DIGITS = 20
 _SHOWN = 60
 
 _BOUNDS = re.compile(r"(<=|>=|=)?\s*(-?)(.+)", re.DOTALL)
+_COE_SUBINDEX = re.compile(r"(?=.*[a-f])[0-9a-f]{2}", re.IGNORECASE)
+"""Two digits of which one tells that they are hexadecimal."""
 _NUMBER = re.compile(r"(?:0x|#x)([0-9a-f]+)|([0-9]+)", re.IGNORECASE)
 
 
@@ -77,9 +79,25 @@ def parse_identity(text: str) -> Identity:
 
 
 def parse_mapped(text: str) -> tuple[int, int | None]:
-    """An object written ``INDEX[:SUBINDEX]``. Raises :class:`InputError`."""
+    """An object written ``INDEX[:SUBINDEX]``, as :func:`parse_subindex` says. Raises :class:`InputError`."""
     index, colon, subindex = text.partition(":")
-    return parse_number(index, "index", 0xFFFF), parse_number(subindex, "subindex", 0xFF) if colon else None
+    return parse_number(index, "index", 0xFFFF), parse_subindex(subindex) if colon else None
+
+
+def parse_subindex(text: str) -> int:
+    """A subindex in any notation, or in two hex digits as CoE writes it (``0x6000:0A``).
+
+    Raises :class:`InputError`, also for ``10`` to ``99`` without prefix: as CoE writes them they are other subindices.
+    """
+    digits = text.strip()
+    if _COE_SUBINDEX.fullmatch(digits):
+        return int(digits, 16)
+    value = parse_number(digits, "subindex", 0xFF)
+    if digits.isdecimal() and 10 <= value <= 99:
+        raise InputError(
+            f"subindex {text[:_SHOWN]!r} is ambiguous: write 0x{value} if it is hexadecimal, 0x{value:02X} if decimal"
+        )
+    return value
 
 
 def parse_plugged(text: str) -> tuple[int, int]:

@@ -68,6 +68,29 @@ def test_summary():
     assert summary.no_lrw_at == (2,)
 
 
+SILENT = DeviceAtBus("YY", None, False, 0, 0, False)
+CLOCK = DeviceAtBus("YY", None, False, 0, 0, False, potential_reference_clock=True)
+NO_CLOCK = DeviceAtBus("YY", None, False, 0, 0, True, potential_reference_clock=False)
+
+
+def clocks(*devices, **of_position):
+    _, summary = bus(*devices, **of_position)
+    return summary.reference_clock_candidate, summary.clock_unknown_at
+
+
+def test_what_the_vendor_says_of_the_reference_clock_counts():
+    assert clocks(CLOCK, NO_CLOCK) == (0, ())
+    assert clocks(NO_CLOCK, DRIVE) == (1, ())
+    assert clocks(NO_CLOCK, DRIVE, at0={"dc_capable": True, "dc_system_time": True}) == (1, ())
+    assert clocks(CLOCK, DRIVE, at0={"dc_capable": True, "dc_system_time": False}) == (1, ())
+
+
+def test_a_slave_of_which_nothing_is_known_may_be_the_reference_clock():
+    assert clocks(SILENT, None, DRIVE, SILENT) == (2, (0, 1))
+    assert clocks(SILENT, None) == (None, (0, 1))
+    assert clocks(SILENT, DRIVE, at0={"dc_capable": False, "dc_system_time": False}) == (1, ())
+
+
 def test_an_empty_bus():
     reports, summary = look_at_bus([])
     assert reports == []

@@ -25,7 +25,9 @@ def test_sheet_and_json(tmp_path):
 
 def test_what_is_no_image_is_one_line(tmp_path):
     (tmp_path / "short.bin").write_bytes(b"\1\2\3")
-    assert "the header alone takes 128" in one_line_error(run("sii", "decode", str(tmp_path / "short.bin")))
+    for words in (("sii", "decode"), ("sii", "verify"), ("identify", "--sii"), ("export", "cstruct", "--sii")):
+        line = one_line_error(run(*words, tmp_path / "short.bin"))
+        assert line.startswith(f"esicatalog: {tmp_path / 'short.bin'}: no SII image: its length in bytes is 3;")
     assert "No such file" in one_line_error(run("sii", "decode", str(tmp_path / "missing.bin")))
 
 
@@ -89,6 +91,33 @@ def test_names_alone_do_not_count(tmp_path):
     renamed = dump_of(tmp_path, DEVICE.replace("e1", "another name"))
     done = run("sii", "verify", renamed, db=db)
     assert (done.exit_code, "another name" in done.stdout) == (0, True)
+
+
+def test_a_wrong_check_sum_is_a_difference_that_counts(tmp_path):
+    """With it a slave controller does not take PDI and mailbox words; 0x88A4 switches the test off."""
+    db = catalog_of(tmp_path, esi(device(DEVICE)))
+    dump = dump_of(tmp_path, DEVICE)
+    right = dump.read_bytes()
+    dump.write_bytes(right[:14] + bytes([right[14] ^ 0xFF, 0]) + right[16:])
+    done = run("sii", "verify", dump, db=db)
+    assert done.exit_code == 1
+    assert "  ! check sum: wrong: a slave controller refuses the configuration words" in done.stdout.splitlines()
+    assert done.stdout.splitlines()[-1] == "2 differences, 1 in what a master uses (marked !)"
+    identified = run("identify", "--sii", dump, db=db)
+    assert identified.exit_code == 0
+    assert identified.stdout.splitlines()[1].startswith("image: check sum at byte 0xE is")
+    found = json.loads(run("identify", "--sii", dump, "--format", "json", db=db).stdout)
+    assert (found["match"], len(found["image"]["findings"])) == ("exact", 1)
+    dump.write_bytes(right[:14] + b"\xa4\x88" + right[16:])
+    untested = run("sii", "verify", dump, db=db)
+    assert (untested.exit_code, "0x88A4, with which it is not tested" in untested.stdout) == (0, True)
+
+
+def test_what_is_odd_about_an_image_is_told_without_its_description(tmp_path):
+    db = catalog_of(tmp_path, esi(device(DEVICE)))
+    dump = dump_of(tmp_path, DEVICE, revision="#x2")
+    dump.write_bytes(b"\0" + dump.read_bytes()[1:])
+    assert "  image: check sum at byte 0xE is" in run("sii", "verify", dump, db=db).stdout
 
 
 def test_another_revision_is_not_compared(tmp_path):

@@ -74,6 +74,8 @@ CHECKED = '<Type ProductCode="#x1" RevisionNo="{}" {}>T</Type>'
         ("", "#x10", "#x11", True, "its own choice: no CheckRevisionNo"),
         ("NONE", "#x10", "#x11", False, "takes 0x00000011: CheckRevisionNo NONE"),
         ("EQ", "#x10", "#x11", True, "refuses 0x00000011: CheckRevisionNo EQ"),
+        ("L24_EQ_H8_EQ_OR_G", "#x01000010", "#x02000010", False, "takes 0x02000010: CheckRevisionNo L24_EQ_H8_EQ_OR_G"),
+        ("L16_EQ", "#x10", "#x11", True, "takes 0x00000011 is not known: nor is its CheckRevisionNo 'L16_EQ'"),
         ("EQ_OR_G", "#x10", "#x11", False, "takes"),
         ("EQ_OR_G", "#x11", "#x10", True, "refuses"),
         ("LW_EQ_HW_EQ_OR_G", "#x00100001", "#x00110001", False, "takes"),

@@ -36,6 +36,14 @@ def test_the_size_of_what_no_sync_manager_holds_is_unknown(attributes):
     assert (found.output_bytes, found.input_bytes, found.image_signature) == (None, 0, None)
 
 
+def test_a_sync_manager_that_exchanges_nothing_is_no_other_layout():
+    content = pdo("RxPdo", "#x1600", 16, attributes="Sm='0'")
+    plain, more = facts(OUTPUTS + content), facts(OUTPUTS + "<Sm Virtual='1'>Inputs</Sm><Sm>Inputs</Sm>" + content)
+    assert plain.image_signature == more.image_signature is not None
+    sampled = facts(OUTPUTS + pdo("RxPdo", "#x1600", 16, attributes="Sm='0' OSFac='4'"))
+    assert sampled.image_signature != plain.image_signature
+
+
 def test_a_virtual_sync_manager_does_not_count():
     virtual = OUTPUTS + "<Sm Virtual='1'>Outputs</Sm>"
     content = pdo("RxPdo", "#x1600", 16, attributes="Sm='0'") + pdo("RxPdo", "#x1610", 32, attributes="Sm='1'")

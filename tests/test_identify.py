@@ -12,11 +12,11 @@ from hypothesis import HealthCheck, assume, given, settings
 from lxml import html
 from schemathesis import GenerationMode
 from snippets import device, esi, one, pdo, rows
-from test_cli import run
+from test_cli import one_line_error, run
 from test_search import catalog_of
 from web_client import client, new_client
 
-from esicatalog import Catalog, CatalogError, InputError
+from esicatalog import Catalog, CatalogError, InputError, parse_identity
 from esicatalog.catalog.filter_texts import SHARPENS
 from esicatalog.catalog.results import json_bytes
 from esicatalog.cli.serve import _listen
@@ -90,11 +90,55 @@ def test_exact_with_all_variants_and_the_others_near(several):
 
 
 def test_another_layout_is_a_warning_that_names_the_difference(several):
-    (warning,) = answer(several, 0xE5C, 1, 0x00120000).warnings
+    *_, warning = answer(several, 0xE5C, 1, 0x00120000).warnings
     assert warning == (
         "default process image differs in 2 of 2 other revisions; 0x00100000 for example: "
         "SM0 byte 0.0 is 0x7000:01 (16 bit) here, 0x7000:01 (8 bit) there"
     )
+
+
+def test_another_layout_of_a_variant_is_a_warning(several):
+    first, _ = answer(several, 0xE5C, 1, 0x00120000).warnings
+    assert first == (
+        "default process image differs in 1 of 1 other variants of this identity; @2 for example: "
+        "SM0 byte 0.0 is 0x7000:01 (16 bit) here, 0x7000:01 (8 bit) there"
+    )
+
+
+@pytest.mark.parametrize(
+    ("there", "words"),
+    [
+        ("<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="8"'), "sampled otherwise: 4 bytes"),
+        ("<Sm>Other</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="4"'), "SM0 Other there"),
+    ],
+)
+def test_layouts_with_the_same_entries_say_in_what_they_differ(tmp_path, there, words):
+    here = "<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="4"')
+    db = catalog_of(tmp_path, esi(device(here, revision="#x1") + device(there, revision="#x2")))
+    (warning,) = answer(db, 0xE5C, 1, 1).warnings
+    assert words in warning
+    assert "modules" not in warning
+
+
+def test_an_empty_sync_manager_more_is_the_same_layout(tmp_path):
+    content = "<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0"')
+    empty = content.replace("</Sm>", "</Sm><Sm Virtual='1'>Inputs</Sm>")
+    db = catalog_of(tmp_path, esi(device(content, revision="#x1") + device(empty, revision="#x2")))
+    assert answer(db, 0xE5C, 1, 1).warnings == ()
+    assert rows(db, "SELECT layout_changed FROM device_revisions ORDER BY revision_no") == [(0,), (0,)]
+    with Catalog.open(db) as catalog:
+        assert [found.revision_no for found in catalog.devices(like=parse_identity("0xe5c:1:1"))] == [2]
+
+
+def test_the_variant_whose_rule_accepts_the_revision_is_the_answer(tmp_path):
+    """The preferred description, which has more PDO entries, says nothing of other revisions."""
+    longer = device(pdo("RxPdo", "#x1600", 8, 8), revision="#x10")
+    accepting = device(pdo("RxPdo", "#x1600", 8), revision="#x10").replace("<Type ", '<Type CheckRevisionNo="EQ_OR_G" ')
+    db = catalog_of(tmp_path, esi(longer), esi(accepting), esi(device(revision="#x11")))
+    found = answer(db, 0xE5C, 1, 0x12)
+    assert (found.match, found.device.device.variant) == ("accepted", 2)
+    assert [item.device.variant for item in found.variants] == [2, 1]
+    assert [item.revision_no for item in found.candidates] == [0x11]
 
 
 def test_hidden_is_found_when_asked_for_and_passed_over_otherwise(several):
@@ -453,6 +497,50 @@ def test_a_list_beside_a_scan_of_two_masters_names_its_own(data_db, tmp_path):
     assert told == [False, True, False]
 
 
+PDOS = 'SM0: PhysAddr 0x1000, DefaultSize    0, ControlRegister 0x64, Enable 1\n  RxPDO 0x1600 "R"\n'
+
+
+def test_the_variant_that_fits_the_printed_pdos_is_named(tmp_path):
+    wide, narrow = (
+        device("<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", *bits, attributes='Sm="0"')) for bits in ((8, 8), (8,))
+    )
+    db = catalog_of(tmp_path, esi(wide), esi(narrow))
+    scan = "vendor,product,revision\n0xe5c,1,1\n"
+    (found,) = json.loads(compared(db, tmp_path, scan, f'{PDOS}    PDO entry 0x7000:01, 8 bit, "a"\n').stdout)
+    assert (found["device"]["variant"], found["slave"]["output_bytes"]) == (2, 1)
+    assert [item["variant"] for item in found["variants"]] == [1, 2]
+    assert found["slave"]["differences"] == []
+    assert found["slave"]["notes"] == ["variant 2 of 2 fits its PDOs best"]
+    (neither,) = json.loads(
+        compared(
+            db,
+            tmp_path,
+            scan,
+            'SM0: PhysAddr 0x1000, DefaultSize 0, ControlRegister 0x64, Enable 1\n  RxPDO 0x1601 "R"\n',
+        ).stdout
+    )
+    assert (neither["device"]["variant"], neither["slave"]["notes"]) == (1, ["all 2 variants fit its PDOs alike"])
+
+
+def test_lists_of_a_slave_without_description_are_not_dropped_silently(data_db, tmp_path):
+    (found,) = json.loads(compared(data_db, tmp_path, "vendor,product\n0xcd,0x456\n", PDOS).stdout)
+    assert found["slave"]["notes"] == ["PDOs not compared: no description of slave 0"]
+    assert found["slave"]["differences"] == []
+
+
+def test_a_reference_clock_behind_slaves_of_which_nothing_is_known(tmp_path):
+    """A coupler's description says nothing of clocks, though it has one; a list of identities neither."""
+    mode = "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
+    db = catalog_of(tmp_path, esi(device(product="#x1") + device(mode, product="#x2")))
+    done = run("identify", "--slaves", "-", db=db, stdin="vendor,product,revision\n0xe5c,1,1\n0xe5c,2,1\n")
+    words = "slave 1 is the first known to have distributed clocks; nothing is known of slave 0"
+    assert f"  reference clock  {words}" in done.stdout.splitlines()
+    excluded = mode.replace("<Dc>", '<Dc PotentialReferenceClock="0">')
+    other = catalog_of(tmp_path / "other", esi(device(mode, product="#x1") + device(excluded, product="#x2")))
+    done = run("identify", "--slaves", "-", db=other, stdin="vendor,product,revision\n0xe5c,2,1\n0xe5c,1,1\n")
+    assert "  reference clock  slave 1 is the first that can be it" in done.stdout.splitlines()
+
+
 def test_a_master_configuration(data_db, tmp_path):
     eni = (
         "<EtherCATConfig><Config><Slave><Info><Name>Term</Name><PhysAddr>1001</PhysAddr><VendorId>3676</VendorId>"
@@ -505,3 +593,18 @@ def test_scenario_of_real_terminals(corpus, tmp_path):
         (bus,) = catalog.identify_scan(scan)
     assert [item.identification.match for item in bus.slaves] == ["exact", "vendor", "none", "none"]
     assert bus.slaves[0].identification.device.device.type == "EL2008"
+
+
+def test_errors_name_the_file_or_the_number(data_db, tmp_path):
+    (tmp_path / "bad.csv").write_text("vendor,product,revision\n0xe5c,zz,1\n")
+    (tmp_path / "slaves.csv").write_text("0xe5c,0x0d080808,0x110000\n")
+    (tmp_path / "garbage.txt").write_text("hello\n")
+    slaves, garbage = ("--slaves", tmp_path / "slaves.csv"), tmp_path / "garbage.txt"
+    for words, start in (
+        (("--slaves", tmp_path / "bad.csv"), f"{tmp_path / 'bad.csv'}: line 2: product 'zz' is not a number"),
+        ((*slaves, "--pdos", f"0={garbage}"), f"{garbage}: "),
+        ((*slaves, "--sdos", garbage), f"{garbage}: "),
+        (("--eni", garbage), f"{garbage}: "),
+        (("0x1097", "0x2406", "0xzz"), "revision '0xzz' is not a number"),
+    ):
+        assert one_line_error(run("identify", *words, db=data_db)).startswith(f"esicatalog: {start}")

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from esicatalog.errors import InputError
-from esicatalog.identity import Identity, parse_identity, parse_mapped, parse_number
+from esicatalog.identity import Identity, parse_identity, parse_mapped, parse_number, parse_subindex
 
 UINT32 = st.integers(0, 0xFFFF_FFFF)
 
@@ -55,7 +55,7 @@ def test_mapped_objects():
     assert parse_mapped("0x6040") == (0x6040, None)
     assert parse_mapped("#x6040:0") == (0x6040, 0)
     assert parse_mapped("24640:0x10") == (0x6040, 16)
-    for text in ("", "0x6040:", ":1", "0x10000", "0x6040:256", "0x6040:1:2", "x"):
+    for text in ("", "0x6040:", ":1", "0x6040:10", "0x10000", "0x6040:256", "0x6040:1:2", "x"):
         with pytest.raises(InputError):
             parse_mapped(text)
 
@@ -67,3 +67,37 @@ def test_no_text_breaks_the_parsers(text):
             parse(text)
         except InputError as error:
             assert "\n" not in str(error) or "\n" in text
+
+
+@pytest.mark.parametrize(
+    ("text", "subindex"),
+    [
+        ("0", 0),
+        ("9", 9),
+        ("09", 9),
+        ("0x10", 16),
+        ("#x10", 16),
+        ("0A", 10),
+        ("1f", 31),
+        ("FF", 255),
+        ("e0", 224),
+        ("100", 100),
+        ("255", 255),
+    ],
+)
+def test_a_subindex_may_be_written_as_it_is_shown(text, subindex):
+    assert parse_subindex(text) == subindex
+
+
+@pytest.mark.parametrize(
+    ("text", "words"), [("10", "0x10 if it is hexadecimal, 0x0A if decimal"), ("99", "0x63 if dec")]
+)
+def test_a_subindex_that_means_two_is_refused(text, words):
+    with pytest.raises(InputError, match=words):
+        parse_subindex(text)
+
+
+@pytest.mark.parametrize("text", ["A", "0G", "g0", "0AA", "0x", "", "-1", "256"])
+def test_what_is_no_subindex(text):
+    with pytest.raises(InputError):
+        parse_subindex(text)

@@ -116,7 +116,7 @@ def test_wrong_usage_is_one_line(tmp_path, monkeypatch, arguments, words):
 
 def test_the_list_of_rules():
     text = run("--list").stdout
-    assert text.count("\n") == 2 * 67
+    assert text.count("\n") == 2 * 68
     assert "L19 E  The direction in the ControlByte contradicts the role of the SyncManager.\n" in text
     rules = json.loads(run("--list", "--format", "json").stdout)
     assert [rule["rule"] for rule in rules] == [rule.id for rule in ALL_RULES]

@@ -17,7 +17,7 @@ from esicatalog.lint.registry import SEVERITY_WORDS
 from esicatalog.lint.rules import ALL_RULES
 
 FILES = Path(__file__).parent / "lint"
-RULE_IDS = [f"L{number:02}" for number in range(1, 68)]
+RULE_IDS = [f"L{number:02}" for number in range(1, 69)]
 _EXPECTED = re.compile(r"<!-- (L\d\d) ([EWI]) -->")
 
 
@@ -257,11 +257,33 @@ def test_l22_counts_from_the_sync_manager_that_reaches_furthest(tmp_path):
     ]
 
 
+def test_a_sub_item_of_a_wrong_size_is_blamed_alone(tmp_path):
+    """BitSize and BitOffs of the last one are swapped; whatever it seems to overlap is sound."""
+    places = [("n", "USINT", 8, 0), ("a", "UDINT", 32, 16), ("b", "UDINT", 32, 48), ("c", "UDINT", 80, 32)]
+    sub_items = "".join(
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>{type_name}</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{offset}</BitOffs></SubItem>"
+        for number, (name, type_name, bits, offset) in enumerate(places)
+    )
+    data_type = f"<DataType><Name>DT</Name><BitSize>112</BitSize>{sub_items}</DataType>"
+    write(tmp_path, {"a.xml": esi(device(dictionary(TYPES + data_type, "")))})
+    told = [item["message"] for item in findings(tmp_path / "a.xml") if item["rule"] in ("L43", "L44")]
+    assert told == ["DataType DT: SubItem 'c' has BitSize 80, its type UDINT 32"]
+
+
+def test_bit_fields_of_an_idn_are_narrower_than_their_type(tmp_path):
+    sub_item = "<SubItem><Name>reserved</Name><Type>UINT</Type><BitSize>14</BitSize><BitOffs>2</BitOffs></SubItem>"
+    data_type = f"<DataType><Name>DT_IDN</Name><BitSize>16</BitSize>{sub_item}</DataType>"
+    assert linted(tmp_path, "L43", device(dictionary(TYPES + data_type, ""))) == []
+
+
 def test_l44_looks_from_the_sub_item_that_reaches_furthest(tmp_path):
     sub_items = "".join(
-        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>USINT</Type><BitSize>{bits}</BitSize>"
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>{type_name}</Type><BitSize>{bits}</BitSize>"
         f"<BitOffs>{offset}</BitOffs></SubItem>"
-        for number, (name, bits, offset) in enumerate([("n", 8, 0), ("a", 160, 16), ("b", 16, 32), ("c", 16, 64)])
+        for number, (name, type_name, bits, offset) in enumerate(
+            [("n", "USINT", 8, 0), ("a", "STRING(20)", 160, 16), ("b", "UINT", 16, 32), ("c", "UINT", 16, 64)]
+        )
     )
     data_type = f"<DataType><Name>DT</Name><BitSize>176</BitSize>{sub_items}</DataType>"
     found = linted(tmp_path, "L44", device(dictionary(TYPES + data_type, "")))

@@ -29,6 +29,10 @@ DESCRIBED = st.builds(
         ("HW_EQ", 0x00120000, 0x00110000, False),
         ("HW_EQ_LW_EQ_OR_G", 0x00110002, 0x00110001, True),
         ("HW_EQ_LW_EQ_OR_G", 0x00110000, 0x00110001, False),
+        ("L24_EQ_H8_EQ_OR_G", 0x02345678, 0x01345678, True),
+        ("L24_EQ_H8_EQ_OR_G", 0x00345678, 0x01345678, False),
+        ("L24_EQ_H8_EQ_OR_G", 0x02345679, 0x01345678, False),
+        ("L24_EQ_H8_EQ_OR_G", 0x02355678, 0x01345678, False),
         (None, 1, 1, False),
         ("whatever", 1, 1, False),
     ],
@@ -77,6 +81,21 @@ def test_anything_but_exact_says_so():
     ]
     (newer,) = rank(0x00100000, [Described(0x00200000, "LW_EQ", False)])
     assert newer.reason.endswith("accepts it by its CheckRevisionNo LW_EQ; it is newer than the device")
+
+
+def test_every_variant_is_ranked_by_its_own_rule_and_the_preferred_one_among_equals():
+    described = [Described(0x10, None, False, 1), Described(0x10, "EQ_OR_G", False, 2), Described(0x11, None, False)]
+    first, *_ = rank(0x12, described)
+    assert (first.match, first.position) == ("accepted", 1)
+    assert first.reason.endswith("because 0x00000010@2 accepts it by its CheckRevisionNo EQ_OR_G")
+    alike = [Described(0x10, "EQ_OR_G", False, 2), Described(0x10, "EQ_OR_G", False, 1)]
+    assert [item.position for item in rank(0x12, alike)] == [1, 0]
+
+
+def test_a_rule_that_nobody_knows_is_told():
+    (only,) = rank(0x12, [Described(0x10, "L16_EQ", False)])
+    assert only.match == "older"
+    assert only.reason.endswith("; its CheckRevisionNo 'L16_EQ' is not known")
 
 
 @given(UINT32, st.lists(DESCRIBED, min_size=1, max_size=8))

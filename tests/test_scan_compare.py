@@ -33,7 +33,7 @@ def test_another_mapping_is_told_entry_by_entry():
     text = '  RxPDO 0x1600 "R"\n    PDO entry 0x7000:01, 16 bit, "a"\n    PDO entry 0x0000:00, 32 bit, "gap"\n'
     assert pdos(text) == ["RxPDO 0x1600, entry 2: maps a gap of 32 bit; described is 0x7000:02 (32 bit)"]
     text = '  RxPDO 0x1600 "R"\n    PDO entry 0x7000:01, 16 bit, "a"\n'
-    assert pdos(text) == ["RxPDO 0x1600: maps 1 entries; described are 2"]
+    assert pdos(text) == ["RxPDO 0x1600: maps 1 entry; described with 2"]
 
 
 def test_a_pdo_that_is_not_described_and_another_assignment():
@@ -46,7 +46,7 @@ def test_a_pdo_that_is_not_described_and_another_assignment():
 def test_a_sync_manager_without_pdos_is_told_where_the_description_assigns_some():
     assert pdos("") == ["SM2: assigned are none; the default is 0x1600"]
     (slave,) = read_pdos(HEAD.replace("SM2", "SM3")).slaves
-    assert compare_pdos(DESCRIBED, (), slave) == []
+    assert compare_pdos(DESCRIBED, (), slave) == ["SM2: not in the list; the default is 0x1600"]
 
 
 def test_pdos_of_modules_count_in_any_slot(data: Path):

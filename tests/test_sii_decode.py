@@ -290,9 +290,9 @@ def test_empty_categories_between_others_are_kept():
 @pytest.mark.parametrize(
     ("data", "words"),
     [
-        (b"", "0 bytes are no SII image"),
-        (by_hand.HEADER[:127], "127 bytes are no SII image; the header alone takes 128"),
-        (by_hand.HEADER + b"\xff" * 2**19, "524416 bytes are no SII image; the largest EEPROM takes 524288"),
+        (b"", "its length in bytes is 0"),
+        (by_hand.HEADER[:127], "its length in bytes is 127; the header alone takes 128"),
+        (by_hand.HEADER + b"\xff" * 2**19, "its length in bytes is 524416; the largest EEPROM takes 524288"),
         (bytes(2048), "all bytes are 0x00: an empty EEPROM"),
         (b"\xff" * 2048, "all bytes are 0xFF: an empty EEPROM"),
         (image((10, b"\1\1A\0"))[:-5], "category 10 (STRINGS) at byte 0x80 runs past the end of the image: 4 bytes"),

@@ -5,7 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sii import by_hand
 
-from esicatalog.errors import EsiCatalogError
+import esicatalog
+from esicatalog.errors import DocumentError, EsiCatalogError
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.files import image_bytes
 
@@ -95,3 +96,14 @@ def test_anything_gives_bytes_or_one_line(data):
             image_bytes(start + data)
         except EsiCatalogError as error:
             assert "\n" not in str(error)
+
+
+def test_read_sii_takes_the_bytes_of_a_file_in_either_form():
+    raw = esicatalog.read_sii(by_hand.WHOLE)
+    assert isinstance(raw, esicatalog.SiiImage)
+    assert raw.header.vendor_id == int.from_bytes(by_hand.WHOLE[16:20], "little")
+    assert esicatalog.read_sii(hex_file(by_hand.WHOLE).encode()) == raw
+    broken = bytes([by_hand.WHOLE[0] ^ 1]) + by_hand.WHOLE[1:]
+    assert any("check sum at byte 0xE" in finding for finding in esicatalog.read_sii(broken).findings)
+    with pytest.raises(DocumentError, match="its length in bytes is 1;"):
+        esicatalog.read_sii(b"x")

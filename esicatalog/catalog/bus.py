@@ -4,6 +4,8 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
+import msgspec
+
 from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.results import FoundDevice, Identification, hex32
 from esicatalog.errors import InputError
@@ -73,6 +75,17 @@ def alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:
     return "; ".join(f"{alias}: {slave_words(positions)}" for alias, positions in duplicates.items())
 
 
+def reference_clock_words(summary: BusSummary) -> str:
+    """Which slave can be the reference clock, and of which ones before it nothing is known."""
+    clock, unknown = summary.reference_clock_candidate, slave_words(summary.clock_unknown_at)
+    if not unknown:
+        return f"slave {clock} is the first that can be it" if clock is not None else "no candidate"
+    known = (
+        f"slave {clock} is the first known to have distributed clocks" if clock is not None else "no candidate known"
+    )
+    return f"{known}; nothing is known of {unknown}"
+
+
 Records = Callable[[FoundDevice], tuple[Device, Sequence[Module]]]
 """Gives the records of a described device and of its modules."""
 
@@ -97,40 +110,65 @@ def bus_reports(
         buses[slave.bus].append(slave)
     found = []
     for number, slaves in sorted(buses.items()):
-        answers = [_identify(lookup, slave) for slave in slaves]
-        devices = [lookup.at_bus(answer.device.device) if answer.device is not None else None for answer in answers]
+        fits = [_fitting(lookup, slave, records, pdos, dictionaries) for slave in slaves]
+        devices = [lookup.at_bus(fit.answer.device.device) if fit.answer.device else None for fit in fits]
         reports, summary = look_at_bus(list(zip(slaves, devices, strict=True)))
-        differences = [
-            tuple(_differences(slave, answer, records, pdos, dictionaries))
-            for slave, answer in zip(slaves, answers, strict=True)
-        ]
-        together = zip(slaves, answers, reports, differences, strict=True)
-        found.append(BusReport(number, tuple(IdentifiedSlave(*item) for item in together), summary))
+        together = zip(slaves, fits, reports, strict=True)
+        found.append(BusReport(number, tuple(_identified(*item) for item in together), summary))
     return found
 
 
-def _identify(lookup: IdentityLookup, slave: ScannedSlave) -> Identification:
-    known = slave.identity
-    if known is None:
-        return _NO_IDENTITY
-    return lookup.identify(known.vendor_id, known.product_code, known.revision_no)
+class _Fit(NamedTuple):
+    """The answer for a slave, its ``device`` the variant that fits best what the master printed of it."""
+
+    answer: Identification
+    differences: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
-def _differences(
+def _identified(slave: ScannedSlave, fit: _Fit, report: SlaveReport) -> IdentifiedSlave:
+    report = report._replace(notes=(*report.notes, *fit.notes))
+    return IdentifiedSlave(slave, fit.answer, report, fit.differences)
+
+
+def _fitting(
+    lookup: IdentityLookup,
     slave: ScannedSlave,
-    answer: Identification,
     records: Records,
     pdos: Sequence[ScannedPdos],
     dictionaries: Sequence[ScannedDictionary],
-) -> Iterator[str]:
+) -> _Fit:
+    known = slave.identity
+    answer = (
+        lookup.identify(known.vendor_id, known.product_code, known.revision_no) if known is not None else _NO_IDENTITY
+    )
     own_pdos = [item for item in pdos if _belongs(item, slave)]
     own_dictionaries = [item for item in dictionaries if _belongs(item, slave)]
-    if answer.device is None or not (own_pdos or own_dictionaries):
-        return
-    device, modules = records(answer.device.device)
-    for item in own_pdos:
+    lists = " and ".join(["PDOs"] * bool(own_pdos) + ["objects"] * bool(own_dictionaries))
+    if not lists:
+        return _Fit(answer)
+    if answer.device is None:
+        return _Fit(answer, notes=(f"{lists} not compared: no description of slave {slave.position}",))
+    compared = [
+        tuple(_differences(*records(variant.device), own_pdos, own_dictionaries)) for variant in answer.variants
+    ]
+    counts = [len(found) for found in compared]
+    best = counts.index(min(counts))
+    device = answer.variants[best]
+    notes: list[str] = []
+    if min(counts) < max(counts):
+        notes.append(f"variant {device.device.variant} of {len(counts)} fits its {lists} best")
+    elif len(counts) > 1:
+        notes.append(f"all {len(counts)} variants fit its {lists} alike")
+    return _Fit(msgspec.structs.replace(answer, device=device), compared[best], tuple(notes))
+
+
+def _differences(
+    device: Device, modules: Sequence[Module], pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]
+) -> Iterator[str]:
+    for item in pdos:
         yield from compare_pdos(device, modules, item)
-    for dictionary in own_dictionaries:
+    for dictionary in dictionaries:
         yield from compare_objects(device, modules, dictionary)
 
 

@@ -5,7 +5,7 @@ thousand, and the statements below are all it takes.
 """
 
 import functools
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any, NamedTuple
 
 from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
@@ -34,6 +34,20 @@ _LAYOUT = (
     "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND p.image_sm IS NOT NULL "
     "ORDER BY p.image_sm, e.image_bit_offset"
 )
+_HAS_MODULES = "SELECT 1 FROM device_modules WHERE device_id = ? LIMIT 1"
+_BESIDE_LAYOUT = (
+    (
+        "SyncManagers with PDOs are {} here, {} there",
+        "SELECT 'SM' || s.position, coalesce(nullif(s.usage, ''), 'of no use') FROM sync_managers s "
+        "WHERE s.device_id = ? AND EXISTS "
+        "(SELECT 1 FROM pdos p WHERE p.device_id = s.device_id AND p.image_sm = s.position) ORDER BY s.position",
+    ),
+    (
+        "the same entries are sampled otherwise: {} here, {} there",
+        "SELECT output_bytes, 'bytes out,', input_bytes, 'in' FROM device_facts WHERE device_id = ?",
+    ),
+)
+"""In what layouts with the same entries at the same places can differ, in words and as a statement."""
 _CONTENT_HASH = "SELECT value FROM catalog_state WHERE key = 'content_hash'"
 _VENDOR = "SELECT name FROM vendors WHERE vendor_id = ?"
 _NEAR_PRODUCTS = " UNION ALL ".join(
@@ -66,7 +80,8 @@ class _Row(NamedTuple):
 
 
 _AT_BUS = (
-    "SELECT d.physics, d.e_bus_current_ma, d.use_lrd_lwr, f.output_bytes, f.input_bytes, f.dc_supported "
+    "SELECT d.physics, d.e_bus_current_ma, d.use_lrd_lwr, f.output_bytes, f.input_bytes, f.dc_supported, "
+    "d.dc_potential_reference_clock "
     "FROM devices d JOIN device_facts f ON f.device_id = d.id "
     "WHERE d.vendor_id = ? AND d.product_code = ? AND d.variant = ? AND d.revision_no "
 )
@@ -89,19 +104,18 @@ class IdentityLookup:
             return self._unknown_product(query)
         exact = [row for row in rows if row.revision_no == revision_no] if revision_no is not None else []
         if exact:
-            match, reason, chosen = EXACT, "the catalog describes exactly this revision", exact
+            match, reason = EXACT, "the catalog describes exactly this revision"
+            chosen = sorted(exact, key=lambda row: row.variant)
             others = sorted(
                 (row for row in rows if row.revision_no != revision_no and row.variant == 1),
                 key=lambda row: (row.hidden, abs((row.revision_no or 0) - (revision_no or 0))),
             )
         else:
             match, reason, chosen, others = _nearest(rows, revision_no)
-        chosen.sort(key=lambda row: row.variant)
         variants = tuple([IdentifiedDevice(_device(row), self.sources(row.id)) for row in chosen])
         candidates = tuple(map(_device, others[:NEAREST]))
-        return Identification(
-            *query, match, reason, variants[0], variants, candidates, self._warnings(chosen[0], others)
-        )
+        warnings = tuple(self._warnings(chosen, others))
+        return Identification(*query, match, reason, variants[0], variants, candidates, warnings)
 
     def sources(self, device_id: int) -> tuple[DeviceSource, ...]:
         """Documents and lines that carry a description."""
@@ -121,8 +135,9 @@ class IdentityLookup:
         row = next(iter(rows), None)
         if row is None:
             return None
-        physics, current, no_lrw, output_bytes, input_bytes, dc_supported = row
-        return DeviceAtBus(physics, current, bool(no_lrw), output_bytes, input_bytes, bool(dc_supported))
+        physics, current, no_lrw, output_bytes, input_bytes, dc_supported, reference_clock = row
+        may_be_clock = bool(reference_clock) if reference_clock is not None else None
+        return DeviceAtBus(physics, current, bool(no_lrw), output_bytes, input_bytes, bool(dc_supported), may_be_clock)
 
     def _unknown_product(self, query: tuple[int, int, int | None]) -> Identification:
         vendor_id, product_code, _ = query
@@ -136,17 +151,22 @@ class IdentityLookup:
         reason = f"vendor {hex32(vendor_id)}{named} is known, its product {hex32(product_code)} is not"
         return Identification(*query, "vendor", reason, None, (), candidates)
 
-    def _warnings(self, chosen: _Row, others: list[_Row]) -> tuple[str, ...]:
-        """Other revisions with another default process image: code written for one reads wrong data on the other."""
-        differing = [row for row in others if row.image_signature != chosen.image_signature]
-        if not differing:
-            return ()
-        nearest = differing[0]
-        words = self._difference(chosen.image_signature, nearest.image_signature, chosen.id, nearest.id)
-        return (
-            f"default process image differs in {len(differing)} of {len(others)} other revisions; "
-            f"{hex32(nearest.revision_no) or 'the one without RevisionNo'} for example: {words}",
+    def _warnings(self, chosen: list[_Row], others: list[_Row]) -> Iterator[str]:
+        """Descriptions with another default process image: code written for one reads wrong data on the other."""
+        ours, variants = chosen[0], chosen[1:]
+        groups: tuple[tuple[list[_Row], str, Callable[[_Row], str]], ...] = (
+            (variants, "variants of this identity", lambda row: f"@{row.variant}"),
+            (others, "revisions", lambda row: hex32(row.revision_no) or "the one without RevisionNo"),
         )
+        for rows, what, name in groups:
+            differing = [row for row in rows if row.image_signature != ours.image_signature]
+            if differing:
+                nearest = differing[0]
+                words = self._difference(ours.image_signature, nearest.image_signature, ours.id, nearest.id)
+                yield (
+                    f"default process image differs in {len(differing)} of {len(rows)} other {what}; "
+                    f"{name(nearest)} for example: {words}"
+                )
 
     def _layout_difference(self, _: str | None, __: str | None, here: int, there: int) -> str:
         ours, theirs = self._layout(here), self._layout(there)
@@ -157,7 +177,13 @@ class IdentityLookup:
                     f"SM{sm} byte {byte_bit(bit_offset)} is {ours.get(place, 'nothing')} here, "
                     f"{theirs.get(place, 'nothing')} there"
                 )
-        return "in PDOs of modules"
+        if any(list(self._query(_HAS_MODULES, (device_id,))) for device_id in (here, there)):
+            return "in PDOs of modules"
+        for words, statement in _BESIDE_LAYOUT:
+            shown = [_listed(self._query(statement, (device_id,))) for device_id in (here, there)]
+            if shown[0] != shown[1]:
+                return words.format(*shown)
+        return "in the samples of oversampled PDOs"
 
     def _layout(self, device_id: int) -> dict[tuple[int, int], str]:
         return {
@@ -178,12 +204,23 @@ def _distance(device: FoundDevice, product_code: int) -> tuple[int, int, bool, i
 
 
 def _nearest(rows: list[_Row], revision_no: int | None) -> tuple[str, str, list[_Row], list[_Row]]:
-    """Match, reason, the chosen descriptions and the others, best first."""
-    preferred = [row for row in rows if row.variant == 1]
+    """Match, reason, the chosen descriptions and those of other revisions, best first.
+
+    Variants of one revision may have different CheckRevisionNo, so each is ranked; of the others one a revision counts.
+    """
     ranked = rank(
         revision_no,
-        [Described(row.revision_no, row.check_revision_no, bool(row.hidden)) for row in preferred],
+        [Described(row.revision_no, row.check_revision_no, bool(row.hidden), row.variant) for row in rows],
     )
-    best = preferred[ranked[0].position]
-    chosen = [row for row in rows if row.revision_no == best.revision_no]
-    return ranked[0].match, ranked[0].reason, chosen, [preferred[item.position] for item in ranked[1:]]
+    best = rows[ranked[0].position]
+    in_order = [rows[item.position] for item in ranked]
+    chosen = [row for row in in_order if row.revision_no == best.revision_no]
+    others: dict[int | None, _Row] = {}
+    for row in in_order:
+        if row.revision_no != best.revision_no:
+            others.setdefault(row.revision_no, row)
+    return ranked[0].match, ranked[0].reason, chosen, list(others.values())
+
+
+def _listed(rows: Iterable[tuple[Any, ...]]) -> str:
+    return ", ".join(" ".join(map(str, row)) for row in rows) or "none"

@@ -99,7 +99,7 @@ class Identification(msgspec.Struct, frozen=True):
     reason: str
     device: IdentifiedDevice | None
     variants: tuple[IdentifiedDevice, ...]
-    """All descriptions of the chosen identity, the preferred one first."""
+    """All descriptions of the chosen identity by preference, before them one whose CheckRevisionNo made the choice."""
     candidates: tuple[FoundDevice, ...]
     """The next best others."""
     warnings: tuple[str, ...] = ()

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, slave_words
+from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, reference_clock_words, slave_words
 from esicatalog.catalog.results import hex32
 from esicatalog.cli.common import table_lines
 
@@ -68,12 +68,11 @@ def _summary(bus: BusReport) -> Iterator[str]:
     summary = bus.summary
     known = len(bus.slaves) - len(bus.not_exact_at)
     unknown = f"; unknown of {slave_words(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
-    clock = summary.reference_clock_candidate
     facts = [
         ("slaves", f"{len(bus.slaves)}, {known} with exact ESI"),
         ("without", slave_words(bus.not_exact_at)),
         ("process data", f"{summary.output_bytes} bytes out, {summary.input_bytes} bytes in{unknown}"),
-        ("reference clock", f"slave {clock} is the first that can be it" if clock is not None else "no candidate"),
+        ("reference clock", reference_clock_words(summary)),
         ("no LRW", slave_words(summary.no_lrw_at)),
         ("E-bus exceeded", slave_words(summary.e_bus_exceeded_at)),
         ("E-bus unknown", slave_words(summary.e_bus_unknown_at)),

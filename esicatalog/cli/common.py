@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 import click
 
 from esicatalog.catalog.results import json_bytes
-from esicatalog.errors import EsiCatalogError, InputError, NotFound
+from esicatalog.errors import DocumentError, EsiCatalogError, InputError, NotFound
 from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_modes, parse_number, parse_plugged
 
 EXIT_NO = 1
@@ -23,6 +23,7 @@ EXIT_UNUSABLE = 2
 _WIDEST_CELL = 60
 
 Function = TypeVar("Function", bound=Callable[..., Any])
+Result = TypeVar("Result")
 
 db_option = click.option(
     "--db",
@@ -94,21 +95,23 @@ def _discard_stdout() -> None:
 class _Parsed(click.ParamType[Any]):
     """An argument that a parser of :mod:`esicatalog.identity` reads; its errors are one line."""
 
-    def __init__(self, name: str, parse: Callable[[str], Any]) -> None:
+    def __init__(self, name: str, parse: Callable[..., Any], takes_name: bool = False) -> None:
+        """``takes_name``: the parser says in its errors what argument or option it reads."""
         self.name = name
         self._parse = parse
+        self._takes_name = takes_name
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if not isinstance(value, str):
             return value
         try:
-            return self._parse(value)
+            return self._parse(value, param.opts[0]) if self._takes_name and param is not None else self._parse(value)
         except EsiCatalogError as error:
             click.echo(f"esicatalog: {error}", err=True)
             sys.exit(EXIT_UNUSABLE)
 
 
-NUMBER = _Parsed("number", parse_number)
+NUMBER = _Parsed("number", parse_number, takes_name=True)
 IDENTITY = _Parsed("identity", parse_identity)
 MAPPED = _Parsed("index[:subindex]", parse_mapped)
 BOUNDS = _Parsed("amount", parse_bounds)
@@ -133,11 +136,21 @@ def read_bytes(path: Path) -> bytes:
     return content
 
 
-def read_text(path: Path) -> str:
-    """The text of a file, as masters and shells write it. Raises :class:`InputError`."""
+def read_as(path: Path, read: Callable[[bytes], Result]) -> Result:
+    """What a reader makes of a file, of standard input for ``-``. Raises :class:`InputError` that names the file."""
+    content = read_bytes(path)
+    try:
+        return read(content)
+    except (DocumentError, InputError) as error:
+        named = "standard input" if str(path) == "-" else path
+        raise InputError(f"{named}: {error}") from error
+
+
+def read_text_as(path: Path, read: Callable[[str], Result]) -> Result:
+    """What a reader makes of the text in a file, as masters and shells write it; like :func:`read_as`."""
     from esicatalog.scan.text import decode_text
 
-    return decode_text(read_bytes(path))
+    return read_as(path, lambda content: read(decode_text(content)))
 
 
 def print_json(value: Any) -> None:

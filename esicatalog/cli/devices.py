@@ -58,8 +58,9 @@ _CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant
 def command(db: str, vendor: str | None, output_format: str, **filters: Any) -> None:
     """List the devices that fulfil all conditions, each with its evidence.
 
-    Numbers are written 0x1097, #x1097 or 4247. An empty list is an answer too: exit code 0. What is listed is what
-    the files declare or imply; read 0x6502 on the drive before it moves.
+    Numbers are written 0x1097, #x1097 or 4247, subindices also with two hex digits as evidence shows them (0x6000:0A);
+    10 to 99 are refused without prefix, for 0x6000:10 may mean either. An empty list is an answer too: exit code 0.
+    What is listed is what the files declare or imply; read 0x6502 on the drive before it moves.
     """
     from esicatalog.api import Catalog
 

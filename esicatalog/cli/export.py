@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-from esicatalog.cli.common import IDENTITY, NUMBER, PLUGGED, db_option, read_bytes, reporting_errors
+from esicatalog.cli.common import IDENTITY, NUMBER, PLUGGED, db_option, read_as, reporting_errors
 from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subjects_of_vendor
 from esicatalog.errors import InputError
 from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, parse_pdo_choice
@@ -106,13 +106,12 @@ def cstruct(inputs: Inputs, sii: str | None) -> bytes:
     Its literal EC_WD_DISABLE switches output watchdogs off; the header of ``export igh`` is the one to use.
     """
     from esicatalog.export.cstruct import cstruct_of_configuration, cstruct_of_image
-    from esicatalog.sii.decode import decode_sii
-    from esicatalog.sii.files import image_bytes
+    from esicatalog.sii.files import read_sii
 
     if sii is None:
         return cstruct_of_configuration(inputs.configuration()).encode()
     inputs.check_no_device("--sii")
-    image = decode_sii(image_bytes(read_bytes(Path(sii))))
+    image = read_as(Path(sii), read_sii)
     return cstruct_of_image(image, inputs.choice.position).encode("utf-8", "surrogateescape")
 
 
@@ -173,9 +172,8 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     from esicatalog.export.sii_limits import check_image, fit_image
     from esicatalog.export.sii_merge import merge_image
     from esicatalog.export.sii_remarks import image_text
-    from esicatalog.sii.decode import decode_sii
     from esicatalog.sii.encode import encode_sii
-    from esicatalog.sii.files import image_bytes
+    from esicatalog.sii.files import read_sii
 
     subject = inputs.subject()
     image = sii_image(subject.vendor_id, subject.group, subject.device, language=language)
@@ -183,7 +181,7 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     merged = None
     byte_size = filled_to = image.header.byte_size
     if merge is not None:
-        dump = decode_sii(image_bytes(read_bytes(Path(merge))))
+        dump = read_as(Path(merge), read_sii)
         merged = merge_image(image, dump, configuration_bytes(subject.device))
         image, byte_size, filled_to = merged.image, merged.byte_size, merged.dump_bytes
     if fit:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
-from esicatalog.cli.common import read_text
+from esicatalog.cli.common import read_text_as
 from esicatalog.errors import InputError, NotFound
 from esicatalog.export.choice import Choice
 from esicatalog.identity import Identity
@@ -58,7 +58,7 @@ def configurations_of_scan(inputs: Inputs, name: str) -> "tuple[list[Configurati
     inputs.check_no_device("--scan")
     if inputs.choice.pdos or inputs.choice.modules or inputs.choice.op_mode is not None:
         raise InputError("--scan takes the default PDOs, modules and OpModes; choose them for one device at a time")
-    scan = read_scan(read_text(Path(name)))
+    scan = read_text_as(Path(name), read_scan)
     _check_single_bus(scan)
     remarks: list[str] = []
     with Catalog.open(inputs.db) as catalog:

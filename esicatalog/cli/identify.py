@@ -13,8 +13,8 @@ from esicatalog.cli.common import (
     db_option,
     format_option,
     print_json,
-    read_bytes,
-    read_text,
+    read_as,
+    read_text_as,
     reporting_errors,
     table_lines,
 )
@@ -89,13 +89,18 @@ def command(
         if not any(slave.identification.device for bus in buses for slave in bus.slaves):
             sys.exit(EXIT_NO)
         return
-    identity = _sii_identity(sii) if sii is not None else (vendor or 0, product or 0, revision)
+    identity: tuple[int, int, int | None] = (vendor or 0, product or 0, revision)
+    findings: list[str] = []
+    beside: dict[str, object] = {}
+    if sii is not None:
+        identity, findings = _of_image(sii)
+        beside = {"image": {"findings": findings}}
     with Catalog.open(db) as catalog:
         answer = catalog.identify(*identity)
     if output_format == "json":
-        print_json(answer.as_json())
+        print_json(answer.as_json() | beside)
     else:
-        _print_answer(answer)
+        _print_answer(answer, findings)
     if answer.device is None:
         sys.exit(EXIT_NO)
 
@@ -114,8 +119,8 @@ def _scan(slaves: Path | None, eni: Path | None) -> "Scan | None":
     from esicatalog.scan.front import read_eni, read_scan
 
     if slaves is not None:
-        return read_scan(read_text(slaves))
-    return read_eni(read_bytes(eni)) if eni is not None else None
+        return read_text_as(slaves, read_scan)
+    return read_as(eni, read_eni) if eni is not None else None
 
 
 def _seen(texts: tuple[str, ...], read: "Callable[[str], Sequence[Seen]]") -> "list[Seen]":
@@ -123,7 +128,7 @@ def _seen(texts: tuple[str, ...], read: "Callable[[str], Sequence[Seen]]") -> "l
     found: list[Seen] = []
     for text in texts:
         position, path = _placed(text)
-        seen = read(read_text(path))
+        seen = read_text_as(path, read)
         found += [msgspec.structs.replace(item, position=position) if position is not None else item for item in seen]
     return found
 
@@ -136,16 +141,19 @@ def _placed(text: str) -> tuple[int | None, Path]:
     return None, Path(text)
 
 
-def _sii_identity(path: Path) -> tuple[int, int, int]:
-    from esicatalog.sii.decode import decode_sii
-    from esicatalog.sii.files import image_bytes
+def _of_image(path: Path) -> tuple[tuple[int, int, int], list[str]]:
+    """Whose EEPROM image it is, and what is odd about it."""
+    from esicatalog.sii.files import read_sii
 
-    header = decode_sii(image_bytes(read_bytes(path))).header
-    return header.vendor_id, header.product_code, header.revision_no
+    image = read_as(path, read_sii)
+    header = image.header
+    return (header.vendor_id, header.product_code, header.revision_no), list(image.findings)
 
 
-def _print_answer(answer: "Identification") -> None:
+def _print_answer(answer: "Identification", image_findings: "Sequence[str]") -> None:
     click.echo(f"{answer.match}: {answer.reason}")
+    for finding in image_findings:
+        click.echo(f"image: {finding}")
     for variant in answer.variants:
         device = variant.device
         which = f", variant {device.variant}" if len(answer.variants) > 1 else ""

@@ -43,7 +43,7 @@ def command(
     list_rules: bool,
     output_format: str,
 ) -> None:
-    """Check ESI files, folders (recursively) and zip archives by the rules L01 to L67.
+    """Check ESI files, folders (recursively) and zip archives by the rules L01 to L68.
 
     Files that are no ESI are skipped unless they are named themselves. Exit code 1 when there are errors.
     """

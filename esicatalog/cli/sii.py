@@ -5,7 +5,7 @@ from pathlib import Path
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, db_option, format_option, print_json, read_bytes, reporting_errors
+from esicatalog.cli.common import EXIT_NO, db_option, format_option, print_json, read_as, reporting_errors
 
 _FILE = click.Path(path_type=Path, allow_dash=True)
 
@@ -24,12 +24,11 @@ def decode(file: Path, output_format: str) -> None:
 
     FILE is raw or Intel HEX, whatever its name; - reads standard input. No catalog is opened.
     """
-    from esicatalog.sii.decode import decode_sii
-    from esicatalog.sii.files import image_bytes
+    from esicatalog.sii.files import read_sii
     from esicatalog.sii.text import sheet_lines
     from esicatalog.sii.view import sii_json
 
-    image = decode_sii(image_bytes(read_bytes(file)))
+    image = read_as(file, read_sii)
     if output_format == "json":
         print_json(sii_json(image))
     else:
@@ -45,14 +44,14 @@ def decode(file: Path, output_format: str) -> None:
 def verify(file: Path, db: str, output_format: str) -> None:
     """Compare an EEPROM image with the catalogued description of its identity.
 
-    Exit code 1 when they differ in what a master uses (identity, mailboxes, sync managers, FMMUs, PDOs, clocks), and
-    when the identity is not described exactly.
+    Exit code 1 when they differ in what a master uses (identity, mailboxes, sync managers, FMMUs, PDOs, clocks), when
+    the check sum over the configuration words is wrong, which the device does not start with, and when the identity is
+    not described exactly.
     """
     from esicatalog.api import Catalog
-    from esicatalog.sii.decode import decode_sii
-    from esicatalog.sii.files import image_bytes
+    from esicatalog.sii.files import read_sii
 
-    image = decode_sii(image_bytes(read_bytes(file)))
+    image = read_as(file, read_sii)
     with Catalog.open(db) as catalog:
         verified = catalog.verify_sii(image)
     if output_format == "json":

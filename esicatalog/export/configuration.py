@@ -310,7 +310,7 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
         if not bit_length:
             continue
         if not 0 <= index <= _MAX_INDEX or not 0 <= subindex <= _MAX_SUBINDEX:
-            raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:X}:{subindex:X}, which is no object")
+            raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:04X}:{subindex:02X}, which is no object")
         text = " ".join((display_text(item.entry.names) or "").split())
         value = value_type(objects.base_type(placed.first_sample(number), placed.slot_number), bit_length)
         entries.append(

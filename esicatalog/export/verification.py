@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 from esicatalog.catalog.results import FoundDevice, Identification
 from esicatalog.export.sii_verify import ImageDifference
+from esicatalog.model.compare_words import counted
 
 
 class Verification(NamedTuple):
@@ -24,15 +25,19 @@ class Verification(NamedTuple):
 
     def lines(self) -> Iterator[str]:
         """The result as text."""
-        if self.device is None:
-            yield f"not compared: {self.identification.reason}"
-            return
-        yield f"{self.device.type or ''}  {self.device.identity_text}".strip()
+        known = self.device
+        yield (
+            f"{known.type or ''}  {known.identity_text}".strip()
+            if known is not None
+            else f"not compared: {self.identification.reason}"
+        )
         yield from (f"  image: {finding}" for finding in self.findings)
+        if known is None:
+            return
         for item in self.differences:
             yield f"  {'!' if item.used_by_master else ' '} {item.part}: {item.text}"
         used = sum(item.used_by_master for item in self.differences)
-        yield f"{len(self.differences)} differences, {used} in what a master uses (marked !)"
+        yield f"{counted(len(self.differences), 'difference')}, {used} in what a master uses (marked !)"
 
     def as_json(self) -> dict[str, Any]:
         """The result for JSON."""

@@ -3,6 +3,7 @@
 Facts come from the scan where the master printed them (they are the device's own), else from the description.
 """
 
+import itertools
 from collections import defaultdict
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -21,6 +22,14 @@ class DeviceAtBus(NamedTuple):
     output_bytes: int | None
     input_bytes: int | None
     dc_supported: bool
+    """Says False also where it says nothing of clocks."""
+    potential_reference_clock: bool | None = None
+    """Dc/@PotentialReferenceClock."""
+
+    @property
+    def has_clock(self) -> bool | None:
+        """Whether it describes a distributed clock; None where it says nothing."""
+        return self.dc_supported or self.potential_reference_clock or None
 
 
 class SlaveReport(NamedTuple):
@@ -32,6 +41,7 @@ class SlaveReport(NamedTuple):
     e_bus_left_ma: int | None
     """What the supply before it leaves for the terminals after it; None outside of an E-bus segment."""
     dc_capable: bool | None
+    """Known to have a distributed clock or to have none; a description without Dc says neither."""
     no_lrw: bool | None
     notes: tuple[str, ...]
 
@@ -47,7 +57,9 @@ class BusSummary(NamedTuple):
     input_bytes: int
     bytes_unknown_at: tuple[int, ...]
     reference_clock_candidate: int | None
-    """The first slave that can be the reference clock."""
+    """The first slave that is known to have what a reference clock needs."""
+    clock_unknown_at: tuple[int, ...]
+    """Slaves before it (all where there is none) of which neither scan nor description tells."""
     no_lrw_at: tuple[int, ...]
 
 
@@ -76,7 +88,7 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
                 input_bytes=_bytes(slave.input_bits, device.input_bytes if device else None),
                 e_bus_current_ma=budget.current,
                 e_bus_left_ma=budget.left,
-                dc_capable=slave.dc_capable if slave.dc_capable is not None or not device else device.dc_supported,
+                dc_capable=slave.dc_capable if slave.dc_capable is not None or not device else device.has_clock,
                 no_lrw=slave.not_lrw if slave.not_lrw is not None or not device else device.no_lrw,
                 notes=tuple(notes),
             )
@@ -128,6 +140,17 @@ def _on_e_bus(slave: ScannedSlave, device: DeviceAtBus | None) -> bool | None:
     return "K" in device.physics if device is not None and device.physics else None
 
 
+def _can_be_reference_clock(slave: ScannedSlave, device: DeviceAtBus | None, has_clock: bool | None) -> bool | None:
+    """Whether a slave can give the bus its time; None = unknown.
+
+    It needs a system time, of which the scan tells more surely than the description; what the vendor excludes with
+    PotentialReferenceClock is excluded.
+    """
+    if slave.dc_system_time is False or (device is not None and device.potential_reference_clock is False):
+        return False
+    return has_clock
+
+
 def _summary(
     bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]],
     reports: Sequence[SlaveReport],
@@ -135,6 +158,9 @@ def _summary(
     budget: _EBusBudget,
 ) -> BusSummary:
     together = [(slave, report) for (slave, _), report in zip(bus, reports, strict=True)]
+    clocks = {s.position: _can_be_reference_clock(s, d, r.dc_capable) for (s, d), r in zip(bus, reports, strict=True)}
+    candidate = next((position for position, can in clocks.items() if can), None)
+    before = itertools.takewhile(lambda item: item[0] != candidate, clocks.items())
     return BusSummary(
         duplicate_aliases=duplicates,
         e_bus_exceeded_at=tuple(budget.exceeded_at),
@@ -142,8 +168,7 @@ def _summary(
         output_bytes=sum(report.output_bytes or 0 for report in reports),
         input_bytes=sum(report.input_bytes or 0 for report in reports),
         bytes_unknown_at=tuple(s.position for s, r in together if r.output_bytes is None or r.input_bytes is None),
-        reference_clock_candidate=next(
-            (s.position for s, r in together if r.dc_capable and s.dc_system_time is not False), None
-        ),
+        reference_clock_candidate=candidate,
+        clock_unknown_at=tuple(position for position, can in before if can is None),
         no_lrw_at=tuple(s.position for s, r in together if r.no_lrw),
     )

@@ -40,7 +40,7 @@ from esicatalog.model.compare_words import (
     unit,
     yes_no,
 )
-from esicatalog.model.revision_check import accepts
+from esicatalog.model.revision_check import accepts, is_known
 from esicatalog.model.sm_facts import sm_facts
 
 
@@ -212,6 +212,11 @@ def revision_verdict(left: Device, right: Device) -> str | None:
         return None
     if left.check_revision_no is None:
         return f"whether a master configured for {h8(ours)} takes {h8(theirs)} is its own choice: no CheckRevisionNo"
+    if not is_known(left.check_revision_no):
+        return (
+            f"whether a master configured for {h8(ours)} takes {h8(theirs)} is not known: "
+            f"nor is its CheckRevisionNo {left.check_revision_no!r}"
+        )
     verb = "takes" if accepts(left.check_revision_no, theirs, ours) else "refuses"
     return f"a master configured for {h8(ours)} {verb} {h8(theirs)}: CheckRevisionNo {left.check_revision_no}"
 

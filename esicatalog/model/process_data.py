@@ -83,8 +83,12 @@ class ProcessData:
 
     @cached_property
     def image_signature(self) -> str | None:
-        """Digest of the default process image, None where it is empty or longer than SyncManagers can be."""
-        if any(image.overflow for image in self.images):
+        """Digest of the default process image, None where it is empty or longer than SyncManagers can be.
+
+        SyncManagers that exchange nothing do not belong to it: a virtual one more is the same layout.
+        """
+        images = [image for image in self.images if image.bit_size]
+        if not images or any(image.overflow for image in self.images):
             return None
         layout = [
             (
@@ -92,9 +96,9 @@ class ProcessData:
                 image.usage,
                 [(placed.bit_offset, *_layout(placed.entry)) for pdo in image.pdos for placed in pdo.entries],
             )
-            for image in self.images
+            for image in images
         ]
-        return digest(_encode(layout)).hex() if any(image.bit_size for image in self.images) else None
+        return digest(_encode(layout)).hex()
 
     @cached_property
     def pdo_signature(self) -> str | None:

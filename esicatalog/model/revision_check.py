@@ -1,14 +1,16 @@
 """Which description fits a device found on the bus: the rules of CheckRevisionNo, and a ranking by revision.
 
-CheckRevisionNo (ESI-FACTS section 3.1) says what a *configured* description accepts as *found* revision; LW are the
-low 16 bits, HW the high 16 bits. Masters offer the same tests at start-up.
+CheckRevisionNo says what a *configured* description accepts as *found* revision; LW are the low 16 bits, HW the high
+16 bits (ETG.2000), L24 the low 24 bits, H8 the high 8 bits (Beckhoff). Masters offer the same tests at start-up.
 """
 
 from collections.abc import Callable, Sequence
+from operator import eq, ge
 from typing import NamedTuple
 
 _ABOVE = 1 << 32
 """Puts what is newer than the device behind everything older."""
+_LOW_WORD = 0xFFFF
 EXACT, ACCEPTED, OLDER, NEWER, PRODUCT = "exact", "accepted", "older", "newer", "product"
 
 
@@ -18,39 +20,54 @@ class Described(NamedTuple):
     revision_no: int | None
     check_revision_no: str | None
     hidden: bool
+    variant: int = 1
+    """One revision may have several descriptions, each with a CheckRevisionNo of its own."""
 
 
 class Ranked(NamedTuple):
     """A described revision with the rule by which it comes into question; lower ``order`` fits better."""
 
-    order: tuple[int, bool, int]
+    order: tuple[int, bool, int, int]
     match: str
     position: int
     reason: str
 
 
-def _low(revision_no: int) -> int:
-    return revision_no & 0xFFFF
+Test = Callable[[int, int], bool]
 
 
-def _high(revision_no: int) -> int:
-    return revision_no >> 16
+def _parts(low_bits: int, low: Test, high: Test) -> Test:
+    """A test of the low bits and the bits above them."""
+    mask = (1 << low_bits) - 1
+    return lambda found, configured: (
+        low(found & mask, configured & mask) and high(found >> low_bits, configured >> low_bits)
+    )
 
 
-CHECK_REVISION_NO: dict[str, Callable[[int, int], bool]] = {
-    "NONE": lambda found, configured: True,
-    "EQ": lambda found, configured: found == configured,
-    "EQ_OR_G": lambda found, configured: found >= configured,
-    "LW_EQ": lambda found, configured: _low(found) == _low(configured),
-    "LW_EQ_HW_EQ_OR_G": lambda found, configured: _low(found) == _low(configured) and _high(found) >= _high(configured),
-    "HW_EQ": lambda found, configured: _high(found) == _high(configured),
-    "HW_EQ_LW_EQ_OR_G": lambda found, configured: _high(found) == _high(configured) and _low(found) >= _low(configured),
+def _any(found: int, configured: int) -> bool:
+    return True
+
+
+CHECK_REVISION_NO: dict[str, Test] = {
+    "NONE": _any,
+    "EQ": eq,
+    "EQ_OR_G": ge,
+    "LW_EQ": _parts(16, eq, _any),
+    "LW_EQ_HW_EQ_OR_G": _parts(16, eq, ge),
+    "HW_EQ": _parts(16, _any, eq),
+    "HW_EQ_LW_EQ_OR_G": _parts(16, ge, eq),
+    "L24_EQ_H8_EQ_OR_G": _parts(24, eq, ge),
 }
 """Found and configured revision → accepted."""
 
 
+def is_known(check_revision_no: str | None) -> bool:
+    """Whether it is known what a CheckRevisionNo accepts, also where there is none."""
+    return check_revision_no is None or check_revision_no in CHECK_REVISION_NO
+
+
 def accepts(check_revision_no: str | None, found: int, configured: int) -> bool:
-    """Whether a description with this CheckRevisionNo accepts a found revision; without one it says nothing."""
+    """Whether a description with this CheckRevisionNo accepts a found revision; without a known one it says nothing."""
     test = CHECK_REVISION_NO.get(check_revision_no or "")
     return test is not None and test(found, configured)
 
@@ -60,7 +77,7 @@ def rank(found: int | None, described: Sequence[Described]) -> list[Ranked]:
 
     The order: exact; accepted by its own CheckRevisionNo, nearest below first; older with the same low word, highest
     first; older, highest first; newer, nearest first; without revision. At every step but the first visible ones come
-    before hidden ones. Without a found revision: the latest visible.
+    before hidden ones, and of equal ones the preferred variant. Without a found revision: the latest visible.
     """
     if found is None:
         return sorted(_latest(position, item) for position, item in enumerate(described))
@@ -70,32 +87,38 @@ def rank(found: int | None, described: Sequence[Described]) -> list[Ranked]:
 def _latest(position: int, item: Described) -> Ranked:
     revision = item.revision_no
     if revision is None:
-        return Ranked((1, item.hidden, 0), PRODUCT, position, "no revision asked; the description names none")
+        words = "no revision asked; the description names none"
+        return Ranked((1, item.hidden, 0, item.variant), PRODUCT, position, words)
     words = "the latest one, which its vendor hides" if item.hidden else "the latest one that its vendor does not hide"
-    return Ranked((0, item.hidden, -revision), PRODUCT, position, f"no revision asked; 0x{revision:08x} is {words}")
+    reason = f"no revision asked; 0x{revision:08x} is {words}"
+    return Ranked((0, item.hidden, -revision, item.variant), PRODUCT, position, reason)
 
 
 def _ranked(position: int, item: Described, found: int) -> Ranked:
-    configured, hidden = item.revision_no, item.hidden
-    if configured is None:
-        return Ranked((5, hidden, 0), PRODUCT, position, _why("its description names no revision", item))
+    configured = item.revision_no
     if configured == found:
-        return Ranked((0, False, 0), EXACT, position, "the catalog describes exactly this revision")
-    shown = f"0x{configured:08x}"
-    distance = abs(configured - found)
+        return Ranked((0, False, 0, item.variant), EXACT, position, "the catalog describes exactly this revision")
+    step, distance, match, because = _not_exact(item, found)
+    hidden = " (hidden by its vendor)" if item.hidden else ""
+    reason = f"no exact ESI; nearest shown because {because}{hidden}"
+    if not is_known(item.check_revision_no):
+        reason += f"; its CheckRevisionNo {item.check_revision_no!r} is not known"
+    return Ranked((step, item.hidden, distance, item.variant), match, position, reason)
+
+
+def _not_exact(item: Described, found: int) -> tuple[int, int, str, str]:
+    """Step, distance, match and why, for another revision than the found one."""
+    configured = item.revision_no
+    if configured is None:
+        return 5, 0, PRODUCT, "its description names no revision"
+    shown = f"0x{configured:08x}" + (f"@{item.variant}" if item.variant > 1 else "")
+    is_older, distance = configured < found, abs(configured - found)
     if accepts(item.check_revision_no, found, configured):
-        which = "" if configured < found else "; it is newer than the device"
+        which = "" if is_older else "; it is newer than the device"
         because = f"{shown} accepts it by its CheckRevisionNo {item.check_revision_no}{which}"
-        return Ranked(
-            (1, hidden, distance if configured < found else distance + _ABOVE), ACCEPTED, position, _why(because, item)
-        )
-    if configured < found:
-        if _low(configured) == _low(found):
-            because = f"{shown} is older with the same low word"
-            return Ranked((2, hidden, distance), OLDER, position, _why(because, item))
-        return Ranked((3, hidden, distance), OLDER, position, _why(f"{shown} is the nearest older one", item))
-    return Ranked((4, hidden, distance), NEWER, position, _why(f"only newer ones are described, next {shown}", item))
-
-
-def _why(because: str, item: Described) -> str:
-    return f"no exact ESI; nearest shown because {because}" + (" (hidden by its vendor)" if item.hidden else "")
+        return 1, distance if is_older else distance + _ABOVE, ACCEPTED, because
+    if not is_older:
+        return 4, distance, NEWER, f"only newer ones are described, next {shown}"
+    if configured & _LOW_WORD == found & _LOW_WORD:
+        return 2, distance, OLDER, f"{shown} is older with the same low word"
+    return 3, distance, OLDER, f"{shown} is the nearest older one"

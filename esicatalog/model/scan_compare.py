@@ -12,6 +12,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.base_types import base_type
+from esicatalog.model.compare_words import counted
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.process_image import default_process_image
@@ -32,7 +33,10 @@ _ALIKE = {"uint": "uint", "bits": "uint", "bool": "bool"}
 
 
 def compare_pdos(device: Device, modules: Sequence[Module], seen: ScannedPdos) -> list[str]:
-    """What of the printed PDOs is not as described: unknown PDOs, other mappings, another assignment."""
+    """What of the printed PDOs is not as described: unknown PDOs, other mappings, another assignment.
+
+    SyncManagers without PDOs may be left out of the list, those that have some by default not.
+    """
     slots = _AnySlot(device, modules, sum(1 + len(pdo.entries) for module in modules for _, pdo in _pdos(module)))
     printed = {pdo.index for sync_manager in seen.sync_managers for pdo in sync_manager.pdos}
     known = _described_pdos(device, slots, printed)
@@ -46,6 +50,11 @@ def compare_pdos(device: Device, modules: Sequence[Module], seen: ScannedPdos) -
         if now != default:
             words = f"assigned are {_pdo_words(now)}; the default is {_pdo_words(default)}"
             found.append(f"SM{sync_manager.number}: {words}")
+    listed = {sync_manager.number for sync_manager in seen.sync_managers}
+    for number, indices in assigned.items():
+        default = [index for index in indices if index is not None]
+        if number not in listed and default:
+            found.append(f"SM{number}: not in the list; the default is {_pdo_words(default)}")
     return [*found, *slots.left_out()]
 
 
@@ -120,7 +129,7 @@ def _pdo_differences(pdo: ScannedPdo, known: Mapping[tuple[bool, int], set[_Mapp
         return
     described = min(mappings, key=lambda mapping: abs(len(mapping) - len(mapped)))
     if len(mapped) != len(described):
-        yield f"{where}: maps {len(mapped)} entries; described are {len(described)}"
+        yield f"{where}: maps {counted(len(mapped), 'entry', 'entries')}; described with {len(described)}"
     for number, (ours, theirs) in enumerate(zip(mapped, described, strict=False), 1):
         if ours != theirs:
             yield f"{where}, entry {number}: maps {_entry_words(*ours)}; described is {_entry_words(*theirs)}"

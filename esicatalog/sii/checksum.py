@@ -6,6 +6,8 @@ from esicatalog.sii.records import HEADER, Header
 
 CHECKSUM_OFFSET = 14
 """Byte of the check sum; it covers the bytes before, which the slave controller loads at power-on."""
+NOT_TESTED = 0x88A4
+"""Check word with which a slave controller loads its configuration untested (ESC data sheet: for debugging only)."""
 _POLYNOMIAL = 0x07
 _INITIAL = 0xFF
 
@@ -30,6 +32,12 @@ def crc8(data: bytes) -> int:
 def header_checksum(header: Header) -> int:
     """The check sum that the configuration words of ``header`` need."""
     return crc8(HEADER.write(header)[:CHECKSUM_OFFSET])
+
+
+def is_loaded(header: Header) -> bool:
+    """Whether a slave controller takes the configuration words; with a wrong check sum it ignores them."""
+    check_word = header.checksum_high_byte << 8 | header.checksum
+    return check_word == NOT_TESTED or header.checksum == header_checksum(header)
 
 
 def with_checksum(header: Header) -> Header:

@@ -62,10 +62,11 @@ def decode_sii(data: bytes) -> SiiImage:
 
 
 def _check_is_image(data: bytes) -> None:
+    length = f"no SII image: its length in bytes is {len(data)}"
     if len(data) < HEADER.size:
-        raise SiiImageError(f"{len(data)} bytes are no SII image; the header alone takes {HEADER.size}")
+        raise SiiImageError(f"{length}; the header alone takes {HEADER.size}")
     if len(data) > MAX_IMAGE_BYTES:
-        raise SiiImageError(f"{len(data)} bytes are no SII image; the largest EEPROM takes {MAX_IMAGE_BYTES}")
+        raise SiiImageError(f"{length}; the largest EEPROM takes {MAX_IMAGE_BYTES}")
     for filler in (0x00, 0xFF):
         if data.count(filler) == len(data):
             raise SiiImageError(f"all bytes are 0x{filler:02X}: an empty EEPROM, no SII image")

@@ -2,8 +2,9 @@
 
 import re
 
+from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
-from esicatalog.sii.image import MAX_IMAGE_BYTES
+from esicatalog.sii.image import MAX_IMAGE_BYTES, SiiImage
 
 FILLER = 0xFF
 """What an erased EEPROM reads, for addresses that an Intel HEX file leaves out."""
@@ -15,6 +16,15 @@ _DATA, _END, _SEGMENT, _START_SEGMENT, _LINEAR, _START_LINEAR = range(6)
 _PAYLOAD_BYTES = {_END: 0, _SEGMENT: 2, _START_SEGMENT: 4, _LINEAR: 2, _START_LINEAR: 4}
 _BASE_SHIFT = {_SEGMENT: 4, _LINEAR: 16}
 """By how many bits the payload of an address record is shifted to give the base of the following data."""
+
+
+def read_sii(data: bytes) -> SiiImage:
+    """The records of an EEPROM image from the bytes of a file, raw or Intel HEX by content.
+
+    What is odd but readable, a wrong check sum for instance, is told in ``findings``. Raises :class:`SiiImageError`,
+    a :class:`~esicatalog.errors.DocumentError`, as :func:`image_bytes` and :func:`~esicatalog.sii.decode.decode_sii`.
+    """
+    return decode_sii(image_bytes(data))
 
 
 def image_bytes(data: bytes) -> bytes:

@@ -24,8 +24,8 @@ _MATCHES = ["exact", "accepted", "older", "newer", "product", "vendor", "none"]
 
 _MAPPED = {
     "type": "string",
-    "pattern": "^(0x[0-9a-fA-F]{1,4}(:0x[0-9a-fA-F]{1,2})?)?$",
-    "examples": ["0x60FF", "0x6040:0"],
+    "pattern": "^(0x[0-9a-fA-F]{1,4}(:(0x[0-9a-fA-F]{1,2}|0?[0-9]|[0-9][a-fA-F]))?)?$",
+    "examples": ["0x60FF", "0x6040:0", "0x6000:0A"],
 }
 _BOUNDS = {"type": "string", "pattern": "^((<=|>=|=)?-?[0-9]{1,9})?$", "examples": ["<=8", ">=4", "100"]}
 _FLAG = {"type": "string", "enum": ["", *TRUE_WORDS, *FALSE_WORDS]}

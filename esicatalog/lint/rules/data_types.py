@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator
 
-from esicatalog.esi.records.dictionary import DataType
+from esicatalog.esi.records.dictionary import DataType, SubItem
 from esicatalog.lint.areas import Area, overlaps
 from esicatalog.lint.dictionaries import ObjectSubject
-from esicatalog.lint.registry import ERROR, WARNING, Found, rule
+from esicatalog.lint.registry import ERROR, WARNING, Found, listed, rule
 from esicatalog.model.base_types import base_type
 from esicatalog.model.dictionary_views import DictionaryView
 from esicatalog.model.resolver import TypeSet
@@ -86,9 +86,12 @@ def _repeated(keys: list[str | None] | list[int | None]) -> list[tuple[int, obje
     ]
 
 
-@rule("L43", WARNING, "ETG.2000 Object/BitSize is that of its type")
-def size_differs(subject: ObjectSubject) -> Iterator[Found]:
-    """BitSize of an object differs from that of its type."""
+@rule("L43", WARNING, "ETG.2000 Object/BitSize, SubItem/BitSize are those of the type")
+def size_differs(subject: ObjectSubject | DataType) -> Iterator[Found]:
+    """BitSize of an object, or of a SubItem of a base type, differs from that of its type."""
+    if isinstance(subject, DataType):
+        yield from _sizes_of_sub_items(subject)
+        return
     declared, data_type = subject.declared, subject.data_type
     if data_type is None or declared.bit_size is None or data_type.bit_size is None:
         return
@@ -100,12 +103,41 @@ def size_differs(subject: ObjectSubject) -> Iterator[Found]:
         )
 
 
+def _sizes_of_sub_items(data_type: DataType) -> Iterator[Found]:
+    if _is_of_idn(data_type):
+        return
+    misfits = [
+        (number, f"SubItem {sub_item.name!r} has BitSize {sub_item.bit_size}, its type {sub_item.type} {size}")
+        for number, sub_item in enumerate(data_type.sub_items)
+        if (size := _other_size(sub_item)) is not None
+    ]
+    if misfits:
+        first, _ = misfits[0]
+        words = listed([words for _, words in misfits])
+        yield Found(f"DataType {data_type.name}: {words}", ("sub_items", first, "bit_size"))
+
+
+def _is_of_idn(data_type: DataType) -> bool:
+    """Whether it is the structure of an IDN, where members may be a union or bit fields narrower than their type."""
+    return all(sub_item.subindex is None for sub_item in data_type.sub_items)
+
+
+def _other_size(sub_item: SubItem) -> int | None:
+    """The size of its base type, None where it is that of the SubItem or one of them is not known."""
+    base = base_type(sub_item.type)
+    size = base.bit_size if base is not None else None
+    return size if sub_item.bit_size not in (None, size) else None
+
+
 @rule("L44", WARNING, "ETG.2000 SubItem/BitOffs, BitSize: the complete-access image; SubIndex 0 lies at its start")
 def sub_item_overlap(data_type: DataType) -> Iterator[Found]:
-    """SubItems overlap or exceed their type, or SubIndex 0 does not lie at BitOffs 0."""
+    """SubItems overlap or exceed their type, or SubIndex 0 does not lie at BitOffs 0.
+
+    One whose own BitSize is wrong (L43) is left out: how far it reaches is not known.
+    """
     sub_items = data_type.sub_items
-    if not sub_items or all(sub_item.subindex is None for sub_item in sub_items):
-        return  # nothing to overlap, or the structure of an IDN, where members may be a union
+    if not sub_items or _is_of_idn(data_type):
+        return
     first = sub_items[0]
     if first.subindex == 0 and first.bit_offset:
         yield Found(
@@ -115,7 +147,7 @@ def sub_item_overlap(data_type: DataType) -> Iterator[Found]:
     areas = [
         Area(sub_item.bit_offset, sub_item.bit_offset + sub_item.bit_size, number)
         for number, sub_item in enumerate(sub_items)
-        if sub_item.bit_offset is not None and sub_item.bit_size
+        if sub_item.bit_offset is not None and sub_item.bit_size and _other_size(sub_item) is None
     ]
     for (_, end, number), (start, _, next_number) in overlaps(areas):
         yield Found(

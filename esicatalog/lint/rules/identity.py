@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from esicatalog.lint.library import DeviceFact, Library
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject, is_absent
+from esicatalog.model.revision_check import CHECK_REVISION_NO, is_known
 
 _SECONDARY_VENDOR = 0xE
 _WORD = re.compile(r"\w+")
@@ -155,6 +156,17 @@ def physics(subject: DeviceSubject) -> Iterator[Found]:
             yield Found(f"Physics {words}: name each port, e.g. YY for two 100BASE-TX ports", ("physics",))
     elif len(text) > 4 or not _PORTS.issuperset(text):
         yield Found(f"Physics {text!r} is not up to four of Y, K, H and blank", ("physics",))
+
+
+@rule("L68", WARNING, "ETG.2000 Type/@CheckRevisionNo; later files of Beckhoff have L24_EQ_H8_EQ_OR_G too")
+def check_revision_no_unknown(subject: DeviceSubject) -> Iterator[Found]:
+    """CheckRevisionNo names no test of found revisions."""
+    check = subject.device.check_revision_no
+    if not is_known(check):
+        yield Found(
+            f"CheckRevisionNo {check!r} is none of {', '.join(CHECK_REVISION_NO)}: no master knows what it accepts",
+            ("check_revision_no",),
+        )
 
 
 @rule("L15", WARNING, "ETG.2000 GroupType names a Group/Type of the document; ParentGroup likewise, two levels")

@@ -4,11 +4,10 @@ import asyncio
 from typing import Any
 
 from esicatalog.api import Catalog
-from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, slave_words
+from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, reference_clock_words, slave_words
 from esicatalog.errors import EsiCatalogError
 from esicatalog.scan.text import decode_text, is_utf16
-from esicatalog.sii.decode import decode_sii
-from esicatalog.sii.files import image_bytes
+from esicatalog.sii.files import read_sii
 from esicatalog.sii.text import sheet_lines
 from esicatalog.web.http import Page, body_of
 from esicatalog.web.links import device_path
@@ -49,7 +48,7 @@ def _looks_like_image(content: bytes) -> bool:
 
 
 def _image(content: bytes, catalog: Catalog) -> dict[str, Any]:
-    image = decode_sii(image_bytes(content))
+    image = read_sii(content)
     header = image.header
     answer = catalog.identify(header.vendor_id, header.product_code, header.revision_no)
     device = answer.device.device if answer.device is not None else None
@@ -64,12 +63,11 @@ def _image(content: bytes, catalog: Catalog) -> dict[str, Any]:
 
 def _bus(bus: BusReport) -> dict[str, Any]:
     summary = bus.summary
-    clock = summary.reference_clock_candidate
     facts = [
         ("with exact ESI", f"{len(bus.slaves) - len(bus.not_exact_at)} of {len(bus.slaves)}"),
         ("process data", f"{summary.output_bytes} bytes out, {summary.input_bytes} bytes in"),
         ("sizes unknown of", slave_words(summary.bytes_unknown_at)),
-        ("reference clock", f"slave {clock} is the first that can be it" if clock is not None else "no candidate"),
+        ("reference clock", reference_clock_words(summary)),
         ("no LRW", slave_words(summary.no_lrw_at)),
         ("E-bus supply exceeded at", slave_words(summary.e_bus_exceeded_at)),
         ("E-bus current unknown of", slave_words(summary.e_bus_unknown_at)),
