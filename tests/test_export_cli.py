@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from snippets import device, esi, write
+from snippets import device, esi, pdo, write
+from test_export_configuration import dc, times
 
 from esicatalog import Catalog
 from esicatalog.cli.export import command
@@ -152,7 +153,32 @@ def test_a_bus_with_other_revisions_is_refused(data_db):
     accepted = run("igh", "--scan", "-", "--accept-revision", db=data_db, stdin=listing)
     assert accepted.exit_code == 0
     assert "NOT EXACT, accepted on request" in accepted.stdout
-    assert len(accepted.stderr.splitlines()) == 1
+    assert accepted.stderr.count("accepted, asked for") == 1
+
+
+def test_a_slave_that_cannot_be_configured_is_left_out_of_the_header_of_its_bus_loudly(tmp_path):
+    """The first has a PDO without index (old files); for the second the cycle is a choice that does not fit."""
+    old = device("<RxPdo Sm='2'><Name>Out</Name></RxPdo>", product="1", type_text="OLD")
+    fixed = device(dc(("m", times("#x300", ">250000"))), product="2", type_text="FIXED")
+    twice = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') * 2
+    files = {"a.xml": esi(old + fixed + device(twice, product="3", type_text="TWICE"))}
+    db = tmp_path / "c.db"
+    Catalog.open(db, create=True).ingest([write(tmp_path / "in", files)], jobs=1)
+    listing = "vendor,product,revision\n" + "".join(f"0xe5c,{product},1\n" for product in (1, 2, 3))
+    result = run("igh", "--scan", "-", db=db, stdin=listing)
+    assert result.exit_code == 0
+    told = result.stderr.splitlines()
+    assert [line.partition(" is left out: ")[0] for line in told] == [
+        "esicatalog: position 0: OLD (0x00000e5c:0x00000001:0x00000001)",
+        "esicatalog: position 2: TWICE (0x00000e5c:0x00000003:0x00000001)",
+    ]
+    assert "RxPdo 'Out' is assigned and has no index" in told[0]
+    assert "NOT ALL SLAVES: 2 more of the bus cannot be configured by this header:" in result.stdout
+    assert "position 2: TWICE (0x00000e5c:0x00000003:0x00000001) is left out" in result.stdout
+    assert "#define FIXED_1_POSITION 1\n" in result.stdout
+    none = error_line(run("igh", "--scan", "-", "--cycle-ns", 700_000, db=db, stdin=listing), 2)
+    assert none.startswith("esicatalog: no slave of the bus can be configured; position 0: OLD")
+    assert "position 1: FIXED (0x00000e5c:0x00000002:0x00000001) is left out: OpMode 'm' fixes SYNC0" in none
 
 
 def test_choices_for_one_device_do_not_fit_a_bus(data_db):

@@ -479,6 +479,43 @@ def test_a_cycle_that_cannot_be_divided_is_refused():
     assert configured(content, cycle_ns=3_000_000).clocks.sync0_cycle.in_ns(3_000_000) == 1_000_000
 
 
+@pytest.mark.parametrize(
+    ("cycle_ns", "remark"),
+    [
+        (250_000, None),
+        (1_000_000, "with a bus cycle of 1000000 ns it comes 4 times in a cycle"),
+        (125_000, "with a bus cycle of 125000 ns it comes once in 2 cycles"),
+    ],
+)
+def test_a_fixed_cycle_of_sync0_other_than_the_bus_cycle_is_told(cycle_ns, remark):
+    found = configured(SMS + dc(("m", times("#x300", ">250000"))), cycle_ns=cycle_ns)
+    assert found.clocks is not None
+    assert found.clocks.sync0_cycle.in_ns(cycle_ns) == 250_000
+    assert found.remarks == ((f"the OpMode fixes SYNC0 at 250000 ns: {remark}",) if remark else ())
+
+
+@pytest.mark.parametrize("word", ["#x300", "#x500", "#x700"])
+def test_a_fixed_cycle_that_drifts_against_the_bus_cycle_is_refused(word):
+    """SYNC1 too counts from SYNC0, with or without its pulse."""
+    with pytest.raises(InputError, match="fixes SYNC0 at 250000 ns, which drifts against a bus cycle of 700000 ns"):
+        configured(SMS + dc(("m", times(word, ">250000"))), cycle_ns=700_000)
+
+
+def test_a_fixed_cycle_without_pulses_drifts_against_nothing():
+    found = configured(SMS + dc(("m", times("#x100", ">250000"))), cycle_ns=700_000)
+    assert (found.cycle_ns, found.remarks) == (700_000, ())
+
+
+def test_without_a_choice_the_bus_cycle_is_the_usual_one_or_that_of_a_sync0_that_would_drift_against_it():
+    assert configured(SMS).cycle_ns == 1_000_000
+    assert configured(SMS + dc(("m", times("#x300", ">3000000")))).cycle_ns == 1_000_000
+    found = configured(SMS + dc(("m", times("#x300", ">700000"))))
+    assert found.cycle_ns == 700_000
+    assert found.remarks == (
+        "the bus cycle is that of SYNC0, 700000 ns: the OpMode fixes it, and it drifts against 1000000 ns",
+    )
+
+
 MODES = SMS + dc(("free", times("0")), ("DC", times("#x300", FACTOR_1)), ("DC", times("#x700", FACTOR_1, FACTOR_1)))
 
 

@@ -8,7 +8,7 @@ import click
 
 from esicatalog.cli.common import read_text
 from esicatalog.errors import InputError, NotFound
-from esicatalog.export.choice import Choice
+from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice
 from esicatalog.identity import Identity
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ class Inputs(NamedTuple):
 
 
 def configurations_of_scan(inputs: Inputs, name: str) -> "tuple[list[Configuration], list[str]]":
-    """Configurations of the slaves that the catalog knows, and words about the others."""
+    """Configurations of the slaves that the catalog knows and that can be configured, and words about the others."""
     from esicatalog.api import Catalog
     from esicatalog.scan.front import read_scan
 
@@ -92,7 +92,9 @@ def _known_slaves(
     inputs: Inputs, catalog: "Catalog", slaves: "Iterable[ScannedSlave]", remarks: list[str]
 ) -> "Iterator[Configuration]":
     from esicatalog.export.configuration import configure
+    from esicatalog.export.igh_limits import check_limits
 
+    cycle_ns = inputs.choice.cycle_ns if inputs.choice.cycle_ns is not None else DEFAULT_CYCLE_NS
     known: dict[Identity, Subject | None] = {}
     refused: list[str] = []
     for slave in slaves:
@@ -108,7 +110,15 @@ def _known_slaves(
             named = f" ({identity})" if identity is not None else ""
             remarks.append(f"position {slave.position}: {slave.name or 'slave'}{named} is unknown and left out")
             continue
-        yield configure(subject, inputs.choice._replace(alias=0, position=slave.position, name=None))
+        try:
+            choice = inputs.choice._replace(alias=0, position=slave.position, name=None, cycle_ns=cycle_ns)
+            configuration = configure(subject, choice)
+            check_limits(configuration)
+        except InputError as error:
+            named = subject.device.type or slave.name or "slave"
+            remarks.append(f"position {slave.position}: {named} ({identity}) is left out: {error}")
+            continue
+        yield configuration
     if refused:
         raise NotFound("; ".join(refused))
 

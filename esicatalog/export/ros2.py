@@ -227,7 +227,7 @@ def _sync_manager(sm: SmConfiguration) -> Row:
 
 
 def _dc_remarks(configuration: Configuration) -> Iterable[str]:
-    found, cycle_ns = configuration.clocks, configuration.choice.cycle_ns
+    found, cycle_ns = configuration.clocks, configuration.cycle_ns
     if found is None or not (found.signals.sync0 or found.signals.sync1):
         return
     sync0 = found.sync0_cycle.in_ns(cycle_ns)

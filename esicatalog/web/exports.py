@@ -11,7 +11,7 @@ from esicatalog.api import Catalog
 from esicatalog.catalog.results import json_bytes
 from esicatalog.errors import EsiCatalogError, NotFound
 from esicatalog.esi.records.document import Vendor
-from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, parse_pdo_choice
+from esicatalog.export.choice import Choice, parse_pdo_choice
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.cstruct import cstruct_of_configuration
 from esicatalog.export.esi import DescribedDevice, export_esi
@@ -103,16 +103,16 @@ def _choice(request: Any) -> Choice:
     check_names(request.args, _PARAMETERS)
     pdo = request.args.get("pdo")
 
-    def number(name: str, default: int, limit: int) -> int:
+    def number(name: str, limit: int) -> int | None:
         text = request.args.get(name)
-        return parse_number(text, name, limit) if text else default
+        return parse_number(text, name, limit) if text else None
 
     return Choice(
         pdos=parse_pdo_choice(pdo) if pdo else (),
         modules=dict(parse_plugged(text) for text in request.args.getlist("module") if not text.endswith("=")),
         op_mode=request.args.get("op-mode") or None,
-        cycle_ns=number("cycle-ns", DEFAULT_CYCLE_NS, _LARGEST_CYCLE_NS),
+        cycle_ns=number("cycle-ns", _LARGEST_CYCLE_NS),
         name=request.args.get("name") or None,
-        alias=number("alias", 0, 0xFFFF),
-        position=number("position", 0, 0xFFFF),
+        alias=number("alias", 0xFFFF) or 0,
+        position=number("position", 0xFFFF) or 0,
     )
