@@ -13,6 +13,7 @@ from esicatalog.export.choice import Choice
 from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
+from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import ChosenPdos, apply_choice
@@ -146,7 +147,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     device = subject.device
     plugged = chosen_modules(device, subject.modules, choice.modules)
     expanded = [expand_module(device, item) for item in plugged]
-    position, mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
+    position, op_mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
     op_mode = device.op_modes[position] if position is not None else None
     objects = ObjectTable(device, expanded)
     default = process_image(device, plugged, op_mode)
@@ -160,7 +161,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     commands, command_remarks = start_commands(device, plugged, expanded)
     names = entry_names(device, expanded, images, objects)
     remarks = [
-        *mode_remarks,
+        *op_mode_remarks,
         *chosen.remarks,
         *_assignment_remarks(device, chosen, default, images),
         *(remark for image in images for remark in image.remarks),
@@ -168,6 +169,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *programmed.remarks,
         *command_remarks,
         *cycle_remarks(commands, names.axes, programmed.cycle_ns, _sync0_ns(programmed)),
+        *mode_remarks(commands, names.axes, expanded, images),
     ]
     sync_managers = tuple(_sync_managers(device, images, names.identifiers, objects, remarks))
     return Configuration(
