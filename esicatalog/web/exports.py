@@ -30,19 +30,21 @@ from esicatalog.web.links import identity_of_path
 from esicatalog.web.state import catalog_for
 
 _LARGEST_CYCLE_NS = 10**10
-_PARAMETERS = ("pdo", "module", "op-mode", "cycle-ns", "name", "alias", "position")
+_CHOICE = ("pdo", "module", "op-mode", "cycle-ns", "name", "alias", "position")
 
 Generate = Callable[[Subject, Choice], str | bytes]
 
 
 class Target(NamedTuple):
-    """A target: what it is called, the ending of its file, its media type, what makes it, and of which devices."""
+    """A target: what it is called, what makes it, of which devices, and which parameters choose."""
 
     label: str
     ending: str
+    """What its file is called behind the name of the device: downloads of one device must not replace each other."""
     media_type: str
     generate: Generate
     needs_process_data: bool = False
+    parameters: tuple[str, ...] = _CHOICE
 
 
 def _configured(generate: Callable[[Configuration], str]) -> Generate:
@@ -61,14 +63,14 @@ def _sii(subject: Subject, choice: Choice) -> bytes:
 
 _C = "text/x-c; charset=utf-8"
 TARGETS: dict[str, Target] = {
-    "igh": Target("IgH C header", "h", _C, _configured(igh_header)),
-    "soem": Target("SOEM C header", "h", _C, _configured(soem_header)),
-    "pysoem": Target("pysoem module", "py", "text/x-python; charset=utf-8", _configured(pysoem_module)),
-    "ros2": Target("ROS 2 slave YAML", "yaml", "application/yaml", _configured(ros2_slave), True),
-    "linuxcnc": Target("LinuxCNC XML", "xml", "application/xml", _configured(linuxcnc_configuration), True),
-    "cstruct": Target("ethercat cstruct", "c", _C, _configured(cstruct_of_configuration)),
-    "sii": Target("EEPROM image", "bin", "application/octet-stream", _sii),
-    "esi": Target("ESI XML", "xml", "application/xml", _esi),
+    "igh": Target("IgH C header", ".h", _C, _configured(igh_header)),
+    "soem": Target("SOEM C header", "_soem.h", _C, _configured(soem_header)),
+    "pysoem": Target("pysoem module", ".py", "text/x-python; charset=utf-8", _configured(pysoem_module)),
+    "ros2": Target("ROS 2 slave YAML", ".yaml", "application/yaml", _configured(ros2_slave), True),
+    "linuxcnc": Target("LinuxCNC XML", "_linuxcnc.xml", "application/xml", _configured(linuxcnc_configuration), True),
+    "cstruct": Target("ethercat cstruct", ".c", _C, _configured(cstruct_of_configuration)),
+    "sii": Target("EEPROM image", ".bin", "application/octet-stream", _sii, parameters=()),
+    "esi": Target("ESI XML", ".xml", "application/xml", _esi, parameters=()),
 }
 """By name in the address and on the command line."""
 
@@ -87,20 +89,20 @@ def _generated(request: Any, catalog: Catalog) -> Response:
     target = TARGETS.get(request.url_vars["target"])
     if target is None:
         raise NotFound(f"no such export; there are {', '.join(TARGETS)}")
+    check_names(request.args, target.parameters)
     identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
     subject = catalog.export_subject(identity)
     made = target.generate(subject, _choice(request))
     data = made.encode() if isinstance(made, str) else made
     stem = re.sub(r"[^A-Za-z0-9]+", "_", subject.device.type or "device").strip("_") or "device"
     headers = {
-        "Content-Disposition": f'attachment; filename="{stem}.{target.ending}"',
+        "Content-Disposition": f'attachment; filename="{stem}{target.ending}"',
         "X-Content-Type-Options": "nosniff",
     }
     return Response(data, 200, headers, target.media_type)
 
 
 def _choice(request: Any) -> Choice:
-    check_names(request.args, _PARAMETERS)
     pdo = request.args.get("pdo")
 
     def number(name: str, limit: int) -> int | None:
