@@ -408,6 +408,16 @@ async def test_only_what_can_be_made_is_offered(tmp_path):
         assert notes == (["Not without process data: ROS 2 slave YAML, LinuxCNC XML"] if refused else [])
 
 
+async def test_of_a_device_without_revision_its_esi_is_offered(tmp_path):
+    db = catalog_of(tmp_path, esi(device("<Sm>Outputs</Sm>", revision="#xx1")))
+    tree = await page(db, "/-/esi/device/0xe5c/1/-")
+    (link,) = tree.cssselect("section[aria-labelledby=exports] a")
+    written = await (await client(db)).get(link.get("href"))
+    assert 'RevisionNo="#xx1"' in written.text
+    refused = await (await client(db)).get("/-/esi/device/0xe5c/1/-/export/sii")
+    assert (refused.status_code, "has no revision" in refused.json()["error"]) == (400, True)
+
+
 async def test_exports_take_choices_and_refuse_with_words(data_db):
     web = await client(data_db)
     chosen = await web.get(f"{EYOU}/export/igh?module=0%3D0x219800&cycle-ns=2000000&name=axis")

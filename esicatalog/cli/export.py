@@ -184,6 +184,7 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     from esicatalog.sii.files import image_bytes
 
     subject = inputs.subject()
+    subject.required_codes()
     image = sii_image(subject.vendor_id, subject.group, subject.device, language=language)
     dropped: tuple[str, ...] = ()
     merged = None
@@ -207,7 +208,10 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
 )
 @click.pass_context
 def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: bool) -> bytes:
-    """ESI XML of the device, made from the catalog alone: vendor, group, device, modules."""
+    """ESI XML of the device, made from the catalog alone: vendor, group, device, modules.
+
+    Also of a device without revision (V:P:-); --vendor takes all, those without any codes too.
+    """
     from esicatalog.esi.records.document import Vendor
     from esicatalog.export.esi import DescribedDevice, export_esi, export_esi_files
 

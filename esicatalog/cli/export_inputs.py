@@ -67,19 +67,14 @@ def configurations_of_scan(inputs: Inputs, name: str) -> "tuple[list[Configurati
 
 
 def subjects_of_vendor(db: str, vendor_id: int) -> "list[Subject]":
-    """Every description of a vendor that has an identity. Raises :class:`NotFound` when there is none."""
+    """The preferred description of every device of a vendor. Raises :class:`NotFound` when there is none."""
     from esicatalog.api import Catalog
 
     with Catalog.open(db) as catalog:
-        found = catalog.devices(vendor_id=vendor_id, include_hidden=True)
-        identities = [
-            Identity(vendor_id, device.product_code, device.revision_no, device.variant)
-            for device in found
-            if device.product_code is not None and device.revision_no is not None
-        ]
-        if not identities:
-            raise NotFound(f"vendor 0x{vendor_id:08x} has no device with an identity in the catalog")
-        return [catalog.export_subject(identity) for identity in identities]
+        found = catalog.export_subjects(vendor_id)
+    if not found:
+        raise NotFound(f"vendor 0x{vendor_id:08x} has no device in the catalog")
+    return found
 
 
 def _check_single_bus(scan: "Scan") -> None:

@@ -143,6 +143,7 @@ class Configuration(NamedTuple):
 def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     """The configuration of a device for a choice. Raises :class:`InputError` for what cannot be chosen so."""
     choice = choice if choice is not None else Choice()
+    subject.required_codes()
     _check_numbers(choice)
     device = subject.device
     plugged = chosen_modules(device, subject.modules, choice.modules)

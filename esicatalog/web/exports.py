@@ -44,6 +44,7 @@ class Target(NamedTuple):
     media_type: str
     generate: Generate
     needs_process_data: bool = False
+    needs_revision: bool = True
     parameters: tuple[str, ...] = _CHOICE
 
 
@@ -57,6 +58,7 @@ def _esi(subject: Subject, choice: Choice) -> bytes:
 
 
 def _sii(subject: Subject, choice: Choice) -> bytes:
+    subject.required_codes()
     image = sii_image(subject.vendor_id, subject.group, subject.device)
     return encode_sii(check_image(image, image.header.byte_size))
 
@@ -70,7 +72,7 @@ TARGETS: dict[str, Target] = {
     "linuxcnc": Target("LinuxCNC XML", "_linuxcnc.xml", "application/xml", _configured(linuxcnc_configuration), True),
     "cstruct": Target("ethercat cstruct", ".c", _C, _configured(cstruct_of_configuration)),
     "sii": Target("EEPROM image", ".bin", "application/octet-stream", _sii, parameters=()),
-    "esi": Target("ESI XML", ".xml", "application/xml", _esi, parameters=()),
+    "esi": Target("ESI XML", ".xml", "application/xml", _esi, needs_revision=False, parameters=()),
 }
 """By name in the address and on the command line."""
 

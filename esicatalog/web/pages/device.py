@@ -7,7 +7,7 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription, description_json
 from esicatalog.catalog.mapping import image_key
-from esicatalog.catalog.results import hex32
+from esicatalog.catalog.results import FoundDevice, hex32
 from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
@@ -134,7 +134,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         "evidence": derived.modes.evidence,
         "commands": _commands(device.mailbox),
         "eeprom": device.eeprom,
-        "image_remarks": (WHY_MERGE, *image_remarks(device)),
+        "image_remarks": (WHY_MERGE, *image_remarks(device)) if found.revision_no is not None else (),
         "object_count": sum(len(p.dictionary.objects) for p in device.profiles if p.dictionary is not None),
         "revisions": [
             {
@@ -151,22 +151,26 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
         "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
         "identity": found.identity_text,
-        **_exports(path if found.revision_no is not None else "", any(image.pdos for image in images)),
+        **_exports(found, any(image.pdos for image in images)),
         "chosen": "&".join(f"module={slot}%3D0x{ident:X}" for slot, ident in choice.items()),
         "drawing_css": DRAWING_CSS,
     }
 
 
-def _exports(path: str, has_process_data: bool) -> dict[str, Any]:
+def _exports(found: FoundDevice, has_process_data: bool) -> dict[str, Any]:
     """What is offered, and the labels of what cannot be made without process data."""
-    made = {name: target for name, target in TARGETS.items() if has_process_data or not target.needs_process_data}
+    targets = {
+        name: target for name, target in TARGETS.items() if found.revision_no is not None or not target.needs_revision
+    }
     return {
         "exports": [
             {"name": name, "label": target.label, "takes_modules": "module" in target.parameters}
-            for name, target in made.items()
-            if path
+            for name, target in targets.items()
+            if has_process_data or not target.needs_process_data
         ],
-        "not_exported": [target.label for name, target in TARGETS.items() if name not in made],
+        "not_exported": [
+            target.label for target in targets.values() if target.needs_process_data and not has_process_data
+        ],
     }
 
 
