@@ -228,18 +228,35 @@ class Catalog:
     def export_subject(self, identity: str | Identity) -> "Subject":
         """What generators get of a device: its description with the vendor and groups of its document.
 
-        Raises :class:`~esicatalog.errors.NotFound`, and :class:`~esicatalog.errors.InputError` without codes.
+        Raises :class:`~esicatalog.errors.NotFound`.
         """
+        from esicatalog.catalog.devices import find_device
+
+        wanted = parse_identity(identity) if isinstance(identity, str) else identity
+        with self._connection() as connection:
+            number, found, _ = find_device(connection, wanted)
+            return self._export_subject(connection, number, found)
+
+    def export_subjects(self, vendor_id: int) -> "list[Subject]":
+        """What generators get of all devices of a vendor, with codes and without: the preferred descriptions."""
+        from esicatalog.catalog.devices import devices_of_vendor
+
+        with self._connection() as connection:
+            return [
+                self._export_subject(connection, number, found)
+                for number, found in devices_of_vendor(connection, vendor_id)
+            ]
+
+    def _export_subject(self, connection: "sa.Connection", number: int, found: "FoundDevice") -> "Subject":
         from esicatalog.catalog.document_parts import document_parts
+        from esicatalog.catalog.reader import RecordReader
         from esicatalog.export.subject import subject_of_description
 
-        description = self.device(identity)
-        with self._connection() as connection:
-            parts = document_parts(connection, description.device_id)
-        subject = subject_of_description(
-            description.found, description.sources, description.device, description.modules
+        reader, parts = RecordReader(connection), document_parts(connection, number)
+        sources, modules = self._identities().sources(number), reader.modules_of(number)
+        return subject_of_description(found, sources, reader.device(number), modules).of_document(
+            parts.vendor, parts.groups
         )
-        return subject.of_document(parts.vendor, parts.groups)
 
     def content_hash(self) -> str | None:
         """SHA-256 of what the catalog holds, as the last ingest stored it; None while one is under way."""

@@ -157,6 +157,28 @@ def test_long_names_are_broken_and_numbers_are_not(browser: Browser, long_names:
     opened.close()
 
 
+@pytest.fixture(scope="module")
+def long_modules(tmp_path_factory) -> Iterator[str]:
+    """Slots and modules with names longer than a small screen is wide."""
+    slots = "".join(
+        f"<Slot MinInstances='0' MaxInstances='1'><Name>{name}</Name><ModuleIdent>#x10</ModuleIdent></Slot>"
+        for name in ("s" * 120, "Slot for a terminal")
+    )
+    modules = f"<Module><Type ModuleIdent='#x10'>M</Type><Name>{'A module with a long name, ' * 6}</Name></Module>"
+    folder = tmp_path_factory.mktemp("modules")
+    with serving(catalog_of(folder, esi(device(f"<Slots>{slots}</Slots>"), modules))) as address:
+        yield address
+
+
+@pytest.mark.parametrize("width", [1280, 400])
+def test_the_module_picker_stays_within_the_page(browser: Browser, long_modules: str, width: int):
+    opened = browser.new_page(base_url=long_modules, viewport={"width": width, "height": 900})
+    opened.goto("/-/esi/device/0xe5c/1/1")
+    expect(opened.get_by_label("Slot 1")).to_be_visible()
+    assert opened.evaluate("document.documentElement.scrollWidth") <= width
+    opened.close()
+
+
 def test_copy_button(browser: Browser, served: str):
     context = browser.new_context(base_url=served, permissions=["clipboard-read", "clipboard-write"])
     opened = context.new_page()

@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from snippets import device, esi, write
+from snippets import device, esi, only_device, pdo, read, write
+from test_export_configuration import dc, times
 
 from esicatalog import Catalog
 from esicatalog.cli.export import command
@@ -109,11 +110,44 @@ def test_an_image_that_is_none_is_one_line(tmp_path):
     assert "empty EEPROM" in error_line(run("cstruct", "--sii", tmp_path / "empty.bin"), 2)
 
 
-def test_devices_without_identity_are_refused(tmp_path):
-    write(tmp_path, {"cap.xml": esi(device("", product="", type_text="End cap"))})
-    assert "no device with vendor, product code and revision" in error_line(
-        run("igh", "--esi", tmp_path / "cap.xml"), 2
-    )
+@pytest.mark.parametrize("target", ["igh", "cstruct", "soem", "pysoem", "ros2", "linuxcnc", "sii"])
+def test_devices_without_codes_are_refused_but_for_esi(tmp_path, target):
+    cap, unread = device("", product="", type_text="End cap"), device("", revision="#xx1", type_text="Unread")
+    write(tmp_path, {"cap.xml": esi(cap), "unread.xml": esi(unread)})
+    line = error_line(run(target, "--esi", tmp_path / "cap.xml"), 2)
+    assert "End cap has no product code and no revision: it can be exported as ESI only" in line
+    assert "Unread has no revision: " in error_line(run(target, "--esi", tmp_path / "unread.xml"), 2)
+    assert "Unread has no revision: " in error_line(run(target, "0xe5c:1:-", "--esi", tmp_path / "unread.xml"), 2)
+
+
+def test_a_document_without_any_vendor_id_has_nothing_to_export(tmp_path):
+    write(tmp_path, {"x.xml": esi(device(""), vendor="<Name>Nobody</Name>")})
+    assert "no device of a vendor with an id" in error_line(run("esi", "--esi", tmp_path / "x.xml"), 2)
+
+
+def test_esi_of_devices_without_codes_is_what_was_read(tmp_path):
+    """A revision that is no number stays as the vendor spells it; without a choice one with codes counts."""
+    unread = device("<Sm>Outputs</Sm>", revision="#xx1", type_text="Unread")
+    cap = device("", product="", type_text="End cap")
+    whole = device("", type_text="Whole", product="2")
+    folder = write(tmp_path / "in", {"a.xml": esi(unread + cap), "b.xml": esi(unread + whole)})
+    db = tmp_path / "c.db"
+    Catalog.open(db, create=True).ingest([folder], jobs=1)
+    for found in (
+        run("esi", "0xe5c:1:-", db=db),
+        run("esi", "0xe5c:1", db=db),
+        run("esi", "0xe5c:1:-", "--esi", folder / "a.xml"),
+        run("esi", "0xe5c:1", "--esi", folder / "a.xml"),
+    ):
+        (written,) = read(found.stdout).document.infos[0].devices
+        assert written == only_device(esi(unread))
+        assert 'RevisionNo="#xx1"' in found.stdout
+    of_vendor = read(run("esi", "--vendor", "0xe5c", db=db).stdout).document.infos[0].devices
+    assert {item.type for item in of_vendor} == {"Unread", "End cap", "Whole"}
+    (written,) = read(run("esi", "--esi", folder / "b.xml").stdout).document.infos[0].devices
+    assert written.type == "Whole"
+    both = error_line(run("esi", "--esi", folder / "a.xml"), 2)
+    assert "0x00000e5c:0x00000001:- (Unread; a.xml, line 1), 0x00000e5c:-:- (End cap; a.xml, line 1)" in both
 
 
 def test_a_real_image_on_the_command_line(corpus):
@@ -152,7 +186,32 @@ def test_a_bus_with_other_revisions_is_refused(data_db):
     accepted = run("igh", "--scan", "-", "--accept-revision", db=data_db, stdin=listing)
     assert accepted.exit_code == 0
     assert "NOT EXACT, accepted on request" in accepted.stdout
-    assert len(accepted.stderr.splitlines()) == 1
+    assert accepted.stderr.count("accepted, asked for") == 1
+
+
+def test_a_slave_that_cannot_be_configured_is_left_out_of_the_header_of_its_bus_loudly(tmp_path):
+    """The first has a PDO without index (old files); for the second the cycle is a choice that does not fit."""
+    old = device("<RxPdo Sm='2'><Name>Out</Name></RxPdo>", product="1", type_text="OLD")
+    fixed = device(dc(("m", times("#x300", ">250000"))), product="2", type_text="FIXED")
+    twice = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') * 2
+    files = {"a.xml": esi(old + fixed + device(twice, product="3", type_text="TWICE"))}
+    db = tmp_path / "c.db"
+    Catalog.open(db, create=True).ingest([write(tmp_path / "in", files)], jobs=1)
+    listing = "vendor,product,revision\n" + "".join(f"0xe5c,{product},1\n" for product in (1, 2, 3))
+    result = run("igh", "--scan", "-", db=db, stdin=listing)
+    assert result.exit_code == 0
+    told = result.stderr.splitlines()
+    assert [line.partition(" is left out: ")[0] for line in told] == [
+        "esicatalog: position 0: OLD (0x00000e5c:0x00000001:0x00000001)",
+        "esicatalog: position 2: TWICE (0x00000e5c:0x00000003:0x00000001)",
+    ]
+    assert "RxPdo 'Out' is assigned and has no index" in told[0]
+    assert "NOT ALL SLAVES: 2 more of the bus cannot be configured by this header:" in result.stdout
+    assert "position 2: TWICE (0x00000e5c:0x00000003:0x00000001) is left out" in result.stdout
+    assert "#define FIXED_1_POSITION 1\n" in result.stdout
+    none = error_line(run("igh", "--scan", "-", "--cycle-ns", 700_000, db=db, stdin=listing), 2)
+    assert none.startswith("esicatalog: no slave of the bus can be configured; position 0: OLD")
+    assert "position 1: FIXED (0x00000e5c:0x00000002:0x00000001) is left out: OpMode 'm' fixes SYNC0" in none
 
 
 def test_choices_for_one_device_do_not_fit_a_bus(data_db):

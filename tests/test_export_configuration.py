@@ -479,6 +479,43 @@ def test_a_cycle_that_cannot_be_divided_is_refused():
     assert configured(content, cycle_ns=3_000_000).clocks.sync0_cycle.in_ns(3_000_000) == 1_000_000
 
 
+@pytest.mark.parametrize(
+    ("cycle_ns", "remark"),
+    [
+        (250_000, None),
+        (1_000_000, "with a bus cycle of 1000000 ns it comes 4 times in a cycle"),
+        (125_000, "with a bus cycle of 125000 ns it comes once in 2 cycles"),
+    ],
+)
+def test_a_fixed_cycle_of_sync0_other_than_the_bus_cycle_is_told(cycle_ns, remark):
+    found = configured(SMS + dc(("m", times("#x300", ">250000"))), cycle_ns=cycle_ns)
+    assert found.clocks is not None
+    assert found.clocks.sync0_cycle.in_ns(cycle_ns) == 250_000
+    assert found.remarks == ((f"the OpMode fixes SYNC0 at 250000 ns: {remark}",) if remark else ())
+
+
+@pytest.mark.parametrize("word", ["#x300", "#x500", "#x700"])
+def test_a_fixed_cycle_that_drifts_against_the_bus_cycle_is_refused(word):
+    """SYNC1 too counts from SYNC0, with or without its pulse."""
+    with pytest.raises(InputError, match="fixes SYNC0 at 250000 ns, which drifts against a bus cycle of 700000 ns"):
+        configured(SMS + dc(("m", times(word, ">250000"))), cycle_ns=700_000)
+
+
+def test_a_fixed_cycle_without_pulses_drifts_against_nothing():
+    found = configured(SMS + dc(("m", times("#x100", ">250000"))), cycle_ns=700_000)
+    assert (found.cycle_ns, found.remarks) == (700_000, ())
+
+
+def test_without_a_choice_the_bus_cycle_is_the_usual_one_or_that_of_a_sync0_that_would_drift_against_it():
+    assert configured(SMS).cycle_ns == 1_000_000
+    assert configured(SMS + dc(("m", times("#x300", ">3000000")))).cycle_ns == 1_000_000
+    found = configured(SMS + dc(("m", times("#x300", ">700000"))))
+    assert found.cycle_ns == 700_000
+    assert found.remarks == (
+        "the bus cycle is that of SYNC0, 700000 ns: the OpMode fixes it, and it drifts against 1000000 ns",
+    )
+
+
 MODES = SMS + dc(("free", times("0")), ("DC", times("#x300", FACTOR_1)), ("DC", times("#x700", FACTOR_1, FACTOR_1)))
 
 
@@ -662,3 +699,47 @@ def test_an_identity_that_is_described_twice_needs_a_variant():
 def test_numbers_of_the_file_that_no_master_can_take(content, message):
     with pytest.raises(InputError, match=message):
         configured(SMS + content)
+
+
+def mode_command(data: str, transition: str = "PS") -> str:
+    return init_cmd(transition, "#x6060", data).replace("<SubIndex>1<", "<SubIndex>0<")
+
+
+def mode_module(name: str, *commands: str) -> str:
+    """A module for :data:`ONE_SLOT` with these commands and a controlword, which makes it a drive."""
+    coe = f"<Mailbox><CoE>{''.join(commands)}</CoE></Mailbox>"
+    content = rx("#x1600", entry("#x6040", 16), entry("#x607A", 32)) + coe
+    return f"<Module><Type ModuleIdent='1'>{name}</Type><Name>M</Name>{content}</Module>"
+
+
+def test_a_mode_against_the_name_of_the_plugged_module_is_told():
+    """Code 8 is CSP (CiA 402 object 0x6060); the name lists profile modes only (rule L57)."""
+    found = configured(SMS + ONE_SLOT, mode_module("Axis (pp,pv)", mode_command("08", "SO")))
+    assert found.remarks == (
+        "slot 0: the start-up command writes 0x6060 = 8 (CSP), but the module's name 'Axis (pp,pv) / M' lists PP, PV: "
+        "check which mode is meant before the drive is enabled",
+    )
+
+
+@pytest.mark.parametrize(("name", "data"), [("Axis (csp,pv)", "08"), ("Axis", "08"), ("Axis (pp,pv)", "01")])
+def test_a_mode_that_the_name_lists_or_leaves_open_is_not_told(name, data):
+    assert configured(SMS + ONE_SLOT, mode_module(name, mode_command(data))).remarks == ()
+
+
+def test_the_code_of_a_mode_in_an_object_of_no_drive_is_none():
+    module_text = mode_module("IO (pp,pv)", mode_command("08")).replace("#x6040", "#x7040").replace("#x607A", "#x707A")
+    assert configured(SMS + ONE_SLOT, module_text).remarks == ()
+
+
+@pytest.mark.parametrize(("data", "what"), [("08", "8 (CSP)"), ("FD", "-3")])
+def test_a_mapped_mode_replaces_that_of_the_start_up_command(data, what):
+    """FD is -3, a manufacturer's mode. Where only the display 0x6061 is mapped nothing replaces it."""
+    coe = f"<Mailbox><CoE>{mode_command(data)}</CoE></Mailbox>"
+    found = configured(SMS + rx("#x1600", entry("#x6060", 8)) + coe)
+    assert found.remarks == (
+        f"0x6060 is mapped: the cyclic value replaces the {what} of the start-up command, so write the mode that is "
+        "wanted there from the first cycle on",
+    )
+    assert configured(SMS + rx("#x1600", entry("#x6061", 8)) + coe).remarks == ()
+    back = coe.replace("<Transition>PS<", "<Transition>OP<")
+    assert configured(SMS + rx("#x1600", entry("#x6060", 8)) + back).remarks == ()

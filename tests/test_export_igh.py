@@ -315,6 +315,16 @@ def test_a_cycle_that_cannot_be_divided_does_not_compile(tmp_path):
         check_syntax(tmp_path, [header], IGH_16, "-DCYCLE_NS=1000001")
 
 
+@needs_gcc
+def test_a_cycle_that_drifts_against_a_fixed_sync0_does_not_compile(tmp_path):
+    """The header has the cycle though no time follows it: what is compiled otherwise is compared all the same."""
+    header = header_of(SMS + dc(("m", times("#x300", ">250000"))))
+    for option in ((), ("-DCYCLE_NS=250000",), ("-DCYCLE_NS=125000",)):
+        check_syntax(tmp_path, [header], IGH_16, *option)
+    with pytest.raises(AssertionError, match="CYCLE_NS must be a multiple or a divisor of 250000 ns"):
+        check_syntax(tmp_path, [header], IGH_16, "-DCYCLE_NS=700000")
+
+
 def test_the_cycle_of_the_option_is_the_default_of_the_header():
     text = header_of(SMS + dc(("m", times("#x300", FACTOR_1))), cycle_ns=500_000)
     assert "#ifndef CYCLE_NS\n#define CYCLE_NS 500000\n" in text

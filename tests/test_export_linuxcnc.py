@@ -251,6 +251,14 @@ def test_the_clocks(mode, attributes):
     assert found == attributes
 
 
+def test_the_period_is_that_of_a_fixed_sync0_where_the_usual_one_would_drift():
+    content = SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + dc(("m", times("#x300", ">700000")))
+    text = linuxcnc_configuration(configured(content))
+    assert 'appTimePeriod="700000"' in text
+    assert 'sync0Cycle="700000"' in text
+    assert "the bus cycle is that of SYNC0, 700000 ns" in text
+
+
 def test_a_device_that_uses_the_time_only_has_synchronized_clocks_and_no_dc_conf():
     modes = dc(("DC", times("#x320"))).replace("<Dc>", '<Dc TimeLoopControlOnly="1">')
     text = linuxcnc_configuration(configured(SMS + rx("#x1600", entry("#x7000", 8, "v", 1)) + modes))

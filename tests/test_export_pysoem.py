@@ -154,6 +154,22 @@ def test_a_cycle_that_cannot_be_divided_is_refused():
     assert slave.calls == ["dc True 2000 0 None"]
 
 
+@pytest.mark.parametrize(
+    ("cycle_ns", "made"),
+    [(1_000_000, "dc True 250000 0 750000"), (250_000, "dc True 250000 0 0"), (700_000, None), (125_000, None)],
+)
+def test_a_cycle_that_does_not_fit_a_fixed_sync0_is_refused(cycle_ns, made):
+    """SYNC0 drifts against 700 µs; with 125 µs SYNC1, once in a bus cycle, lies before SYNC0."""
+    module = module_of(SMS + dc(("m", times("#x700", ">250000", 'Factor="-1">0'))))
+    slave = FakeSlave(1, 1)
+    if made is None:
+        with pytest.raises(ValueError, match="SYNC0"):
+            module.config_dc(slave, cycle_ns)
+    else:
+        module.config_dc(slave, cycle_ns)
+    assert slave.calls == ([made] if made else [])
+
+
 def test_other_commands():
     coe = init_cmd("IP", "#x2001", "01") + init_cmd("SO", "#x2002", "0200", 'CompleteAccess="1"')
     soe = "<SoE><InitCmd Chn='1'><Transition>PS</Transition><IDN>32</IDN><Data>0B00</Data></InitCmd></SoE>"

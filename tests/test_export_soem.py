@@ -167,6 +167,14 @@ def test_the_cycle_can_be_set_when_compiling(tmp_path):
 
 
 @needs_gcc
+def test_a_cycle_that_drifts_against_a_fixed_sync0_does_not_compile(tmp_path):
+    header = header_of(SMS + dc(("m", times("#x300", ">250000"))))
+    assert calls(tmp_path, "1.4", header, "d_config_dc", options=("-DCYCLE_NS=125000",)) == ["dcsync0 3 1 250000 0"]
+    with pytest.raises(AssertionError, match="CYCLE_NS must be a multiple or a divisor of 250000 ns"):
+        calls(tmp_path, "1.4", header, "d_config_dc", options=("-DCYCLE_NS=700000",))
+
+
+@needs_gcc
 def test_the_process_image(tmp_path):
     main = """
     d_outputs_t image;

@@ -218,6 +218,33 @@ async def test_what_is_not_there(data_db, path, status):
     assert (await (await client(data_db)).get(path)).status_code == status
 
 
+@pytest.mark.parametrize(
+    ("identity", "match"),
+    [
+        ("0x1/0x2/0x3", "none"),
+        ("0x1097/0x2/0x3", "vendor"),
+        ("0x1097/0x2/latest", "vendor"),
+        ("0x1097/0x2406/0x90", "older"),
+    ],
+)
+async def test_json_of_a_device_that_is_not_described_is_that_of_identify(data_db, identity, match):
+    web = await client(data_db)
+    vendor, product, revision = identity.replace("latest", "").split("/")
+    answer = await web.get(f"/-/esi/device/{identity}.json")
+    asked = await web.get(f"/-/esi/identify.json?vendor={vendor}&product={product}&revision={revision}")
+    assert answer.status_code == 404
+    assert answer.json() == asked.json()
+    assert answer.json()["match"] == match
+
+
+async def test_json_of_a_variant_that_is_not_there_says_so(data_db):
+    answer = await (await client(data_db)).get(f"{EYOU}@9.json")
+    assert (answer.status_code, answer.json()) == (
+        404,
+        {"error": "0x00001097:0x00002406:0x0000008f@9 has no variant 9"},
+    )
+
+
 async def test_virtual_sync_managers_are_named_so(tmp_path):
     """ESI-FACTS 8, Sm/@Virtual: not a real SyncManager; in the sheet too."""
     content = '<Sm ControlByte="#x64">Outputs</Sm><Sm ControlByte="#x64" Virtual="1">Outputs</Sm>'
@@ -329,7 +356,17 @@ def test_hex_in_filters(query, decimal):
     assert decimal_filters(query) == decimal
 
 
-EXPORTS = ("igh", "soem", "pysoem", "ros2", "linuxcnc", "cstruct", "sii", "esi")
+EXPORTS = {
+    "igh": ".h",
+    "soem": "_soem.h",
+    "pysoem": ".py",
+    "ros2": ".yaml",
+    "linuxcnc": "_linuxcnc.xml",
+    "cstruct": ".c",
+    "sii": ".bin",
+    "esi": ".xml",
+}
+"""Targets, and what their files are called behind the name of the device."""
 
 
 @pytest.mark.parametrize("target", EXPORTS)
@@ -343,8 +380,13 @@ async def test_exports_are_offered_and_served(data_db, target):
     ]
     response = await web.get(link)
     assert response.status_code == 200, response.text
-    assert response.headers["content-disposition"].startswith('attachment; filename="EYOU_ServoModule_V143.')
+    name = response.headers["content-disposition"].removeprefix('attachment; filename="').removesuffix('"')
+    assert name == f"EYOU_ServoModule_V143{EXPORTS[target]}"
     assert response.content
+
+
+def test_downloads_of_one_device_have_different_names():
+    assert len({*EXPORTS.values()}) == len(EXPORTS)
 
 
 async def test_only_what_can_be_made_is_offered(tmp_path):
@@ -358,12 +400,22 @@ async def test_only_what_can_be_made_is_offered(tmp_path):
     web = await client(db)
     for query, refused in (("", {"ros2", "linuxcnc"}), ("?module=0%3D0x10", set())):
         section = (await page(db, f"/-/esi/device/0xe5c/1/1{query}")).cssselect("section[aria-labelledby=exports]")[0]
-        links = [link.get("href") for link in section.cssselect("a")]
+        links = [link.get("href") for link in section.cssselect("a.button")]
         assert {re.split(r"[/?]", link.partition("/export/")[2])[0] for link in links} == {*EXPORTS} - refused
         for link in links:
             assert (await web.get(link)).status_code == 200, link
         notes = [text for text in texts(section, "p") if text.startswith("Not without process data")]
         assert notes == (["Not without process data: ROS 2 slave YAML, LinuxCNC XML"] if refused else [])
+
+
+async def test_of_a_device_without_revision_its_esi_is_offered(tmp_path):
+    db = catalog_of(tmp_path, esi(device("<Sm>Outputs</Sm>", revision="#xx1")))
+    tree = await page(db, "/-/esi/device/0xe5c/1/-")
+    (link,) = tree.cssselect("section[aria-labelledby=exports] a")
+    written = await (await client(db)).get(link.get("href"))
+    assert 'RevisionNo="#xx1"' in written.text
+    refused = await (await client(db)).get("/-/esi/device/0xe5c/1/-/export/sii")
+    assert (refused.status_code, "has no revision" in refused.json()["error"]) == (400, True)
 
 
 async def test_exports_take_choices_and_refuse_with_words(data_db):
@@ -379,6 +431,35 @@ async def test_exports_take_choices_and_refuse_with_words(data_db):
         assert (refused.status_code, words in refused.json()["error"]) == (400, True)
     assert (await web.get(f"{EYOU}/export/nothing")).status_code == 404
     assert (await web.get("/-/esi/device/0x1/0x2/0x3/export/igh")).status_code == 404
+
+
+@pytest.mark.parametrize("target", ["sii", "esi"])
+@pytest.mark.parametrize("query", ["op-mode=nonsense", "module=0%3D0x219800", "cycle-ns=1", "alias=1"])
+async def test_exports_of_the_description_itself_take_no_choices(data_db, target, query):
+    refused = await (await client(data_db)).get(f"{EYOU}/export/{target}?{query}")
+    assert refused.status_code == 400
+    assert refused.json()["error"] == f"unknown parameter {query.partition('=')[0]!r}; there are none"
+
+
+async def test_chosen_modules_go_to_the_exports_that_take_them(data_db):
+    section = (await page(data_db, f"{EYOU}?module=0%3D0x219800")).cssselect("section[aria-labelledby=exports]")[0]
+    links = {link.partition("/export/")[2] for link in section.xpath(".//a/@href") if "/export/" in link}
+    assert links == {f"{name}?module=0%3D0x219800" for name in {*EXPORTS} - {"sii", "esi"}} | {"sii", "esi"}
+
+
+async def test_the_eeprom_image_is_offered_with_what_the_command_says_of_it(tmp_path):
+    """EK1100's ConfigData has 2 of the 8 bytes of the PDI words; a device without Eeprom has none."""
+    short = "<Eeprom><ByteSize>2048</ByteSize><ConfigData>0104</ConfigData></Eeprom>"
+    db = catalog_of(tmp_path, esi(device(short) + device(product="2")))
+    for product, words in (
+        ("1", "ConfigData has 2 of the 8 bytes"),
+        ("2", "gives no ConfigData: the PDI words are zero"),
+    ):
+        tree = await page(db, f"/-/esi/device/0xe5c/{product}/1")
+        assert tree.cssselect("section[aria-labelledby=exports] a[href='#eeprom']")
+        said = " ".join(texts(tree, "section[aria-labelledby=eeprom] p"))
+        assert "merge this image into the device's own" in said
+        assert words in said
 
 
 @pytest.mark.parametrize("path", ["identify.json", "devices.json", f"{EYOU[7:]}.json", f"{EYOU[7:]}/export/igh"])

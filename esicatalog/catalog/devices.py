@@ -76,6 +76,12 @@ def device_of_row(connection: sa.Connection, number: int) -> FoundDevice:
     return summary(row)
 
 
+def devices_of_vendor(connection: sa.Connection, vendor_id: int) -> list[tuple[int, FoundDevice]]:
+    """Row numbers and summaries of the preferred descriptions of all devices of a vendor, hidden ones too."""
+    query = SUMMARY.where(devices.c.vendor_id == vendor_id, devices.c.variant == 1)
+    return [(row.id, summary(row)) for row in connection.execute(query).all()]
+
+
 def _latest(rows: Sequence[Any]) -> int | None:
     """The highest revision that no other description of the vendor hides; the highest when all are hidden."""
     revisions: list[int | None] = [row.revision_no for row in rows if not row.hidden] or [rows[-1].revision_no]

@@ -34,7 +34,10 @@ _CHOICE: tuple[Option, ...] = (
     click.option("--module", "modules", metavar="SLOT=IDENT", multiple=True, type=PLUGGED, help="Plug this module."),
     click.option("--op-mode", metavar="POSITION|NAME", help="OpMode of the distributed clocks; else the default one."),
     click.option(
-        "--cycle-ns", metavar="N", type=int, default=DEFAULT_CYCLE_NS, show_default=True, help="Bus cycle in ns."
+        "--cycle-ns",
+        metavar="N",
+        type=int,
+        help=f"Bus cycle in ns; else {DEFAULT_CYCLE_NS}, or what the OpMode fixes where that does not fit.",
     ),
     click.option("--name", metavar="PREFIX", help="Begin all generated names so; else the device's type."),
     click.option("--alias", metavar="N", type=int, default=0, show_default=True, help="Configured station alias."),
@@ -89,14 +92,17 @@ def igh(inputs: Inputs, scan: str | None) -> str:
     """C header for the IgH EtherLab master 1.5 and 1.6.
 
     PDO tables, offsets, registration, typed accessors, start-up commands, distributed clocks, checks at compile time.
-    --scan makes one header for all slaves of a bus.
+    --scan makes one header for all slaves of a bus; the header and stderr name those that it leaves out.
     """
     from esicatalog.export.igh import igh_bus_header, igh_header
 
     if scan is None:
         return igh_header(inputs.configuration())
-    configurations, remarks = configurations_of_scan(inputs, scan)
-    return igh_bus_header(configurations, remarks, _bus_name(inputs.choice.name))
+    configurations, left_out = configurations_of_scan(inputs, scan)
+    header = igh_bus_header(configurations, left_out, _bus_name(inputs.choice.name))
+    for words in left_out:
+        click.echo(f"esicatalog: {words}", err=True)
+    return header
 
 
 @_target(click.option("--sii", metavar="FILE", help="Print what this EEPROM image holds."))
@@ -176,6 +182,7 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     from esicatalog.sii.files import read_sii
 
     subject = inputs.subject()
+    subject.required_codes()
     image = sii_image(subject.vendor_id, subject.group, subject.device, language=language)
     dropped: tuple[str, ...] = ()
     merged = None
@@ -199,7 +206,10 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
 )
 @click.pass_context
 def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: bool) -> bytes:
-    """ESI XML of the device, made from the catalog alone: vendor, group, device, modules."""
+    """ESI XML of the device, made from the catalog alone: vendor, group, device, modules.
+
+    Also of a device without revision (V:P:-); --vendor takes all, those without any codes too.
+    """
     from esicatalog.esi.records.document import Vendor
     from esicatalog.export.esi import DescribedDevice, export_esi, export_esi_files
 

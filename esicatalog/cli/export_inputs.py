@@ -8,7 +8,7 @@ import click
 
 from esicatalog.cli.common import read_text_as
 from esicatalog.errors import InputError, NotFound
-from esicatalog.export.choice import Choice
+from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice
 from esicatalog.identity import Identity
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ class Inputs(NamedTuple):
 
 
 def configurations_of_scan(inputs: Inputs, name: str) -> "tuple[list[Configuration], list[str]]":
-    """Configurations of the slaves that the catalog knows, and words about the others."""
+    """Configurations of the slaves that the catalog knows and that can be configured, and words about the others."""
     from esicatalog.api import Catalog
     from esicatalog.scan.front import read_scan
 
@@ -67,19 +67,14 @@ def configurations_of_scan(inputs: Inputs, name: str) -> "tuple[list[Configurati
 
 
 def subjects_of_vendor(db: str, vendor_id: int) -> "list[Subject]":
-    """Every description of a vendor that has an identity. Raises :class:`NotFound` when there is none."""
+    """The preferred description of every device of a vendor. Raises :class:`NotFound` when there is none."""
     from esicatalog.api import Catalog
 
     with Catalog.open(db) as catalog:
-        found = catalog.devices(vendor_id=vendor_id, include_hidden=True)
-        identities = [
-            Identity(vendor_id, device.product_code, device.revision_no, device.variant)
-            for device in found
-            if device.product_code is not None and device.revision_no is not None
-        ]
-        if not identities:
-            raise NotFound(f"vendor 0x{vendor_id:08x} has no device with an identity in the catalog")
-        return [catalog.export_subject(identity) for identity in identities]
+        found = catalog.export_subjects(vendor_id)
+    if not found:
+        raise NotFound(f"vendor 0x{vendor_id:08x} has no device in the catalog")
+    return found
 
 
 def _check_single_bus(scan: "Scan") -> None:
@@ -92,7 +87,9 @@ def _known_slaves(
     inputs: Inputs, catalog: "Catalog", slaves: "Iterable[ScannedSlave]", remarks: list[str]
 ) -> "Iterator[Configuration]":
     from esicatalog.export.configuration import configure
+    from esicatalog.export.igh_limits import check_limits
 
+    cycle_ns = inputs.choice.cycle_ns if inputs.choice.cycle_ns is not None else DEFAULT_CYCLE_NS
     known: dict[Identity, Subject | None] = {}
     refused: list[str] = []
     for slave in slaves:
@@ -108,7 +105,15 @@ def _known_slaves(
             named = f" ({identity})" if identity is not None else ""
             remarks.append(f"position {slave.position}: {slave.name or 'slave'}{named} is unknown and left out")
             continue
-        yield configure(subject, inputs.choice._replace(alias=0, position=slave.position, name=None))
+        try:
+            choice = inputs.choice._replace(alias=0, position=slave.position, name=None, cycle_ns=cycle_ns)
+            configuration = configure(subject, choice)
+            check_limits(configuration)
+        except InputError as error:
+            named = subject.device.type or slave.name or "slave"
+            remarks.append(f"position {slave.position}: {named} ({identity}) is left out: {error}")
+            continue
+        yield configuration
     if refused:
         raise NotFound("; ".join(refused))
 

@@ -26,8 +26,8 @@ class Choice(NamedTuple):
     """ModuleIdent by slot number; other slots keep their default module."""
     op_mode: str | None = None
     """Name or position (from 0) of the OpMode; None = the default one."""
-    cycle_ns: int = DEFAULT_CYCLE_NS
-    """Bus cycle."""
+    cycle_ns: int | None = None
+    """Bus cycle; None = :data:`DEFAULT_CYCLE_NS`, or the cycle that the OpMode fixes where that would drift."""
     name: str | None = None
     """Prefix of all generated names; None = made from the device type."""
     alias: int = 0

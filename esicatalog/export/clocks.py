@@ -4,6 +4,7 @@ SYNC1 is programmed as a delay after SYNC0: register 0x09A4 = SYNC1 period - SYN
 """
 
 import math
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -11,6 +12,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
+from esicatalog.export.choice import DEFAULT_CYCLE_NS
 from esicatalog.model.sync import SyncSignals, asked_positions, default_position, sync_signals
 
 _UINT32_MAX, _INT32_MAX = 0xFFFF_FFFF, 0x7FFF_FFFF
@@ -56,6 +58,13 @@ class Time(NamedTuple):
         return text if text.isidentifier() or text.isdigit() else f"({text})"
 
 
+class Condition(NamedTuple):
+    """What must hold of the bus cycle: an expression in C or Python, and what is wrong where it does not hold."""
+
+    expression: str
+    words: str
+
+
 class Clocks(NamedTuple):
     """What a master programs for one OpMode."""
 
@@ -71,6 +80,37 @@ class Clocks(NamedTuple):
     def divisor(self) -> int:
         """The bus cycle must be a multiple of so many nanoseconds, else the signals drift apart."""
         return math.lcm(self.sync0_cycle.cycles.denominator, self.sync1_delay.cycles.denominator)
+
+    @property
+    def fixed_ns(self) -> int:
+        """Period of pulses that come whatever the bus cycle is, else 0."""
+        has_pulses = self.signals.sync0 or self.signals.sync1
+        return self.sync0_cycle.ns if has_pulses else 0
+
+    def drifts(self, cycle_ns: int) -> bool:
+        """Whether pulses of a fixed period move against the bus cycle: neither is a multiple of the other."""
+        return bool(self.fixed_ns and self.fixed_ns % cycle_ns and cycle_ns % self.fixed_ns)
+
+    def conditions(self, cycle: str, either: str) -> Iterator[Condition]:
+        """What must hold of a bus cycle that is known later; ``cycle`` is its name, ``either`` the operator "or"."""
+        if self.divisor > 1:
+            yield Condition(
+                f"{cycle} % {self.divisor} == 0", f"{cycle} must be a multiple of {self.divisor} ns, or SYNC0 drifts"
+            )
+        if fixed := self.fixed_ns:
+            yield Condition(
+                f"{cycle} % {fixed} == 0 {either} {fixed} % {cycle} == 0",
+                f"{cycle} must be a multiple or a divisor of {fixed} ns, or SYNC0 drifts",
+            )
+
+
+class Programmed(NamedTuple):
+    """The clocks of a device at a bus cycle."""
+
+    cycle_ns: int
+    clocks: Clocks | None
+    """None when a master programs no SYNC unit for the OpMode."""
+    remarks: tuple[str, ...]
 
 
 def chosen_op_mode(device: Device, modules: tuple[Module, ...], wanted: str | None) -> tuple[int | None, list[str]]:
@@ -106,21 +146,44 @@ def _by_modules(device: Device, modules: tuple[Module, ...]) -> tuple[int | None
     return asked[0], remarks
 
 
-def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int) -> tuple[Clocks | None, tuple[str, ...]]:
-    """What a master programs for the OpMode at this bus cycle, and remarks; nothing with Dc/@TimeLoopControlOnly.
+def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int | None) -> Programmed:
+    """What a master programs for the OpMode at this bus cycle, and remarks; no clocks with Dc/@TimeLoopControlOnly.
 
-    Raises :class:`InputError` as :func:`clocks` does.
+    ``cycle_ns`` None leaves the bus cycle open: the usual one, or that of a SYNC0 that would drift against it. Raises
+    :class:`InputError` when the signals would drift against the cycle that is asked for, and as :func:`clocks` does.
     """
+    usual_ns = cycle_ns if cycle_ns is not None else DEFAULT_CYCLE_NS
     if device.dc_time_loop_control_only and op_mode is not None and op_mode.assign_activate:
-        return None, (_TIME_LOOP_CONTROL_ONLY.format(op_mode.assign_activate),)
-    found = clocks(op_mode, cycle_ns)
-    return found, found.remarks if found is not None else ()
+        return Programmed(usual_ns, None, (_TIME_LOOP_CONTROL_ONLY.format(op_mode.assign_activate),))
+    found = clocks(op_mode, usual_ns)
+    if found is None or op_mode is None:
+        return Programmed(usual_ns, None, ())
+    if not found.drifts(usual_ns):
+        return Programmed(usual_ns, found, (*found.remarks, *_fixed_remarks(found, usual_ns)))
+    if cycle_ns is not None:
+        raise InputError(
+            f"OpMode {op_mode.name!r} fixes SYNC0 at {found.fixed_ns} ns, which drifts against a bus cycle of "
+            f"{cycle_ns} ns: choose a multiple or a divisor of it, or another OpMode"
+        )
+    open_remark = (
+        f"the bus cycle is that of SYNC0, {found.fixed_ns} ns: the OpMode fixes it, and it drifts against {usual_ns} ns"
+    )
+    programmed = programmed_clocks(device, op_mode, found.fixed_ns)
+    return programmed._replace(remarks=(open_remark, *programmed.remarks))
+
+
+def _fixed_remarks(found: Clocks, cycle_ns: int) -> Iterator[str]:
+    fixed = found.fixed_ns
+    if fixed and fixed != cycle_ns:
+        often = f"{cycle_ns // fixed} times in a cycle" if fixed < cycle_ns else f"once in {fixed // cycle_ns} cycles"
+        yield f"the OpMode fixes SYNC0 at {fixed} ns: with a bus cycle of {cycle_ns} ns it comes {often}"
 
 
 def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
     """What the OpMode says at this bus cycle; None without AssignActivate, which means no distributed clocks.
 
-    Raises :class:`InputError` when the signals would drift because the cycle cannot be divided as the OpMode says.
+    Raises :class:`InputError` when the cycle cannot be divided as the OpMode says. A fixed time may drift against it:
+    :meth:`Clocks.drifts`.
     """
     if op_mode is None or not op_mode.assign_activate:
         return None

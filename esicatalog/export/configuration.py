@@ -10,9 +10,10 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.export.choice import Choice
-from esicatalog.export.clocks import Clocks, chosen_op_mode, programmed_clocks
+from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
+from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import ChosenPdos, apply_choice
@@ -111,6 +112,8 @@ class Configuration(NamedTuple):
     """Begins all generated names."""
     plugged: tuple[PluggedModule, ...]
     op_mode_position: int | None
+    cycle_ns: int
+    """Bus cycle."""
     clocks: Clocks | None
     """None when a master programs no SYNC unit for the OpMode."""
     sync_managers: tuple[SmConfiguration, ...]
@@ -140,11 +143,12 @@ class Configuration(NamedTuple):
 def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     """The configuration of a device for a choice. Raises :class:`InputError` for what cannot be chosen so."""
     choice = choice if choice is not None else Choice()
+    subject.required_codes()
     _check_numbers(choice)
     device = subject.device
     plugged = chosen_modules(device, subject.modules, choice.modules)
     expanded = [expand_module(device, item) for item in plugged]
-    position, mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
+    position, op_mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
     op_mode = device.op_modes[position] if position is not None else None
     objects = ObjectTable(device, expanded)
     default = process_image(device, plugged, op_mode)
@@ -154,18 +158,19 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     for image in images:
         if image.overflow is not None:
             raise InputError(f"SM{image.sm}: {image.overflow}")
-    found_clocks, clock_remarks = programmed_clocks(device, op_mode, choice.cycle_ns)
+    programmed = programmed_clocks(device, op_mode, choice.cycle_ns)
     commands, command_remarks = start_commands(device, plugged, expanded)
     names = entry_names(device, expanded, images, objects)
     remarks = [
-        *mode_remarks,
+        *op_mode_remarks,
         *chosen.remarks,
         *_assignment_remarks(device, chosen, default, images),
         *(remark for image in images for remark in image.remarks),
         *_swap_remarks(images),
-        *clock_remarks,
+        *programmed.remarks,
         *command_remarks,
-        *cycle_remarks(commands, names.axes, choice.cycle_ns, _sync0_ns(found_clocks, choice.cycle_ns)),
+        *cycle_remarks(commands, names.axes, programmed.cycle_ns, _sync0_ns(programmed)),
+        *mode_remarks(commands, names.axes, expanded, images),
     ]
     sync_managers = tuple(_sync_managers(device, images, names.identifiers, objects, remarks))
     return Configuration(
@@ -174,7 +179,8 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         checked_prefix(choice.name) if choice.name is not None else identifier(device.type, "device"),
         tuple(plugged),
         position,
-        found_clocks,
+        programmed.cycle_ns,
+        programmed.clocks,
         sync_managers,
         commands,
         names.axes,
@@ -183,12 +189,13 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     )
 
 
-def _sync0_ns(found: Clocks | None, cycle_ns: int) -> Fraction | None:
-    return found.sync0_cycle.in_ns(cycle_ns) if found is not None and found.signals.sync0 else None
+def _sync0_ns(programmed: Programmed) -> Fraction | None:
+    found = programmed.clocks
+    return found.sync0_cycle.in_ns(programmed.cycle_ns) if found is not None and found.signals.sync0 else None
 
 
 def _check_numbers(choice: Choice) -> None:
-    if not 0 < choice.cycle_ns <= _UINT32_MAX:
+    if choice.cycle_ns is not None and not 0 < choice.cycle_ns <= _UINT32_MAX:
         raise InputError(f"a bus cycle of {choice.cycle_ns} ns cannot be; give 1 to {_UINT32_MAX} ns")
     for what, number in (("alias", choice.alias), ("position", choice.position)):
         if not 0 <= number <= _MAX_INDEX:

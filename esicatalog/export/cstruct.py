@@ -84,8 +84,8 @@ def cstruct_of_configuration(configuration: Configuration) -> str:
         )
         for number in sorted(described.keys() | configured.keys())
     )
-    identity = (subject.vendor_id, subject.product_code, subject.revision_no)
-    return _text(_Slave(configuration.choice.position, subject.device.type or "", identity, sync_managers))
+    order_number, identity = subject.device.type or "", subject.required_codes()
+    return _text(_Slave(configuration.choice.position, order_number, identity, sync_managers))
 
 
 def _pdo_of_image(image: SiiImage, pdo: Pdo) -> _Pdo:

@@ -85,9 +85,9 @@ class DeviceCode(NamedTuple):
 
     @property
     def needs_cycle(self) -> bool:
-        """Whether a time depends on the bus cycle."""
+        """Whether a time depends on the bus cycle, or the bus cycle on a time."""
         dc = self.startup.dc
-        return dc is not None and any("CYCLE_NS" in time for time in (dc.sync0_cycle, dc.sync1_delay))
+        return dc is not None and bool(dc.conditions or "CYCLE_NS" in dc.sync0_cycle + dc.sync1_delay)
 
 
 def device_code(configuration: Configuration) -> DeviceCode:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
 from esicatalog.export.c_text import c_bytes, comment_text
-from esicatalog.export.clocks import Clocks
+from esicatalog.export.clocks import Clocks, Condition
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import (
     PROCESS_DATA_WATCHDOG,
@@ -64,8 +64,8 @@ class DcCode(NamedTuple):
     sync0_cycle: str
     sync0_shift: str
     sync1_delay: str
-    divisor: int
-    """Of the bus cycle; 1 when any will do."""
+    conditions: tuple[Condition, ...]
+    """Of CYCLE_NS."""
     note: str = ""
 
 
@@ -170,8 +170,8 @@ def _dc(configuration: Configuration) -> DcCode | None:
         found.sync0_cycle.expression("CYCLE_NS"),
         f"({found.sync0_shift_ns})" if found.sync0_shift_ns < 0 else str(found.sync0_shift_ns),
         found.sync1_delay.expression("CYCLE_NS"),
-        found.divisor,
-        off_beat(found, configuration.choice.cycle_ns),
+        tuple(found.conditions("CYCLE_NS", "||")),
+        off_beat(found, configuration.cycle_ns),
     )
 
 

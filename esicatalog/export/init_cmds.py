@@ -10,8 +10,10 @@ from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.model.cia402 import AXIS_STEP
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
 
-TRANSITIONS = ("IP", "PS", "SO", "SP", "OP", "OS")
-"""In the order of a start; the last three lead back."""
+START_TRANSITIONS = ("IP", "PS", "SO")
+"""In the order of a start."""
+TRANSITIONS = (*START_TRANSITIONS, "SP", "OP", "OS")
+"""The last three lead back."""
 PDO_ASSIGNMENT = range(0x1C10, 0x1C30)
 PDO_MAPPINGS = (range(0x1600, 0x1800), range(0x1A00, 0x1C00))
 MODULE_IDENT_LIST = 0xF030

@@ -137,7 +137,7 @@ def linuxcnc_configuration(configuration: Configuration) -> str:
     sdos = [element for command in found.sdos for element in _sdo(command, remarks)]
     clocks = configuration.clocks
     dc = _dc(configuration, clocks) if clocks is not None else None
-    if clocks is not None and (note := off_beat(clocks, configuration.choice.cycle_ns)):
+    if clocks is not None and (note := off_beat(clocks, configuration.cycle_ns)):
         remarks.append(note)
     heading = heading_lines(configuration._replace(remarks=tuple(remarks)), f"{PROGRAM} configuration")
     return render(
@@ -223,7 +223,7 @@ def _sdo(command: StartCommand, remarks: list[str]) -> Iterator[SdoElement]:
 
 
 def _dc(configuration: Configuration, found: Clocks) -> DcElement:
-    cycle_ns = configuration.choice.cycle_ns
+    cycle_ns = configuration.cycle_ns
     return DcElement(
         _comment(op_mode_words(configuration)),
         f"{found.assign_activate:x}",

@@ -1,11 +1,12 @@
 """Python module for pysoem: configuration functions and the process image as ctypes structures."""
 
 import keyword
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from esicatalog.export.c_access import byte_count
 from esicatalog.export.c_text import comment_text, wrapped
+from esicatalog.export.clocks import Clocks, Condition
 from esicatalog.export.configuration import INPUT, OUTPUT, Configuration, MappedEntry
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.image_layout import ImageLayout, Member, image_layout
@@ -75,8 +76,8 @@ class DcCode(NamedTuple):
     """Statements that set the clocks."""
 
     words: str
-    divisor: int
-    """Of the bus cycle; 1 when any will do."""
+    conditions: tuple[Condition, ...]
+    """Of the bus cycle."""
     call: str | None
     written: str | None
 
@@ -193,7 +194,15 @@ def _dc(configuration: Configuration) -> DcCode | None:
     has_call = calls.has_sync0_call or calls.has_sync01_call
     return DcCode(
         comment_text(op_mode_words(configuration)),
-        found.divisor,
+        tuple(_conditions(found)),
         f"slave.dc_sync({', '.join(arguments)})" if has_call else None,
         _statement(calls.written) if calls.written is not None else None,
     )
+
+
+def _conditions(found: Clocks) -> Iterator[Condition]:
+    """Those of the clocks; and SYNC1 that follows the bus cycle must not come to lie before a fixed SYNC0."""
+    yield from found.conditions(_CYCLE, "or")
+    delay = found.sync1_delay
+    if delay.cycles and delay.ns:
+        yield Condition(f"{delay.expression(_CYCLE, '//')} >= 0", f"SYNC1 lies before SYNC0 at this {_CYCLE}")

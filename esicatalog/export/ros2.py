@@ -17,10 +17,10 @@ from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.igh_files import Listed, listed
 from esicatalog.export.igh_limits import pieces
 from esicatalog.export.init_cmds import MODULE_IDENT_LIST, StartCommand, single_accesses
+from esicatalog.export.mode_commands import started_modes
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, MODES_DISPLAY, MODES_OF_OPERATION, STATUSWORD
-from esicatalog.model.drive_evidence import MODES_OF_OPERATION_OF_AXES
 
 PROGRAM = "ethercat_driver_ros2"
 _INTERFACES = {
@@ -118,11 +118,7 @@ def _pdo_list(configuration: Configuration, found: Listed, direction: str, remar
             remarks.append(f"{entry.place} {entry.name} has no interface: {PROGRAM} has no type for it at its place")
     remarks += _type_remarks(reached, side)
     interfaces = _interfaces(configuration, reached)
-    modes = {
-        sdo.object_index: sdo.data
-        for sdo in found.sdos
-        if sdo.object_index in MODES_OF_OPERATION_OF_AXES and not sdo.subindex and not sdo.complete_access
-    }
+    modes = started_modes(found.sdos)
     pdos = (
         PdoRows(
             f"0x{pdo.pdo_index:04x}",
@@ -227,7 +223,7 @@ def _sync_manager(sm: SmConfiguration) -> Row:
 
 
 def _dc_remarks(configuration: Configuration) -> Iterable[str]:
-    found, cycle_ns = configuration.clocks, configuration.choice.cycle_ns
+    found, cycle_ns = configuration.clocks, configuration.cycle_ns
     if found is None or not (found.signals.sync0 or found.signals.sync1):
         return
     sync0 = found.sync0_cycle.in_ns(cycle_ns)

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from esicatalog.export.c_text import c_bytes, comment_text, wrapped
+from esicatalog.export.clocks import Condition
 from esicatalog.export.configuration import INPUT, OUTPUT, Configuration
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.init_cmds import TRANSITIONS, StartCommand
@@ -75,7 +76,8 @@ class DcCode(NamedTuple):
     sync0_cycle: str
     sync0_shift: str
     sync1_delay: str
-    divisor: int
+    conditions: tuple[Condition, ...]
+    """Of CYCLE_NS."""
     call: str | None
     """What is called of SOEM, None when it has nothing for the mode."""
     written: SentCommand | None
@@ -111,9 +113,10 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
         commands=[_sent(command, api) for command in hook_commands(configuration)],
         later=later,
         dc=clocks,
-        cycle_ns=configuration.choice.cycle_ns,
+        cycle_ns=configuration.cycle_ns,
         needs_bits=any(image.needs_bits for image in images),
-        needs_cycle=clocks is not None and "CYCLE_NS" in clocks.sync0_cycle + clocks.sync1_delay,
+        needs_cycle=clocks is not None
+        and bool(clocks.conditions or "CYCLE_NS" in clocks.sync0_cycle + clocks.sync1_delay),
     )
 
 
@@ -149,7 +152,7 @@ def _dc(configuration: Configuration, api: Api) -> DcCode | None:
         found.sync0_cycle.expression("CYCLE_NS"),
         f"({found.sync0_shift_ns})" if found.sync0_shift_ns < 0 else str(found.sync0_shift_ns),
         found.sync1_delay.expression("CYCLE_NS"),
-        found.divisor,
+        tuple(found.conditions("CYCLE_NS", "||")),
         call,
         _sent(calls.written, api) if calls.written is not None else None,
     )

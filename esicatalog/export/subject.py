@@ -3,13 +3,13 @@
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple, Self
 
-from esicatalog.catalog.results import DeviceSource, FoundDevice
+from esicatalog.catalog.results import DeviceSource, FoundDevice, hex32
 from esicatalog.errors import InputError
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Document, Group, Vendor
 from esicatalog.esi.records.module import Module
-from esicatalog.identity import Identity
+from esicatalog.identity import NO_REVISION, Identity
 from esicatalog.model.slots import reachable_modules
 
 
@@ -18,8 +18,9 @@ class Subject(NamedTuple):
 
     vendor_id: int
     vendor: str | None
-    product_code: int
-    revision_no: int
+    product_code: int | None
+    revision_no: int | None
+    """None where the document gives none, or none that can be read."""
     device: Device
     modules: tuple[Module, ...] = ()
     origin: tuple[str, ...] = ()
@@ -31,9 +32,23 @@ class Subject(NamedTuple):
     """All groups of the document."""
 
     @property
-    def identity(self) -> Identity:
-        """Vendor, product and revision of the description."""
-        return Identity(self.vendor_id, self.product_code, self.revision_no)
+    def identity_text(self) -> str:
+        """Vendor, product and revision of the description, ``-`` for one that it does not give."""
+        return ":".join(hex32(code) or NO_REVISION for code in (self.vendor_id, self.product_code, self.revision_no))
+
+    def required_codes(self) -> tuple[int, int, int]:
+        """Vendor, product and revision, for what is made for the device that has them.
+
+        Raises :class:`InputError` when the description does not give all of them.
+        """
+        if self.product_code is None or self.revision_no is None:
+            given = {"product code": self.product_code, "revision": self.revision_no}
+            missing = " and no ".join(name for name, value in given.items() if value is None)
+            raise InputError(
+                f"{self.device.type or 'the device'} has no {missing}: it can be exported as ESI only, because masters "
+                "and EEPROM images identify it by them"
+            )
+        return self.vendor_id, self.product_code, self.revision_no
 
     @property
     def title(self) -> str:
@@ -58,19 +73,21 @@ class Subject(NamedTuple):
 def subject_of_description(
     found: FoundDevice, sources: Iterable[DeviceSource], device: Device, modules: Iterable[Module]
 ) -> Subject:
-    """The subject of a description in the catalog. Raises :class:`InputError` when it has no identity."""
+    """The subject of a description in the catalog. Raises :class:`InputError` when its vendor has no id."""
+    if found.vendor_id is None:
+        raise InputError(f"{device.type or 'the device'} is of a vendor without id")
     origin = tuple(f"{source.member}, line {source.line}" for source in sources)
     return _subject(found.vendor_id, found.vendor, device, tuple(modules), origin)
 
 
 def subjects_of_document(document: Document, file_name: str) -> list[Subject]:
-    """The devices of one ESI document that have an identity, in document order."""
+    """The devices of one ESI document whose vendor has an id, in document order."""
     found = []
     for info, lines, referenced in zip(document.infos, document.device_lines, document.referenced_modules, strict=True):
         vendor_id = info.vendor.vendor_id if info.vendor is not None else None
         vendor = display_text(info.vendor.names) if info.vendor is not None else None
         for device, line in zip(info.devices, lines, strict=True):
-            if vendor_id is None or device.product_code is None or device.revision_no is None:
+            if vendor_id is None:
                 continue
             modules = tuple(reachable_modules(device, (*info.modules, *referenced)))
             subject = _subject(vendor_id, vendor, device, modules, (f"{file_name}, line {line}",))
@@ -79,23 +96,27 @@ def subjects_of_document(document: Document, file_name: str) -> list[Subject]:
 
 
 def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_name: str) -> Subject:
-    """The device that ``identity`` names, or the only one.
+    """The device that ``identity`` names, or the only one; those without codes count where no other is described.
 
     Without a revision the latest is meant that no other one of the document hides; a variant counts the descriptions
     of the same identity in document order. Raises :class:`InputError` with the list of the devices when none or
     several fit.
     """
     if not subjects:
-        raise InputError(f"{file_name}: no device with vendor, product code and revision is described")
-    fitting = [subject for subject in subjects if identity is None or _fits(subject, identity)]
+        raise InputError(f"{file_name}: no device of a vendor with an id is described")
+    if identity is None:
+        fitting = [item for item in subjects if None not in (item.product_code, item.revision_no)] or list(subjects)
+    else:
+        fitting = [subject for subject in subjects if _fits(subject, identity)]
     if identity is not None and identity.revision_no is None and fitting:
-        latest = max(subject.revision_no for subject in _visible(fitting) or fitting)
+        revisions = [subject.revision_no for subject in _visible(fitting) or fitting]
+        latest = max((number for number in revisions if number is not None), default=None)
         fitting = [subject for subject in fitting if subject.revision_no == latest]
     if identity is not None and identity.variant is not None:
         fitting = fitting[identity.variant - 1 : identity.variant]
     if len(fitting) == 1:
         return fitting[0]
-    listed = ", ".join(f"{subject.identity} ({subject.device.type}; {subject.origin[0]})" for subject in subjects)
+    listed = ", ".join(f"{subject.identity_text} ({subject.device.type}; {subject.origin[0]})" for subject in subjects)
     if identity is None:
         raise InputError(f"{file_name} describes {len(subjects)} devices; name one of: {listed}")
     if fitting:
@@ -107,18 +128,9 @@ def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_
 
 
 def _subject(
-    vendor_id: int | None, vendor: str | None, device: Device, modules: tuple[Module, ...], origin: tuple[str, ...]
+    vendor_id: int, vendor: str | None, device: Device, modules: tuple[Module, ...], origin: tuple[str, ...]
 ) -> Subject:
-    if vendor_id is None or device.product_code is None or device.revision_no is None:
-        raise InputError(
-            f"{device.type or 'the device'} has no {_missing(vendor_id, device)}; a master cannot be configured for it"
-        )
     return Subject(vendor_id, vendor, device.product_code, device.revision_no, device, modules, origin)
-
-
-def _missing(vendor_id: int | None, device: Device) -> str:
-    given = {"vendor id": vendor_id, "product code": device.product_code, "revision": device.revision_no}
-    return " and no ".join(name for name, value in given.items() if value is None)
 
 
 def _fits(subject: Subject, identity: Identity) -> bool:
@@ -126,7 +138,7 @@ def _fits(subject: Subject, identity: Identity) -> bool:
         subject.vendor_id == identity.vendor_id
         and subject.product_code == identity.product_code
         and identity.revision_no in (None, subject.revision_no)
-        and not identity.without_revision
+        and (subject.revision_no is None or not identity.without_revision)
     )
 
 

@@ -280,15 +280,13 @@ def _enumerated(part: Part) -> Iterator[ModeEvidence]:
 def _init_commands(part: Part) -> Iterator[ModeEvidence]:
     """InitCmds that write a mode code to 0x6060."""
     index = part.at(MODES_OF_OPERATION)
-    named = named_modes(part.name)
     for command in part.init_cmds:
         mode = written_mode(command, index)
         if mode is None:
             continue
         words = f"InitCmd {'/'.join(command.transitions)} writes 0x{index:04X} = {mode.code} ({mode.name})"
         pdos = mapping_pdos(part, mode)
-        if named and mode.name not in named:
-            listed = ", ".join(sorted(named))
+        if listed := other_named_modes(part.name, mode):
             text = f"{words}, but the module's name {part.name!r} lists {listed}"
             yield _finding(part, mode, "C3", text, conflict=True, object_index=index)
         elif pdos or not mode.setpoints:
@@ -306,6 +304,17 @@ def written_mode(command: InitCmd, index: int) -> DriveMode | None:
     if command.object_index != index or (command.subindex or 0) != 0 or not data:
         return None
     return MODE_BY_CODE.get(int.from_bytes(data[:1], "little", signed=True))
+
+
+def module_names(module: Module) -> str:
+    """Type and name of a module, in which modes may be spelled out."""
+    return f"{module.type or ''} / {display_text(module.names) or ''}"
+
+
+def other_named_modes(name: str, mode: DriveMode) -> str:
+    """The modes that a module's name lists where a mode that its command writes is none of them, else empty."""
+    named = named_modes(name)
+    return ", ".join(sorted(named)) if mode.name not in named else ""
 
 
 def _named(part: Part) -> Iterator[ModeEvidence]:

@@ -11,7 +11,7 @@ from esicatalog.api import Catalog
 from esicatalog.catalog.results import json_bytes
 from esicatalog.errors import EsiCatalogError, NotFound
 from esicatalog.esi.records.document import Vendor
-from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, parse_pdo_choice
+from esicatalog.export.choice import Choice, parse_pdo_choice
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.cstruct import cstruct_of_configuration
 from esicatalog.export.esi import DescribedDevice, export_esi
@@ -30,19 +30,22 @@ from esicatalog.web.links import identity_of_path
 from esicatalog.web.state import catalog_for
 
 _LARGEST_CYCLE_NS = 10**10
-_PARAMETERS = ("pdo", "module", "op-mode", "cycle-ns", "name", "alias", "position")
+_CHOICE = ("pdo", "module", "op-mode", "cycle-ns", "name", "alias", "position")
 
 Generate = Callable[[Subject, Choice], str | bytes]
 
 
 class Target(NamedTuple):
-    """A target: what it is called, the ending of its file, its media type, what makes it, and of which devices."""
+    """A target: what it is called, what makes it, of which devices, and which parameters choose."""
 
     label: str
     ending: str
+    """What its file is called behind the name of the device: downloads of one device must not replace each other."""
     media_type: str
     generate: Generate
     needs_process_data: bool = False
+    needs_revision: bool = True
+    parameters: tuple[str, ...] = _CHOICE
 
 
 def _configured(generate: Callable[[Configuration], str]) -> Generate:
@@ -55,20 +58,21 @@ def _esi(subject: Subject, choice: Choice) -> bytes:
 
 
 def _sii(subject: Subject, choice: Choice) -> bytes:
+    subject.required_codes()
     image = sii_image(subject.vendor_id, subject.group, subject.device)
     return encode_sii(check_image(image, image.header.byte_size))
 
 
 _C = "text/x-c; charset=utf-8"
 TARGETS: dict[str, Target] = {
-    "igh": Target("IgH C header", "h", _C, _configured(igh_header)),
-    "soem": Target("SOEM C header", "h", _C, _configured(soem_header)),
-    "pysoem": Target("pysoem module", "py", "text/x-python; charset=utf-8", _configured(pysoem_module)),
-    "ros2": Target("ROS 2 slave YAML", "yaml", "application/yaml", _configured(ros2_slave), True),
-    "linuxcnc": Target("LinuxCNC XML", "xml", "application/xml", _configured(linuxcnc_configuration), True),
-    "cstruct": Target("ethercat cstruct", "c", _C, _configured(cstruct_of_configuration)),
-    "sii": Target("EEPROM image", "bin", "application/octet-stream", _sii),
-    "esi": Target("ESI XML", "xml", "application/xml", _esi),
+    "igh": Target("IgH C header", ".h", _C, _configured(igh_header)),
+    "soem": Target("SOEM C header", "_soem.h", _C, _configured(soem_header)),
+    "pysoem": Target("pysoem module", ".py", "text/x-python; charset=utf-8", _configured(pysoem_module)),
+    "ros2": Target("ROS 2 slave YAML", ".yaml", "application/yaml", _configured(ros2_slave), True),
+    "linuxcnc": Target("LinuxCNC XML", "_linuxcnc.xml", "application/xml", _configured(linuxcnc_configuration), True),
+    "cstruct": Target("ethercat cstruct", ".c", _C, _configured(cstruct_of_configuration)),
+    "sii": Target("EEPROM image", ".bin", "application/octet-stream", _sii, parameters=()),
+    "esi": Target("ESI XML", ".xml", "application/xml", _esi, needs_revision=False, parameters=()),
 }
 """By name in the address and on the command line."""
 
@@ -87,32 +91,32 @@ def _generated(request: Any, catalog: Catalog) -> Response:
     target = TARGETS.get(request.url_vars["target"])
     if target is None:
         raise NotFound(f"no such export; there are {', '.join(TARGETS)}")
+    check_names(request.args, target.parameters)
     identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
     subject = catalog.export_subject(identity)
     made = target.generate(subject, _choice(request))
     data = made.encode() if isinstance(made, str) else made
     stem = re.sub(r"[^A-Za-z0-9]+", "_", subject.device.type or "device").strip("_") or "device"
     headers = {
-        "Content-Disposition": f'attachment; filename="{stem}.{target.ending}"',
+        "Content-Disposition": f'attachment; filename="{stem}{target.ending}"',
         "X-Content-Type-Options": "nosniff",
     }
     return Response(data, 200, headers, target.media_type)
 
 
 def _choice(request: Any) -> Choice:
-    check_names(request.args, _PARAMETERS)
     pdo = request.args.get("pdo")
 
-    def number(name: str, default: int, limit: int) -> int:
+    def number(name: str, limit: int) -> int | None:
         text = request.args.get(name)
-        return parse_number(text, name, limit) if text else default
+        return parse_number(text, name, limit) if text else None
 
     return Choice(
         pdos=parse_pdo_choice(pdo) if pdo else (),
         modules=dict(parse_plugged(text) for text in request.args.getlist("module") if not text.endswith("=")),
         op_mode=request.args.get("op-mode") or None,
-        cycle_ns=number("cycle-ns", DEFAULT_CYCLE_NS, _LARGEST_CYCLE_NS),
+        cycle_ns=number("cycle-ns", _LARGEST_CYCLE_NS),
         name=request.args.get("name") or None,
-        alias=number("alias", 0, 0xFFFF),
-        position=number("position", 0, 0xFFFF),
+        alias=number("alias", 0xFFFF) or 0,
+        position=number("position", 0xFFFF) or 0,
     )

@@ -112,7 +112,8 @@ def check_names(given: Iterable[str], known: Sequence[str], what: str = "paramet
     """Raise :class:`InputError` for a name that nothing reads: a slip would otherwise change what is asked."""
     unknown = sorted(set(given) - set(known))
     if unknown:
-        raise InputError(f"unknown {what} {unknown[0][:40]!r}; there are {', '.join(known)}")
+        there_are = f"there are {', '.join(known)}" if known else "there are none"
+        raise InputError(f"unknown {what} {unknown[0][:40]!r}; {there_are}")
 
 
 def status_of(error: EsiCatalogError) -> int:

@@ -234,7 +234,7 @@ def openapi_document(base_url: str) -> dict[str, Any]:
                     "parameters": [*_IN_PATH, _MODULE],
                     "responses": {
                         "200": _answers("The device", {"type": "object", "required": ["identity", "device"]}),
-                        "404": _answers("There is no such device", _ref("Error")),
+                        "404": _answers("There is no such device: what identify.json answers", _ref("Identification")),
                         **_ERRORS,
                     },
                 },

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from esicatalog.errors import InputError
 from esicatalog.esi.records.dc import OpMode
-from esicatalog.export.clocks import Clocks, Time, clocks
+from esicatalog.export.clocks import Clocks, clocks
 from esicatalog.model.sync import SyncSignals, sync_signals
 
 _UNITS = ((1_000_000_000, 9, "s"), (1_000_000, 6, "ms"), (1_000, 3, "µs"), (1, 0, "ns"))
@@ -102,7 +102,7 @@ def _sync0(op_mode: OpMode, programmed: Clocks, cycle_ns: int) -> tuple[Signal, 
         return Signal("SYNC0", "period unknown", None), said
     period = programmed.sync0_cycle.in_ns(cycle_ns)
     every = f"every {time_text(period)}"
-    said = f"SYNC0 {every}, {_relation(programmed.sync0_cycle, cycle_ns)}, {where}."
+    said = f"SYNC0 {every}, {_relation(programmed, cycle_ns)}, {where}."
     return Signal("SYNC0", every, period, Fraction(programmed.sync0_shift_ns)), said
 
 
@@ -131,15 +131,16 @@ def _shifts(op_mode: OpMode, programmed: Clocks, signals: tuple[Signal, ...], cy
             yield Shift(f"SYNC0 to SYNC1 {time_text(delay)}", shift, delay, signal.period_ns)
 
 
-def _relation(period: Time, cycle_ns: int) -> str:
-    """How a period comes from the bus cycle."""
+def _relation(programmed: Clocks, cycle_ns: int) -> str:
+    """How the period of SYNC0 comes from the bus cycle."""
+    period = programmed.sync0_cycle
     if period.cycles == 1:
         return "once in a bus cycle"
     if period.cycles > 1:
         return f"once in {period.cycles} bus cycles"
     if period.cycles:
         return f"{period.cycles.denominator} times in a bus cycle"
-    if period.ns % cycle_ns and cycle_ns % period.ns:
+    if programmed.drifts(cycle_ns):
         return f"fixed: does not fit a bus cycle of {time_text(cycle_ns)} and drifts against the frames"
     return "fixed, whatever the bus cycle"
 

@@ -7,15 +7,16 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription, description_json
 from esicatalog.catalog.mapping import image_key
-from esicatalog.catalog.results import hex32
-from esicatalog.errors import InputError
+from esicatalog.catalog.results import FoundDevice, hex32
+from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
-from esicatalog.identity import parse_plugged
+from esicatalog.export.sii_remarks import WHY_MERGE, image_remarks
+from esicatalog.identity import Identity, parse_plugged
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.pdo_facts import pdo_bits, symmetric_exclusions
@@ -49,7 +50,8 @@ async def device_page(request: Any, catalog: Catalog) -> Page:
 
     Modules that do not fit are told, on the page without any chosen ones.
     """
-    description, choice = await asyncio.to_thread(_asked, request, catalog)
+    identity, choice = _asked(request)
+    description = await asyncio.to_thread(catalog.device, identity)
     try:
         return Page("device.html", await asyncio.to_thread(_context, description, choice))
     except InputError as error:
@@ -58,16 +60,26 @@ async def device_page(request: Any, catalog: Catalog) -> Page:
 
 
 async def device_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
-    """``/-/esi/device/V/P/R.json``: the JSON of ``esicatalog show --format json``."""
-    description, choice = await asyncio.to_thread(_asked, request, catalog)
+    """``/-/esi/device/V/P/R.json``: the JSON of ``esicatalog show --format json``.
+
+    404 with the answer of ``identify.json`` for an identity that is not described.
+    """
+    identity, choice = _asked(request)
+    try:
+        description = await asyncio.to_thread(catalog.device, identity)
+    except NotFound:
+        answer = catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no)
+        if identity.variant is not None and answer.device is not None:
+            raise
+        return answer.as_json(), 404
     return await asyncio.to_thread(description_json, description, choice), 200
 
 
-def _asked(request: Any, catalog: Catalog) -> tuple[DeviceDescription, dict[int, int]]:
+def _asked(request: Any) -> tuple[Identity, dict[int, int]]:
     check_names(request.args, ("module",))
     identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
     chosen = [parse_plugged(text) for text in request.args.getlist("module") if not text.endswith("=")]
-    return catalog.device(identity), dict(chosen)
+    return identity, dict(chosen)
 
 
 def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
@@ -122,6 +134,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         "evidence": derived.modes.evidence,
         "commands": _commands(device.mailbox),
         "eeprom": device.eeprom,
+        "image_remarks": (WHY_MERGE, *image_remarks(device)) if found.revision_no is not None else (),
         "object_count": sum(len(p.dictionary.objects) for p in device.profiles if p.dictionary is not None),
         "revisions": [
             {
@@ -138,18 +151,26 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
         "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
         "identity": found.identity_text,
-        **_exports(path if found.revision_no is not None else "", any(image.pdos for image in images)),
+        **_exports(found, any(image.pdos for image in images)),
         "chosen": "&".join(f"module={slot}%3D0x{ident:X}" for slot, ident in choice.items()),
         "drawing_css": DRAWING_CSS,
     }
 
 
-def _exports(path: str, has_process_data: bool) -> dict[str, Any]:
+def _exports(found: FoundDevice, has_process_data: bool) -> dict[str, Any]:
     """What is offered, and the labels of what cannot be made without process data."""
-    made = {name: target for name, target in TARGETS.items() if has_process_data or not target.needs_process_data}
+    targets = {
+        name: target for name, target in TARGETS.items() if found.revision_no is not None or not target.needs_revision
+    }
     return {
-        "exports": [{"name": name, "label": target.label} for name, target in made.items()] if path else [],
-        "not_exported": [target.label for name, target in TARGETS.items() if name not in made],
+        "exports": [
+            {"name": name, "label": target.label, "takes_modules": "module" in target.parameters}
+            for name, target in targets.items()
+            if has_process_data or not target.needs_process_data
+        ],
+        "not_exported": [
+            target.label for target in targets.values() if target.needs_process_data and not has_process_data
+        ],
     }
 
 

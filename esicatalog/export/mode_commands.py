@@ -1,0 +1,64 @@
+"""Start-up commands that write the CiA 402 mode (0x6060), and what else in a configuration speaks against them."""
+
+from collections.abc import Iterator, Sequence
+
+from esicatalog.export.init_cmds import START_TRANSITIONS, StartCommand
+from esicatalog.model.cia402 import AXIS_STEP, MODE_BY_CODE, MODES_OF_OPERATION
+from esicatalog.model.drive_evidence import (
+    MODES_OF_OPERATION_OF_AXES,
+    module_names,
+    other_named_modes,
+    written_mode,
+)
+from esicatalog.model.process_image import SmImage
+from esicatalog.model.slots import ExpandedModule
+
+
+def started_modes(commands: Sequence[StartCommand]) -> dict[int, bytes]:
+    """What 0x6060 holds after the start-up commands, by its index on each axis."""
+    return {
+        command.object_index: command.data
+        for command in commands
+        if command.protocol == "CoE"
+        and command.transition in START_TRANSITIONS
+        and command.object_index in MODES_OF_OPERATION_OF_AXES
+        and not (command.subindex or command.complete_access)
+    }
+
+
+def mode_remarks(
+    commands: Sequence[StartCommand], axes: Sequence[int], expanded: Sequence[ExpandedModule], images: Sequence[SmImage]
+) -> Iterator[str]:
+    """Modes that modules start against their names, and modes that the process data replace."""
+    yield from _against_names(expanded, [MODES_OF_OPERATION + axis * AXIS_STEP for axis in axes])
+    mapped = {
+        item.entry.entry_index
+        for image in images
+        for placed in image.pdos
+        for item in placed.entries
+        if placed.direction == "RxPdo" and not item.entry.subindex
+    }
+    for index, data in started_modes(commands).items():
+        if index in mapped:
+            code = int.from_bytes(data[:1], "little", signed=True)
+            mode = MODE_BY_CODE.get(code)
+            what = f"{code} ({mode.name})" if mode is not None else f"{code}"
+            yield (
+                f"0x{index:04X} is mapped: the cyclic value replaces the {what} of the start-up command, so write the "
+                "mode that is wanted there from the first cycle on"
+            )
+
+
+def _against_names(expanded: Sequence[ExpandedModule], of_axes: Sequence[int]) -> Iterator[str]:
+    """What rule L57 finds, for the modules that are plugged."""
+    for item in expanded:
+        mailbox, name = item.module.mailbox, module_names(item.module)
+        for command in mailbox.coe_init_cmds if mailbox is not None else ():
+            index = command.object_index or 0
+            mode = written_mode(command, index) if index in of_axes else None
+            if mode is not None and (listed := other_named_modes(name, mode)):
+                yield (
+                    f"slot {item.slot_number}: the start-up command writes 0x{index:04X} = {mode.code} ({mode.name}), "
+                    f"but the module's name {name!r} lists {listed}: check which mode is meant before the drive is "
+                    "enabled"
+                )
