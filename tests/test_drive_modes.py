@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 import snippets
+from small_drives import DC, dictionary, init_cmd, one_drive, rx_pdo, supported_modes, verdicts
 
 from esicatalog.esi.containers import Archive
 from esicatalog.esi.reader import Reader, read_esi
@@ -14,42 +15,6 @@ from esicatalog.model.drive_modes import DriveModes, drive_modes
 from esicatalog.model.slots import reachable_modules
 
 DATA = Path(__file__).parent.parent / "data"
-
-
-def one_drive(body: str, profile: str = "402") -> DriveModes:
-    """Modes of a drive with this content after its profile's opening."""
-    text = f"""<EtherCATInfo><Vendor><Id>1</Id><Name>V</Name></Vendor><Descriptions><Groups/><Devices>
-      <Device Physics="YY"><Type ProductCode="#x1" RevisionNo="#x1">D</Type><Name>D</Name><GroupType>G</GroupType>
-      <Profile><ProfileNo>{profile}</ProfileNo>{body}</Device></Devices></Descriptions></EtherCATInfo>"""
-    device = Reader().read(text.encode()).document.infos[0].devices[0]
-    return drive_modes(device)
-
-
-def dictionary(*objects: str, types: str = "") -> str:
-    return f"<Dictionary><DataTypes>{types}</DataTypes><Objects>{''.join(objects)}</Objects></Dictionary></Profile>"
-
-
-def supported_modes(data: str, index: str = "6502") -> str:
-    info = f"<Info><DefaultData>{data}</DefaultData></Info>" if data else ""
-    return f"<Object><Index>#x{index}</Index><Name>m</Name><Type>UDINT</Type><BitSize>32</BitSize>{info}</Object>"
-
-
-def rx_pdo(*entries: tuple[str, int], name: str = "Outputs") -> str:
-    rows = "".join(f"<Entry><Index>#x{i}</Index><SubIndex>0</SubIndex><BitLen>{b}</BitLen></Entry>" for i, b in entries)
-    return f'<RxPdo Sm="2"><Index>#x1600</Index><Name>{name}</Name>{rows}</RxPdo>'
-
-
-def init_cmd(mode: int) -> str:
-    """A start-up command that writes a mode's code to 0x6060."""
-    command = f"<Transition>PS</Transition><Index>#x6060</Index><SubIndex>0</SubIndex><Data>{mode:02X}</Data>"
-    return f"<Mailbox><CoE><InitCmd>{command}</InitCmd></CoE></Mailbox>"
-
-
-DC = "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
-
-
-def verdicts(found: DriveModes, axis: int = 0) -> dict[str, str]:
-    return {item.mode: item.verdict for item in found.verdicts if item.axis == axis}
 
 
 def test_every_bit_of_0x6502_declares_its_mode():
@@ -183,7 +148,10 @@ def test_objects_of_the_setpoint_may_lie_in_two_pdos(excluded, rank):
 
 
 def test_the_recipe_names_all_objects_of_the_setpoint():
-    found = one_drive(dictionary(supported_modes("00040000")) + rx_pdo(("6040", 16), ("6071", 16)))
+    angle = "<Object><Index>#x60EA</Index><Name>m</Name><Type>UINT</Type><BitSize>16</BitSize><Flags>"
+    angle += "<PdoMapping>R</PdoMapping></Flags></Object>"
+    drive = dictionary(supported_modes("00040000"), angle) + rx_pdo(("6040", 16), ("6071", 16))
+    found = one_drive(f'{drive}<Mailbox><CoE PdoConfig="1"/></Mailbox>')
     (cstca,) = [item for item in found.verdicts if item.mode == "CSTCA"]
     assert cstca.recipe.startswith("map the setpoint 0x6071 and 0x60EA into an RxPDO")
 
@@ -421,6 +389,23 @@ def test_a_recipe_names_the_slot_that_has_the_module_by_default():
     found = modular_drive(slot(2, 2) + slot(2, is_default=True), modules)
     (csv,) = [item for item in found.verdicts if item.mode == "CSV"]
     assert csv.recipe.startswith("plug module 0x2 into slot 2 (default)")
+
+
+def test_of_equal_answers_that_with_the_setpoint_in_an_rx_pdo_counts():
+    """The dictionary of the device lets 0x607A into RxPDOs (E, 0.25): the default module has none with it."""
+    mappable = "<Flags><PdoMapping>R</PdoMapping></Flags></Object>"
+    profile = dictionary(supported_modes("", index="607A").replace("</Object>", mappable))
+    both = (
+        '<Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">2</ModuleIdent><ModuleIdent>3</ModuleIdent>'
+    )
+    modules = drive_module(2, "6040", "60FF", name="Outputs", moves=False)
+    modules += drive_module(3, "6040", "607A", name="Outputs", moves=False)
+    found = modular_drive(f"{both}</Slot>", modules, profile=f"<Profile><ProfileNo>402</ProfileNo>{profile}")
+    (profile_position,) = [item for item in found.verdicts if item.mode == "PP"]
+    assert (profile_position.score, profile_position.module_ident) == (0.25, 3)
+    assert profile_position.recipe.startswith(
+        "plug module 0x3 into slot 0 (not the default); RxPDO 0x1600 maps the setpoint; "
+    )
 
 
 def test_profile_402_of_a_module_counts_in_every_slot():

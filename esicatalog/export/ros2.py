@@ -19,8 +19,14 @@ from esicatalog.export.igh_limits import pieces
 from esicatalog.export.init_cmds import MODULE_IDENT_LIST, StartCommand, single_accesses
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
-from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, MODES_DISPLAY, MODES_OF_OPERATION, STATUSWORD
-from esicatalog.model.drive_evidence import MODES_OF_OPERATION_OF_AXES
+from esicatalog.model.cia402 import (
+    AXIS_STEP,
+    CONTROLWORD,
+    MODES_DISPLAY,
+    MODES_OF_OPERATION,
+    MODES_OF_OPERATION_OF_AXES,
+    STATUSWORD,
+)
 
 PROGRAM = "ethercat_driver_ros2"
 _INTERFACES = {
