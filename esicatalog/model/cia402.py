@@ -98,6 +98,11 @@ _PHRASES = [
 """Names of modes in words; one that contains another comes first, as that of CSTCA does with that of CST."""
 _BLANKS = re.compile(r"[\s_.-]+")
 """Blanks, what vendors write in place of them, and the end of ``Sync.``."""
+_DENIAL = re.compile(
+    r"\b(?:reserved|unsupported|unused|unavailable|n ?/ ?a|n a"
+    r"|not (?:\w+ )?(?:supported|used|available|implemented|allowed))\b",
+    re.IGNORECASE,
+)
 _WORD = re.compile(r"[A-Za-z0-9]+")
 _NOT_A_MODE = re.compile(r"\bcsv ?(?:file|export|import|format|table)s?\b", re.IGNORECASE)
 
@@ -119,3 +124,9 @@ def named_modes(text: str) -> frozenset[str]:
     if clear or found or len(tokens) > 1:
         found |= {_TOKENS[token] for token in tokens}
     return frozenset(found)
+
+
+@lru_cache(10_000)
+def denies(text: str) -> bool:
+    """Whether the text of a value says that there is nothing behind it: ``reserved``, ``not supported``, ``n/a``."""
+    return _DENIAL.search(_BLANKS.sub(" ", text)) is not None

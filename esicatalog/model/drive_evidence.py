@@ -6,8 +6,10 @@ Ranks, scores and traps of ESI-FACTS section 16. Nothing here decides; :mod:`esi
 from collections.abc import Iterable, Iterator
 from typing import Annotated
 
+import msgspec
+
 from esicatalog.esi.binding import Doc, Record
-from esicatalog.esi.numbers import decode_hex_binary
+from esicatalog.esi.numbers import decode_hex_binary, parse_hex_dec
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.model.base_types import BASE_TYPES
@@ -20,6 +22,7 @@ from esicatalog.model.cia402 import (
     STANDARD_BITS,
     SUPPORTED_DRIVE_MODES,
     DriveMode,
+    denies,
     named_modes,
 )
 from esicatalog.model.dictionary import ObjectEntry
@@ -36,6 +39,10 @@ from esicatalog.model.drive_parts import (
 )
 
 YES, NO = "yes", "no"
+_OPTIONS = "options"
+"""Property in which vendors list values of an object."""
+_SINT = range(-0x80, 0x80)
+"""What 0x6060 can be."""
 
 RANKS: dict[str, tuple[str, float]] = {
     "A+": ("declared in ESI", 0.95),
@@ -77,20 +84,12 @@ class ModeEvidence(Record):
 def find_evidence(part: Part) -> Iterator[ModeEvidence]:
     """All findings of a part that has CiA 402 evidence."""
     yield from _supported_modes(part)
-    yield from _enumerated(part)
+    yield from _listed(part)
     yield from _init_commands(part)
     yield from _named(part)
     yield from _mapped(part)
     yield from _mappable(part)
-
-
-def _enum_values(part: Part, index: int) -> list[tuple[int | None, str]]:
-    """Values and texts of the enumeration that an object's type is."""
-    view = declaring_view(part, index)
-    data_type = view.types.by_name.get(view.by_index[index].type or "") if view is not None else None
-    if data_type is None:
-        return []
-    return [(item.value, display_text(item.texts) or "") for item in data_type.enum_infos]
+    yield from _in_range(part)
 
 
 def _finding(
@@ -140,10 +139,10 @@ def _supported_modes(part: Part) -> Iterator[ModeEvidence]:
         is_set = bool(value >> mode.bit & 1)
         text = f"0x{index:04X} default {entry.default_raw}{doubt} has bit {mode.bit} ({mode.name})"
         if is_set:
-            text = f"declared in ESI: {text} set; read 0x6502 on the drive"
+            text = f"declared in ESI: {text} set; read 0x{index:04X} on the drive"
             yield _finding(part, mode, rank, text, conflict=rank != "A+", object_index=index)
         elif rank == "A+":
-            text = f"declared in ESI: {text} clear; read 0x6502 on the drive"
+            text = f"declared in ESI: {text} clear; read 0x{index:04X} on the drive"
             yield _finding(part, mode, "A-", text, polarity=NO, object_index=index)
 
 
@@ -159,14 +158,63 @@ def _bits(entry: ObjectEntry) -> int:
     return number & ((1 << base.bit_size) - 1) if base is not None and base.signed and base.bit_size else 0
 
 
-def _enumerated(part: Part) -> Iterator[ModeEvidence]:
-    """0x6060 whose type enumerates modes by code, with a text that names the same mode."""
+def _listed(part: Part) -> Iterator[ModeEvidence]:
+    """Values that 0x6060 can have by an enumeration or options: codes of modes whose text does not say otherwise."""
     index = part.at(MODES_OF_OPERATION)
-    for value, text in _enum_values(part, index):
+    for what, value, text in _listed_values(part, index):
         mode = MODE_BY_CODE.get(value) if value is not None else None
-        if mode is not None:
-            words = f"values of 0x{index:04X} list {value} ({text})"
-            yield _finding(part, mode, "B2", words, object_index=index)
+        if mode is None or denies(text) or mode.name not in (named_modes(text) or DRIVE_MODES):
+            continue
+        words = f"{what} of 0x{index:04X} list {value} ({text})"
+        yield _finding(part, mode, "B2", words, object_index=index)
+
+
+def _listed_values(part: Part, index: int) -> list[tuple[str, int | None, str]]:
+    """The values that an object lists, each with what lists it and its text."""
+    view = declaring_view(part, index)
+    if view is None:
+        return []
+    declared = view.by_index[index]
+    data_type = view.types.by_name.get(declared.type or "")
+    enum_infos = data_type.enum_infos if data_type is not None else ()
+    found = [("values", item.value, display_text(item.texts) or "") for item in enum_infos]
+    for item in declared.properties:
+        if (item.name or "").strip().lower() == _OPTIONS:
+            found += [("options", parse_hex_dec(value), text) for value, text in _options(item.value or "").items()]
+    return found
+
+
+def _options(text: str) -> dict[str, str]:
+    """Texts by value, as vendors write them into a property: a JSON object. Anything else lists nothing."""
+    try:
+        return msgspec.json.decode(text, type=dict[str, str])
+    except (msgspec.DecodeError, RecursionError):
+        return {}
+
+
+def _in_range(part: Part) -> Iterator[ModeEvidence]:
+    """Codes between the minimum and maximum of 0x6060, where it does not list its values.
+
+    The greatest value of its type, SINT, is no statement: nothing was bounded.
+    """
+    index = part.at(MODES_OF_OPERATION)
+    entry = single_value(part, index)
+    if entry is None or entry.max_int is None or _listed_values(part, index):
+        return
+    highest = _as_sint(entry.max_int)
+    lowest = _as_sint(entry.min_int) if entry.min_int is not None else _SINT.start
+    if highest == _SINT[-1]:
+        return
+    for mode in DRIVE_MODES.values():
+        if lowest <= mode.code <= highest:
+            bounds = f"{lowest} to {highest}" if entry.min_int is not None else f"up to {highest}"
+            text = f"0x{index:04X} takes values {bounds}, {mode.code} ({mode.name}) among them"
+            yield _finding(part, mode, "E", text, object_index=index)
+
+
+def _as_sint(number: int) -> int:
+    """What a number is in 0x6060, which some declare as USINT."""
+    return number - 0x100 if number in range(0x80, 0x100) else number
 
 
 def _init_commands(part: Part) -> Iterator[ModeEvidence]:

@@ -22,6 +22,7 @@ from esicatalog.model.cia402 import (
     DRIVE_MODES,
     PROFILE_AREA,
     DriveMode,
+    denies,
     named_modes,
 )
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
@@ -370,7 +371,9 @@ def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
     """Modes that values of objects name: where each is named first."""
     types = view.types.by_name
     named = {
-        name: [(mode, text) for text in _enum_texts(data_type) for mode in sorted(named_modes(text))]
+        name: [
+            (mode, text) for text in _enum_texts(data_type) if not denies(text) for mode in sorted(named_modes(text))
+        ]
         for name, data_type in types.items()
         if data_type.enum_infos
     }
