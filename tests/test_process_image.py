@@ -289,6 +289,51 @@ def slot(attributes: str = "", instances: int = 1) -> str:
     return f'<Slot MinInstances="{instances}" MaxInstances="{instances}" {attributes}>{ident}</Slot>'
 
 
+TWO_MODULES = "".join(f'<Module><Type ModuleIdent="{n}">M{n}</Type><Name>M</Name></Module>' for n in (1, 2))
+
+
+def plugged_idents(*slots: str) -> list[tuple[int, int]]:
+    """Slot number and ModuleIdent of the default modules; each slot takes modules 1 and 2, 1 may be marked Default."""
+    content = "".join(
+        f"<Slot {slot.removesuffix('marked')}><ModuleIdent Default='{int(slot.endswith('marked'))}'>1</ModuleIdent>"
+        "<ModuleIdent>2</ModuleIdent></Slot>"
+        for slot in slots
+    )
+    info = read(esi(device(f"<Slots>{content}</Slots>"), TWO_MODULES)).document.infos[0]
+    return [(item.slot_number, item.module.module_ident) for item in default_modules(info.devices[0], info.modules)]
+
+
+ONE = 'MinInstances="1" MaxInstances="1"'
+UP_TO_TWO = 'MinInstances="0" MaxInstances="2"'
+
+
+@pytest.mark.parametrize(
+    ("slot", "ident"),
+    [
+        (f'{ONE} Default="#x2"', 2),
+        (f'{ONE} Fallback="#x2"', 2),
+        (f'{ONE} Default="#x1" Fallback="#x2"', 1),
+        (f'{ONE} Fallback="#x2" marked', 1),  # what is plugged leaves nothing to fall back to
+        (f'{ONE} Default="#x9" Fallback="#x2"', 2),  # no module 9 fits
+        (f'{UP_TO_TWO} Fallback="#x2"', 2),
+    ],
+)
+def test_a_slot_has_its_default_else_its_fallback(slot, ident):
+    """Schema 1.17: Fallback is automatically plugged when no other module is plugged to the slot."""
+    assert plugged_idents(slot) == [(0, ident)]
+
+
+def test_without_default_and_fallback_a_slot_with_a_choice_stays_empty():
+    assert plugged_idents(ONE, f'{ONE} Default="#x9"') == []
+
+
+def test_a_slot_element_of_no_instances_is_no_slot():
+    """MaxInstances 0: neither does it get a module, nor do the slots behind it move."""
+    none = 'MinInstances="0" MaxInstances="0" marked'
+    assert plugged_idents(none) == []
+    assert plugged_idents(none, f'{ONE} Default="#x2"') == [(0, 2)]
+
+
 def test_increments_of_the_device():
     steps = 'SlotIndexIncrement="#x800" SlotPdoIncrement="64"'
     assert in_slots(slot() * 3, steps) == [(0x1602, 0x6060), (0x1642, 0x6860), (0x1682, 0x7060)]
