@@ -97,6 +97,16 @@ def test_the_lists_of_the_default_op_mode_win():
     assert indices(found[3]) == [0x1A00], "a SyncManager without a list keeps its default"
 
 
+def test_mandatory_pdos_stay_whatever_an_op_mode_lists():
+    """ESI-FACTS section 9: Mandatory must stay assigned to its SyncManager; a virtual one is not exchanged at all."""
+    inputs = pdo("TxPdo", "#x1A00", 16, attributes='Sm="3" Mandatory="1"') + pdo("TxPdo", "#x1A01", 16)
+    virtual = pdo("TxPdo", "#x1A02", 16, attributes='Sm="3" Mandatory="1" Virtual="1"')
+    listed = op_mode('<Sm No="3"><Pdo>#x1A01</Pdo></Sm>')
+    found = images(inputs + virtual + f"<Dc>{listed}</Dc>")
+    assert (indices(found[3]), found[3].bit_size) == ([0x1A00, 0x1A01], 32)
+    assert found[3].remarks == ("PDO 0x1A00 is mandatory: assigned too",)
+
+
 def test_pdos_of_the_other_direction_are_not_exchanged():
     """SMC EX250-SEN1 has a TxPDO on a SyncManager for Outputs: the master writes the RxPDO's 2 bytes there, not 6."""
     found = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + pdo("TxPdo", "#x1A00", 32, attributes='Sm="2"'))
