@@ -5,6 +5,7 @@ import json
 import pytest
 from snippets import device, dictionary, esi, one, pdo, rows
 from test_cli import run
+from test_device_facts import oversampling, sync_objects
 from test_search import catalog_of, types
 
 from esicatalog import Catalog, InputError, NotFound
@@ -51,6 +52,19 @@ def test_a_mode_answer_is_a_recipe_with_its_evidence(data_db):
         "0x6060 is mapped in RxPDO 0x1600: set it to 9",
     ):
         assert part in text
+
+
+def test_a_cycle_is_told_with_its_place(tmp_path):
+    """Outputs keep up with 250 µs, inputs with 1 ms; an oversampling terminal has 10 samples of 5 µs."""
+    declared = sync_objects(("#x1C32", "90D00300"), ("#x1C33", "40420F00"))
+    sampled = oversampling('DefaultFactor="10" MinCycleTime="5000"')
+    db = catalog_of(tmp_path, esi(device(declared, "#x1") + device(sampled, "#x2")))
+    with Catalog.open(db) as catalog:
+        assert [item.product_code for item in catalog.devices(min_cycle_ns=Bounds(None, 250_000))] == [2]
+        assert [item.evidence for item in catalog.devices(min_cycle_ns=Bounds(1, None))] == [
+            ("smallest cycle 1000000 ns (0x1C33:05)",),
+            ("smallest cycle 50000 ns (oversampling: DefaultFactor x MinCycleTime)",),
+        ]
 
 
 def test_likely_counts_unless_strict(tmp_path):

@@ -108,22 +108,74 @@ def test_not_assigned_pdos_count_for_the_set_only():
     assert facts(assigned).pdo_signature != facts(more).pdo_signature
 
 
-def test_smallest_cycle_from_the_sync_object():
+def sync_objects(*cycles: tuple[str, str]) -> str:
+    """A dictionary with SM synchronisation objects, each with a default of its minimum cycle time."""
     sub_items = "".join(
         f"<SubItem><SubIdx>{n}</SubIdx><Name>s{n}</Name><Type>UDINT</Type><BitSize>32</BitSize>"
         "<BitOffs>0</BitOffs></SubItem>"
         for n in (4, 5)
     )
     types = f"<DataType><Name>DT</Name><BitSize>80</BitSize>{sub_items}</DataType>"
-    values = "".join(
-        f"<SubItem><Name>s{n}</Name><Info><DefaultData>{data}</DefaultData></Info></SubItem>"
-        for n, data in ((4, "0F400000"), (5, "90D00300"))
+    objects = ""
+    for index, cycle in cycles:
+        values = "".join(
+            f"<SubItem><Name>s{n}</Name><Info><DefaultData>{data}</DefaultData></Info></SubItem>"
+            for n, data in ((4, "0F400000"), (5, cycle))
+        )
+        objects += f"<Object><Index>{index}</Index><Name>o</Name><Type>DT</Type><BitSize>80</BitSize>"
+        objects += f"<Info>{values}</Info></Object>"
+    return dictionary(types, objects)
+
+
+NONE, US_250, MS_1 = "00000000", "90D00300", "40420F00"
+
+
+@pytest.mark.parametrize(
+    ("cycles", "smallest"),
+    [
+        ([("#x1C32", US_250)], 250_000),
+        ([("#x1C33", MS_1)], 1_000_000),
+        ([("#x1C32", US_250), ("#x1C33", MS_1)], 1_000_000),  # inputs keep up with 1 ms only
+        ([("#x1C32", MS_1), ("#x1C33", NONE)], 1_000_000),
+        ([("#x1C32", NONE)], None),
+    ],
+)
+def test_smallest_cycle_is_that_which_outputs_and_inputs_keep_up_with(cycles, smallest):
+    found = facts(sync_objects(*cycles))
+    assert found.min_cycle_ns == smallest
+    assert 0x400F in (found.output_sync_types, found.input_sync_types)
+
+
+def oversampling(*attributes: str) -> str:
+    """OpModes with an Oversampling element of TwinCAT."""
+    modes = "".join(
+        f"<OpMode><Name>m</Name><AssignActivate>#x730</AssignActivate><VendorSpecific><TwinCAT><Oversampling {words}/>"
+        "</TwinCAT></VendorSpecific></OpMode>"
+        for words in attributes
     )
-    sync = (
-        f"<Object><Index>#x1C32</Index><Name>o</Name><Type>DT</Type><BitSize>80</BitSize><Info>{values}</Info></Object>"
-    )
-    found = facts(dictionary(types, sync))
-    assert (found.output_sync_types, found.min_cycle_ns) == (0x400F, 250_000)
+    return f"<Dc>{modes}</Dc>"
+
+
+@pytest.mark.parametrize(
+    ("attributes", "smallest"),
+    [
+        # EL3702: 10 samples of 10 µs with two channels, of 5 µs with one.
+        (['DefaultFactor="10" MinCycleTime="10000"', 'DefaultFactor="10" MinCycleTime="5000"'], 50_000),
+        (['DefaultFactor="4" MinCycleTime="5000"'], 20_000),
+        (['MinCycleTime="5000"'], 5_000),
+        (['DefaultFactor="10" MinCycleTime="0"'], None),
+        (['DefaultFactor="10"'], None),
+        ([f'DefaultFactor="10" MinCycleTime="{"9" * 18}"', 'DefaultFactor="10" MinCycleTime="1e3"'], None),
+    ],
+)
+def test_a_sample_interval_is_no_cycle_without_the_number_of_samples(attributes, smallest):
+    assert facts(oversampling(*attributes)).min_cycle_ns == smallest
+
+
+def test_a_declared_cycle_counts_before_that_of_samples():
+    """EL3773: 0x1C33:05 and an OpMode with oversampling."""
+    both = sync_objects(("#x1C33", MS_1)) + oversampling('DefaultFactor="10" MinCycleTime="5000"')
+    assert facts(both).min_cycle_ns == 1_000_000
 
 
 def test_fsoe_needs_more_than_a_name():

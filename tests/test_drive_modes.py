@@ -4,52 +4,17 @@ from pathlib import Path
 
 import pytest
 import snippets
+from small_drives import DC, dictionary, init_cmd, one_drive, rx_pdo, supported_modes, verdicts
 
 from esicatalog.esi.containers import Archive
 from esicatalog.esi.reader import Reader, read_esi
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.model.cia402 import named_modes
+from esicatalog.model.cia402 import denies, named_modes
 from esicatalog.model.drive_modes import DriveModes, drive_modes
 from esicatalog.model.slots import reachable_modules
 
 DATA = Path(__file__).parent.parent / "data"
-
-
-def one_drive(body: str, profile: str = "402") -> DriveModes:
-    """Modes of a drive with this content after its profile's opening."""
-    text = f"""<EtherCATInfo><Vendor><Id>1</Id><Name>V</Name></Vendor><Descriptions><Groups/><Devices>
-      <Device Physics="YY"><Type ProductCode="#x1" RevisionNo="#x1">D</Type><Name>D</Name><GroupType>G</GroupType>
-      <Profile><ProfileNo>{profile}</ProfileNo>{body}</Device></Devices></Descriptions></EtherCATInfo>"""
-    device = Reader().read(text.encode()).document.infos[0].devices[0]
-    return drive_modes(device)
-
-
-def dictionary(*objects: str, types: str = "") -> str:
-    return f"<Dictionary><DataTypes>{types}</DataTypes><Objects>{''.join(objects)}</Objects></Dictionary></Profile>"
-
-
-def supported_modes(data: str, index: str = "6502") -> str:
-    info = f"<Info><DefaultData>{data}</DefaultData></Info>" if data else ""
-    return f"<Object><Index>#x{index}</Index><Name>m</Name><Type>UDINT</Type><BitSize>32</BitSize>{info}</Object>"
-
-
-def rx_pdo(*entries: tuple[str, int], name: str = "Outputs") -> str:
-    rows = "".join(f"<Entry><Index>#x{i}</Index><SubIndex>0</SubIndex><BitLen>{b}</BitLen></Entry>" for i, b in entries)
-    return f'<RxPdo Sm="2"><Index>#x1600</Index><Name>{name}</Name>{rows}</RxPdo>'
-
-
-def init_cmd(mode: int) -> str:
-    """A start-up command that writes a mode's code to 0x6060."""
-    command = f"<Transition>PS</Transition><Index>#x6060</Index><SubIndex>0</SubIndex><Data>{mode:02X}</Data>"
-    return f"<Mailbox><CoE><InitCmd>{command}</InitCmd></CoE></Mailbox>"
-
-
-DC = "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
-
-
-def verdicts(found: DriveModes, axis: int = 0) -> dict[str, str]:
-    return {item.mode: item.verdict for item in found.verdicts if item.axis == axis}
 
 
 def test_every_bit_of_0x6502_declares_its_mode():
@@ -62,6 +27,115 @@ def test_every_bit_of_0x6502_declares_its_mode():
 def test_a_declaration_says_to_read_the_drive():
     declared = one_drive(dictionary(supported_modes("80010000"))).evidence
     assert all(item.evidence.endswith("read 0x6502 on the drive") for item in declared)
+
+
+def test_a_declaration_names_the_object_of_its_axis():
+    controlword = "<Object><Index>#x6840</Index><Name>c</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+    found = one_drive(dictionary(supported_modes("80000000"), controlword, supported_modes("00010000", index="6D02")))
+    assert verdicts(found, axis=1)["CSV"] == "yes"
+    declared = [item.evidence for item in found.evidence if item.axis == 1]
+    assert declared and all(text.endswith("read 0x6D02 on the drive") for text in declared)
+
+
+MODES_OF_OPERATION = "<Object><Index>#x6060</Index><Name>m</Name><Type>SINT</Type><BitSize>8</BitSize></Object>"
+
+
+def enumerated(**texts: str) -> DriveModes:
+    """A drive whose 0x6060 enumerates values (v8="CSP")."""
+    values = "".join(f"<EnumInfo><Text>{text}</Text><Enum>{key[1:]}</Enum></EnumInfo>" for key, text in texts.items())
+    types = f"<DataType><Name>EM</Name><BaseType>SINT</BaseType><BitSize>8</BitSize>{values}</DataType>"
+    return one_drive(dictionary(MODES_OF_OPERATION.replace("SINT", "EM"), types=types))
+
+
+def test_a_value_counts_by_its_code_unless_its_text_says_otherwise():
+    found = enumerated(v1="Position", v3="", v6="Preserved home", v8="CSP", v9="reserved", v10="Cyclic sync velocity")
+    assert verdicts(found) == dict.fromkeys(("PP", "PV", "HM", "CSP"), "likely")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "reserved",
+        "Reserved (9)",
+        "not supported",
+        "CSV - not yet supported",
+        "Unsupported",
+        "unused",
+        "not_used",
+        "n/a",
+        "N.A.",
+        "not available",
+        "not implemented",
+    ],
+)
+def test_texts_that_deny_a_value(text):
+    assert denies(text)
+    assert verdicts(enumerated(v9=text)) == {}
+
+
+@pytest.mark.parametrize("text", ["", "Cyclic synchronous velocity", "Preserved", "unusedly", "Nano axis", "notused"])
+def test_texts_that_deny_nothing(text):
+    assert not denies(text)
+
+
+def with_property(name: str, value: str) -> DriveModes:
+    """A drive whose 0x6060 has a property."""
+    properties = f"<Properties><Property><Name>{name}</Name><Value>{value}</Value></Property></Properties></Object>"
+    return one_drive(dictionary(MODES_OF_OPERATION.replace("</Object>", properties)))
+
+
+def test_options_of_0x6060_list_modes():
+    found = with_property("options", '{"8": "CSP", "9": "CSV", "10": "not supported", "-2": "Jog"}')
+    assert verdicts(found) == {"CSP": "likely", "CSV": "likely"}
+    assert {item.rank for item in found.evidence} == {"B2"}
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("options", "8, 9"),
+        ("options", "[8, 9]"),
+        ("options", ""),
+        ("options", '{"CSP": "8"}'),
+        ("unit", '{"8": "CSP"}'),
+    ],
+)
+def test_what_is_no_list_of_options_lists_nothing(name, value):
+    assert verdicts(with_property(name, value)) == {}
+
+
+def bounded(*bounds: str, kind: str = "SINT") -> DriveModes:
+    """A drive whose 0x6060 has a minimum and maximum."""
+    info = "".join(f"<{name}>{bound}</{name}>" for name, bound in zip(("MinValue", "MaxValue"), bounds, strict=True))
+    info = f"<Info>{info}</Info>".replace("<MinValue></MinValue>", "")
+    return one_drive(dictionary(MODES_OF_OPERATION.replace("SINT", kind).replace("</Object>", f"{info}</Object>")))
+
+
+@pytest.mark.parametrize(
+    ("bounds", "kind", "modes"),
+    [
+        (("1", "4"), "SINT", {"PP", "VL", "PV", "TQ"}),
+        (("8", "10"), "SINT", {"CSP", "CSV", "CST"}),
+        (("-128", "3"), "SINT", {"PP", "VL", "PV"}),
+        (("#x80", "3"), "USINT", {"PP", "VL", "PV"}),  # the bits of -128
+        (("", "3"), "SINT", {"PP", "VL", "PV"}),
+        (("-128", "127"), "SINT", set()),  # the whole range of the type
+        (("0", "127"), "SINT", set()),
+        (("0", "255"), "USINT", set()),  # -1
+        (("0", "0"), "SINT", set()),
+    ],
+)
+def test_a_bounded_0x6060_makes_the_codes_within_possible(bounds, kind, modes):
+    found = bounded(*bounds, kind=kind)
+    assert verdicts(found) == dict.fromkeys(modes, "possible")
+    assert {(item.rank, item.score) for item in found.evidence if item.mode} <= {("E", 0.25)}
+
+
+def test_a_list_of_values_says_more_than_their_bounds():
+    listing = "<Info><MinValue>1</MinValue><MaxValue>10</MaxValue></Info><Properties><Property><Name>options</Name>"
+    listing += '<Value>{"8": "CSP"}</Value></Property></Properties></Object>'
+    found = one_drive(dictionary(MODES_OF_OPERATION.replace("</Object>", listing)))
+    assert verdicts(found) == {"CSP": "likely"}
 
 
 @pytest.mark.parametrize("data", ["", "00000000"])
@@ -183,7 +257,10 @@ def test_objects_of_the_setpoint_may_lie_in_two_pdos(excluded, rank):
 
 
 def test_the_recipe_names_all_objects_of_the_setpoint():
-    found = one_drive(dictionary(supported_modes("00040000")) + rx_pdo(("6040", 16), ("6071", 16)))
+    angle = "<Object><Index>#x60EA</Index><Name>m</Name><Type>UINT</Type><BitSize>16</BitSize><Flags>"
+    angle += "<PdoMapping>R</PdoMapping></Flags></Object>"
+    drive = dictionary(supported_modes("00040000"), angle) + rx_pdo(("6040", 16), ("6071", 16))
+    found = one_drive(f'{drive}<Mailbox><CoE PdoConfig="1"/></Mailbox>')
     (cstca,) = [item for item in found.verdicts if item.mode == "CSTCA"]
     assert cstca.recipe.startswith("map the setpoint 0x6071 and 0x60EA into an RxPDO")
 
@@ -421,6 +498,23 @@ def test_a_recipe_names_the_slot_that_has_the_module_by_default():
     found = modular_drive(slot(2, 2) + slot(2, is_default=True), modules)
     (csv,) = [item for item in found.verdicts if item.mode == "CSV"]
     assert csv.recipe.startswith("plug module 0x2 into slot 2 (default)")
+
+
+def test_of_equal_answers_that_with_the_setpoint_in_an_rx_pdo_counts():
+    """The dictionary of the device lets 0x607A into RxPDOs (E, 0.25): the default module has none with it."""
+    mappable = "<Flags><PdoMapping>R</PdoMapping></Flags></Object>"
+    profile = dictionary(supported_modes("", index="607A").replace("</Object>", mappable))
+    both = (
+        '<Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">2</ModuleIdent><ModuleIdent>3</ModuleIdent>'
+    )
+    modules = drive_module(2, "6040", "60FF", name="Outputs", moves=False)
+    modules += drive_module(3, "6040", "607A", name="Outputs", moves=False)
+    found = modular_drive(f"{both}</Slot>", modules, profile=f"<Profile><ProfileNo>402</ProfileNo>{profile}")
+    (profile_position,) = [item for item in found.verdicts if item.mode == "PP"]
+    assert (profile_position.score, profile_position.module_ident) == (0.25, 3)
+    assert profile_position.recipe.startswith(
+        "plug module 0x3 into slot 0 (not the default); RxPDO 0x1600 maps the setpoint; "
+    )
 
 
 def test_profile_402_of_a_module_counts_in_every_slot():

@@ -272,6 +272,33 @@ def test_a_referenced_module_is_of_the_vendor_of_its_own_document(tmp_path):
         assert [held.module_ident for held in catalog.device("0xE5C:1:1").modules] == [0x10]
 
 
+def test_a_module_class_is_of_the_vendor_that_it_names_else_of_that_of_the_device(tmp_path):
+    """ModuleClass/VendorId; both modules have the class, each of another vendor."""
+
+    def taking(product: str, vendor: str) -> str:
+        wanted = f"<ModuleClass><Class>io</Class>{vendor}</ModuleClass>"
+        return device(f"<Slots><Slot MinInstances='0' MaxInstances='4'>{wanted}</Slot></Slots>", product)
+
+    own, foreign = (module(ident).replace("<Type ", "<Type ModuleClass='io' ") for ident in ("#x31", "#x77"))
+    devices = (taking("#x1", "<VendorId>#x9999</VendorId>"), taking("#x2", ""), taking("#x3", "<VendorId>1</VendorId>"))
+    dev = esi("".join(devices), own).replace("<EtherCATInfo>", "<EtherCATInfo><InfoReference>mods.xml</InfoReference>")
+    folder = write(tmp_path / "in", {"dev.xml": dev, "mods.xml": module_document(foreign, vendor="#x9999")})
+    ingest(tmp_path / "c.db", folder)
+    assert rows(
+        tmp_path / "c.db",
+        "SELECT d.product_code, m.vendor_id, m.module_ident FROM device_modules c "
+        "JOIN devices d ON d.id = c.device_id JOIN modules m ON m.id = c.module_id ORDER BY 1",
+    ) == [(1, 0x9999, 0x77), (2, 0xE5C, 0x31)]
+
+
+def test_where_no_vendor_is_known_the_class_counts_alone(tmp_path):
+    slots = "<Slots><Slot MinInstances='0' MaxInstances='4'><ModuleClass><Class>io</Class></ModuleClass></Slot></Slots>"
+    offered = module("#x31").replace("<Type ", "<Type ModuleClass='io' ")
+    folder = write(tmp_path / "in", {"dev.xml": esi(device(slots), offered, vendor="<Name>V</Name>")})
+    ingest(tmp_path / "c.db", folder)
+    assert one(tmp_path / "c.db", "SELECT count(*) FROM device_modules") == 1
+
+
 WITH_DICTIONARY = module("#x10", "<Profile><DictionaryFile>{}</DictionaryFile></Profile>")
 CARRIED = (
     "SELECT o.name FROM device_modules d JOIN profiles p ON p.module_id = d.module_id "

@@ -97,6 +97,16 @@ def test_the_lists_of_the_default_op_mode_win():
     assert indices(found[3]) == [0x1A00], "a SyncManager without a list keeps its default"
 
 
+def test_mandatory_pdos_stay_whatever_an_op_mode_lists():
+    """ESI-FACTS section 9: Mandatory must stay assigned to its SyncManager; a virtual one is not exchanged at all."""
+    inputs = pdo("TxPdo", "#x1A00", 16, attributes='Sm="3" Mandatory="1"') + pdo("TxPdo", "#x1A01", 16)
+    virtual = pdo("TxPdo", "#x1A02", 16, attributes='Sm="3" Mandatory="1" Virtual="1"')
+    listed = op_mode('<Sm No="3"><Pdo>#x1A01</Pdo></Sm>')
+    found = images(inputs + virtual + f"<Dc>{listed}</Dc>")
+    assert (indices(found[3]), found[3].bit_size) == ([0x1A00, 0x1A01], 32)
+    assert found[3].remarks == ("PDO 0x1A00 is mandatory: assigned too",)
+
+
 def test_pdos_of_the_other_direction_are_not_exchanged():
     """SMC EX250-SEN1 has a TxPDO on a SyncManager for Outputs: the master writes the RxPDO's 2 bytes there, not 6."""
     found = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + pdo("TxPdo", "#x1A00", 32, attributes='Sm="2"'))
@@ -287,6 +297,51 @@ def in_slots(slots: str, attributes: str, module: str = 'DependOnSlot="1"') -> l
 def slot(attributes: str = "", instances: int = 1) -> str:
     ident = '<ModuleIdent Default="1">1</ModuleIdent>'
     return f'<Slot MinInstances="{instances}" MaxInstances="{instances}" {attributes}>{ident}</Slot>'
+
+
+TWO_MODULES = "".join(f'<Module><Type ModuleIdent="{n}">M{n}</Type><Name>M</Name></Module>' for n in (1, 2))
+
+
+def plugged_idents(*slots: str) -> list[tuple[int, int]]:
+    """Slot number and ModuleIdent of the default modules; each slot takes modules 1 and 2, 1 may be marked Default."""
+    content = "".join(
+        f"<Slot {slot.removesuffix('marked')}><ModuleIdent Default='{int(slot.endswith('marked'))}'>1</ModuleIdent>"
+        "<ModuleIdent>2</ModuleIdent></Slot>"
+        for slot in slots
+    )
+    info = read(esi(device(f"<Slots>{content}</Slots>"), TWO_MODULES)).document.infos[0]
+    return [(item.slot_number, item.module.module_ident) for item in default_modules(info.devices[0], info.modules)]
+
+
+ONE = 'MinInstances="1" MaxInstances="1"'
+UP_TO_TWO = 'MinInstances="0" MaxInstances="2"'
+
+
+@pytest.mark.parametrize(
+    ("slot", "ident"),
+    [
+        (f'{ONE} Default="#x2"', 2),
+        (f'{ONE} Fallback="#x2"', 2),
+        (f'{ONE} Default="#x1" Fallback="#x2"', 1),
+        (f'{ONE} Fallback="#x2" marked', 1),  # what is plugged leaves nothing to fall back to
+        (f'{ONE} Default="#x9" Fallback="#x2"', 2),  # no module 9 fits
+        (f'{UP_TO_TWO} Fallback="#x2"', 2),
+    ],
+)
+def test_a_slot_has_its_default_else_its_fallback(slot, ident):
+    """Schema 1.17: Fallback is automatically plugged when no other module is plugged to the slot."""
+    assert plugged_idents(slot) == [(0, ident)]
+
+
+def test_without_default_and_fallback_a_slot_with_a_choice_stays_empty():
+    assert plugged_idents(ONE, f'{ONE} Default="#x9"') == []
+
+
+def test_a_slot_element_of_no_instances_is_no_slot():
+    """MaxInstances 0: neither does it get a module, nor do the slots behind it move."""
+    none = 'MinInstances="0" MaxInstances="0" marked'
+    assert plugged_idents(none) == []
+    assert plugged_idents(none, f'{ONE} Default="#x2"') == [(0, 2)]
 
 
 def test_increments_of_the_device():

@@ -10,8 +10,8 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.records.slots import Slot, SlotModuleIdent
+from esicatalog.model.slot_indices import IndicesInSlots
 from esicatalog.model.slots import (
-    IndicesInSlots,
     PluggedModule,
     accepts,
     expand_module,
@@ -54,7 +54,7 @@ MODULE = st.builds(
 SLOT = st.builds(
     Slot,
     module_idents=st.just(IDENT),
-    max_instances=st.integers(1, 3),
+    max_instances=st.integers(0, 3),
     slot_group=st.none() | st.integers(0, 3),
     slot_index_increment=INCREMENT,
     slot_pdo_increment=INCREMENT,

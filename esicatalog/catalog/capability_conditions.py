@@ -1,13 +1,16 @@
 """Conditions on what devices can do: drive modes, SYNC signals, protocols, sizes, layout."""
 
+from collections.abc import Callable
 from typing import Any
 
 import sqlalchemy as sa
 
-from esicatalog.catalog.conditions import Condition, Evidence, by_row, stated, with_row
+from esicatalog.catalog import schema
+from esicatalog.catalog.conditions import Condition, Evidence, by_row, stated, tested, with_row
 from esicatalog.catalog.schema import dc_modes, device_facts, devices, drive_modes, mailboxes
 from esicatalog.identity import Bounds
 from esicatalog.model.cia402 import CIA402
+from esicatalog.model.device_facts import MINIMUM_CYCLE, SYNC_PARAMETERS
 from esicatalog.model.words import protocol_name
 
 _FSOE = "fsoe"
@@ -23,14 +26,40 @@ _FLAGS: dict[str, tuple[sa.Column[Any], str]] = {
 }
 """Truth values: column and evidence."""
 
-_AMOUNTS: dict[str, tuple[sa.Column[Any], str]] = {
-    "bytes_in": (device_facts.c.input_bytes, "{} byte(s) of input in the default process image"),
-    "bytes_out": (device_facts.c.output_bytes, "{} byte(s) of output in the default process image"),
-    "min_cycle_ns": (device_facts.c.min_cycle_ns, "smallest cycle {} ns (0x1C32:05, 0x1C33:05 or MinCycleTime)"),
-    "e_bus_ma": (devices.c.e_bus_current_ma, "E-bus current {} mA"),
-    "axes": (device_facts.c.axis_count, "{} axis(es) with CiA 402 evidence"),
+
+def _cycle_place() -> sa.ScalarSelect[Any]:
+    """The SM synchronisation object whose default is the smallest cycle, NULL where OpModes tell it."""
+    held, objects, entries = schema.dictionary_objects.c, schema.objects.c, schema.object_entries.c
+    owner = schema.profiles.c
+    return (
+        sa.select(sa.func.min(objects.object_index))
+        .select_from(schema.profiles)
+        .join(schema.dictionary_objects, held.dictionary_id == owner.dictionary_id)
+        .join(schema.objects, objects.id == held.object_id)
+        .join(schema.object_entries, entries.object_id == objects.id)
+        .where(
+            owner.device_id == device_facts.c.device_id,
+            tested(objects.object_index).in_(SYNC_PARAMETERS),
+            entries.subindex == MINIMUM_CYCLE,
+            entries.default_int == device_facts.c.min_cycle_ns,
+        )
+        .scalar_subquery()
+    )
+
+
+def _cycle_words(nanoseconds: int, index: int | None) -> str:
+    place = f"0x{index:04X}:{MINIMUM_CYCLE:02X}" if index is not None else "oversampling: DefaultFactor x MinCycleTime"
+    return f"smallest cycle {nanoseconds} ns ({place})"
+
+
+_AMOUNTS: dict[str, tuple[Callable[..., str], sa.Column[Any], *tuple[sa.ScalarSelect[Any], ...]]] = {
+    "bytes_in": ("{} byte(s) of input in the default process image".format, device_facts.c.input_bytes),
+    "bytes_out": ("{} byte(s) of output in the default process image".format, device_facts.c.output_bytes),
+    "min_cycle_ns": (_cycle_words, device_facts.c.min_cycle_ns, _cycle_place()),
+    "e_bus_ma": ("E-bus current {} mA".format, devices.c.e_bus_current_ma),
+    "axes": ("{} axis(es) with CiA 402 evidence".format, device_facts.c.axis_count),
 }
-"""Numbers: column and evidence."""
+"""Numbers: evidence, column, and what else the evidence tells."""
 
 _PORTS = {"Y": "MII", "K": "E-bus", "H": "MII fast hot connect", " ": "unused"}
 
@@ -43,14 +72,14 @@ def flag(name: str) -> Condition:
 
 def amount(name: str, bounds: Bounds) -> Condition:
     """Devices with a number within bounds; unknown is not within."""
-    column, words = _AMOUNTS[name]
+    words, column, *more = _AMOUNTS[name]
     limits: list[Any] = [column.is_not(None)]
     if bounds.least is not None:
         limits.append(column >= bounds.least)
     if bounds.most is not None:
         limits.append(column <= bounds.most)
     owner = _owner(column)
-    return _of_device(column, *limits, evidence=by_row(sa.select(owner, column), owner, words.format))
+    return _of_device(column, *limits, evidence=by_row(sa.select(owner, column, *more), owner, words))
 
 
 def _owner(column: sa.Column[Any]) -> sa.Column[Any]:

@@ -26,8 +26,8 @@ from esicatalog.esi.records.profile import Profile
 from esicatalog.model.derivation import Deriver
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.memo import IdentityMemo
+from esicatalog.model.module_offer import ModuleOffer, module_offers
 from esicatalog.model.resolver import TypeSet
-from esicatalog.model.slots import reachable_modules
 
 _MAX_PLACES = 1_000
 
@@ -203,21 +203,20 @@ class RowMaker:
             out.dictionary = self._dictionary(document.dictionary)
         if document.diag_messages is not None:
             out.diagnostics = self._diagnostics(document.diag_messages)
-        for section, info in enumerate(document.infos):
-            self._info(section, info, read)
+        for section, (info, offer) in enumerate(zip(document.infos, module_offers(document), strict=True)):
+            self._info(section, info, offer, read)
         return out
 
-    def _info(self, section: int, info: EsiInfo, read: ReadDocument) -> None:
+    def _info(self, section: int, info: EsiInfo, offer: ModuleOffer, read: ReadDocument) -> None:
         document = read.document
         vendor_id = info.vendor.vendor_id if info.vendor is not None else None
         keys = {id(module): self._module(module, vendor_id) for module in info.modules}
-        referenced = document.referenced_modules[section]
-        vendor_ids = dict(zip(map(id, referenced), document.referenced_vendor_ids[section], strict=True))
+        vendor_ids = dict(zip(map(id, offer.modules), [vendor.of_module for vendor in offer.vendors], strict=True))
         for position, module in enumerate(info.modules):
             line = document.module_lines[section][position]
             self._out.modules.append(Placement(section, position, line, keys[id(module)]))
         for position, device in enumerate(info.devices):
-            reachable = reachable_modules(device, (*info.modules, *referenced))
+            reachable = offer.reachable(device)
             for module in reachable:
                 if id(module) not in keys:  # Of referenced modules only those are stored that a device carries.
                     keys[id(module)] = self._module(module, vendor_ids[id(module)])

@@ -42,7 +42,7 @@ _CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant
 @click.option("--physics", metavar="YY", help="Ports A to D: Y MII, K E-bus, H fast hot connect, blank unused.")
 @click.option("--bytes-in", metavar="[<=|>=]N", type=BOUNDS, help="Input bytes of the default process image.")
 @click.option("--bytes-out", metavar="[<=|>=]N", type=BOUNDS, help="Output bytes of the default process image.")
-@click.option("--min-cycle-ns", metavar="[<=|>=]N", type=BOUNDS, help="Smallest cycle time.")
+@click.option("--min-cycle-ns", metavar="[<=|>=]N", type=BOUNDS, help="Smallest bus cycle that the file tells.")
 @click.option("--e-bus-ma", metavar="[<=|>=]N", type=BOUNDS, help="E-bus current; negative = supplies.")
 @click.option("--axes", metavar="[<=|>=]N", type=BOUNDS, help="Number of CiA 402 axes.")
 @click.option("--maps", metavar="IDX[:SUB]", multiple=True, type=MAPPED, help="A PDO maps this; may be repeated.")

@@ -3,9 +3,8 @@
 from collections.abc import Iterator, Sequence
 
 from esicatalog.export.init_cmds import START_TRANSITIONS, StartCommand
-from esicatalog.model.cia402 import AXIS_STEP, MODE_BY_CODE, MODES_OF_OPERATION
+from esicatalog.model.cia402 import AXIS_STEP, MODE_BY_CODE, MODES_OF_OPERATION, MODES_OF_OPERATION_OF_AXES
 from esicatalog.model.drive_evidence import (
-    MODES_OF_OPERATION_OF_AXES,
     module_names,
     other_named_modes,
     written_mode,

@@ -10,8 +10,7 @@ from esicatalog.esi.records.profile import Profile
 from esicatalog.export.cia402_names import CIA402_NAMES
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.names import identifier, unique_names
-from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, PROFILE_CIA402, PROFILE_MODULAR, STATUSWORD
-from esicatalog.model.drive_evidence import MAX_AXES
+from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, MAX_AXES, PROFILE_CIA402, PROFILE_MODULAR, STATUSWORD
 from esicatalog.model.process_image import PlacedPdo, SmImage
 from esicatalog.model.slots import ExpandedModule
 

@@ -13,11 +13,11 @@ from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.export.choice import PdoChoice
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.pdo_facts import symmetric_exclusions
+from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
 from esicatalog.model.process_image import Assignment, SmImage
 from esicatalog.model.slots import PluggedModule, expand_module
 
 _USAGE_OF_DIRECTION = {"RxPdo": "Outputs", "TxPdo": "Inputs"}
-_MAPPABLE_IN = {"RxPdo": "R", "TxPdo": "T"}
 _FIELDS = {"RxPdo": "rx_pdos", "TxPdo": "tx_pdos"}
 
 Owner = TypeVar("Owner", Device, Module)
@@ -151,10 +151,8 @@ def _check_exclusions(available: Iterable[_Available], assignment: Assignment, d
 
 def _chosen_entries(device: Device, found: _Available, wanted: PdoChoice, objects: ObjectTable) -> tuple[Entry, ...]:
     """The chosen entries in their order: those of the PDO, and objects that the dictionary lets into it."""
-    mailbox = device.mailbox
-    if found.pdo.fixed or mailbox is None or not mailbox.coe_pdo_config:
-        why = "is Fixed" if found.pdo.fixed else "cannot be changed: the device does not declare PdoConfig"
-        raise InputError(f"entries of PDO 0x{wanted.pdo_index:04X} cannot be chosen: its mapping {why}")
+    if (obstacle := mapping_obstacle(device.mailbox, found.pdo)) is not None:
+        raise InputError(f"entries of PDO 0x{wanted.pdo_index:04X} cannot be chosen: its mapping {obstacle}")
     own = {(entry.entry_index, entry.subindex or 0): entry for entry in found.pdo.entries if entry.entry_index}
     return tuple(
         own.get((index, subindex)) or _mapped_object(found, wanted, index, subindex, objects)
@@ -164,11 +162,10 @@ def _chosen_entries(device: Device, found: _Available, wanted: PdoChoice, object
 
 def _mapped_object(found: _Available, wanted: PdoChoice, index: int, subindex: int, objects: ObjectTable) -> Entry:
     declared = objects.entry(index, subindex)
-    letter = _MAPPABLE_IN[found.direction]
-    if declared is None or not declared.bit_size or letter not in (declared.pdo_mapping or ""):
+    if declared is None or not is_mappable(declared, found.direction):
         raise InputError(
             f"0x{index:04X}:{subindex:02X} is no entry of PDO 0x{wanted.pdo_index:04X}, "
-            f"and no dictionary declares it mappable ({letter}) with a size"
+            f"and no dictionary declares it mappable ({MAPPABLE_IN[found.direction]}) with a size"
         )
     return Entry(
         entry_index=index,

@@ -13,7 +13,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.lint.registry import Rule
 from esicatalog.lint.report import DocumentFinding
-from esicatalog.model.slots import reachable_modules
+from esicatalog.model.module_offer import module_offers
 
 Signature = Callable[[Device, Sequence[Module], int | None], bytes]
 """Digest of a description (device, the modules its slots can reach, vendor id): equal for equal content."""
@@ -58,9 +58,8 @@ class Library:
 def device_facts(read: ReadDocument, document: str, signature: Signature) -> Iterator[DeviceFact]:
     """The facts of the devices of a document."""
     content = read.document
-    for section, info in enumerate(content.infos):
+    for section, (info, offer) in enumerate(zip(content.infos, module_offers(content), strict=True)):
         vendor_id = info.vendor.vendor_id if info.vendor is not None else None
-        modules = (*info.modules, *content.referenced_modules[section])
         for number, device in enumerate(info.devices):
             yield DeviceFact(
                 document,
@@ -71,7 +70,7 @@ def device_facts(read: ReadDocument, document: str, signature: Signature) -> Ite
                 device.product_code,
                 device.revision_no,
                 device.type,
-                signature(device, reachable_modules(device, modules), vendor_id),
+                signature(device, offer.reachable(device), vendor_id),
                 tuple(Hidden(item.product_code, item.revision_no) for item in device.hide_types),
             )
 

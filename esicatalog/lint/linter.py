@@ -2,7 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
-from itertools import repeat
+from itertools import compress, repeat
 from typing import Any, NamedTuple
 
 from esicatalog.esi.binding import Record
@@ -11,7 +11,6 @@ from esicatalog.esi.reader import ReadDocument
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
 from esicatalog.esi.records.document import Document, EsiInfo
-from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.lint.dictionaries import ObjectSubject, ObjectValues, ValuesOfType
 from esicatalog.lint.locator import Locator, Tree
@@ -33,8 +32,8 @@ from esicatalog.lint.subjects import (
 from esicatalog.model.derivation import Deriver
 from esicatalog.model.dictionary_views import DictionaryView
 from esicatalog.model.memo import IdentityMemo, identities
+from esicatalog.model.module_offer import ModuleOffer, module_offers
 from esicatalog.model.resolver import TypeSet
-from esicatalog.model.slots import accepts
 
 _MAX_RECORDS = 20_000
 _MAX_TYPES = 5_000
@@ -104,17 +103,14 @@ class Linter:
         if document.dictionary is not None:
             hits += _below(("dictionary",), self._dictionary(document.dictionary))
         external = {reference.text for reference in document.references if reference.sha256 is not None}
-        for number, info in enumerate(document.infos):
-            found = self._info(info, document.referenced_modules[number], external, find_file)
+        for number, (info, offer) in enumerate(zip(document.infos, module_offers(document), strict=True)):
+            found = self._info(info, offer, external, find_file)
             hits += _below(("infos", number), found)
         return hits
 
-    def _info(
-        self, info: EsiInfo, referenced: tuple[Module, ...], external: set[str], find_file: FileFinder | None
-    ) -> list[_Hit]:
-        modules = [ModuleSubject(module, info, self._views.of(module.profiles)) for module in info.modules]
-        of_others = [ModuleSubject(module, info, self._views.of(module.profiles)) for module in referenced]
-        devices = [self._device(device, info, (*modules, *of_others)) for device in info.devices]
+    def _info(self, info: EsiInfo, offer: ModuleOffer, external: set[str], find_file: FileFinder | None) -> list[_Hit]:
+        modules = [ModuleSubject(module, info, self._views.of(module.profiles)) for module in offer.modules]
+        devices = [self._device(device, info, offer, modules) for device in info.devices]
         for device in devices:
             for module in device.modules:
                 module.hosts.append(device)
@@ -125,15 +121,16 @@ class Linter:
             hits += _below(("groups", number), self._check(group, Record))
         for number, device in enumerate(devices):
             hits += _below(("devices", number), self._owner(device, DeviceSubject, external))
-        for number, module in enumerate(modules):
+        for number, module in enumerate(modules[: len(info.modules)]):
             hits += _below(("modules", number), self._owner(module, ModuleSubject, external))
-        for module in (*modules, *of_others):
+        for module in modules:
             module.hosts.clear()  # no circles: they would stay in memory until the collector comes by
         return hits
 
-    def _device(self, device: Device, info: EsiInfo, modules: Iterable[ModuleSubject]) -> DeviceSubject:
-        slots = device.slots
-        reachable = [item for item in modules if any(accepts(slot, item.module) for slot in slots)] if slots else []
+    def _device(
+        self, device: Device, info: EsiInfo, offer: ModuleOffer, modules: Iterable[ModuleSubject]
+    ) -> DeviceSubject:
+        reachable = list(compress(modules, offer.reached_by(device))) if device.slots else []
         derivation = self._deriver.derive(device, [item.module for item in reachable])
         return DeviceSubject(device, info, self._views.of(device.profiles), reachable, derivation)
 

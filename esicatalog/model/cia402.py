@@ -14,6 +14,9 @@ PROFILE_AREA = 0x6000
 CONTROLWORD, STATUSWORD = 0x6040, 0x6041
 MODES_OF_OPERATION, MODES_DISPLAY = 0x6060, 0x6061
 SUPPORTED_DRIVE_MODES = 0x6502
+MAX_AXES = 8
+MODES_OF_OPERATION_OF_AXES = range(MODES_OF_OPERATION, MODES_OF_OPERATION + MAX_AXES * AXIS_STEP, AXIS_STEP)
+"""Where 0x6060 lies, axis by axis."""
 PROFILE_CIA402 = 402
 CIA402 = "CiA 402"
 """The drive system in words, apart from others that have modes of their own."""
@@ -95,6 +98,11 @@ _PHRASES = [
 """Names of modes in words; one that contains another comes first, as that of CSTCA does with that of CST."""
 _BLANKS = re.compile(r"[\s_.-]+")
 """Blanks, what vendors write in place of them, and the end of ``Sync.``."""
+_DENIAL = re.compile(
+    r"\b(?:reserved|unsupported|unused|unavailable|n ?/ ?a|n a"
+    r"|not (?:\w+ )?(?:supported|used|available|implemented|allowed))\b",
+    re.IGNORECASE,
+)
 _WORD = re.compile(r"[A-Za-z0-9]+")
 _NOT_A_MODE = re.compile(r"\bcsv ?(?:file|export|import|format|table)s?\b", re.IGNORECASE)
 
@@ -116,3 +124,9 @@ def named_modes(text: str) -> frozenset[str]:
     if clear or found or len(tokens) > 1:
         found |= {_TOKENS[token] for token in tokens}
     return frozenset(found)
+
+
+@lru_cache(10_000)
+def denies(text: str) -> bool:
+    """Whether the text of a value says that there is nothing behind it: ``reserved``, ``not supported``, ``n/a``."""
+    return _DENIAL.search(_BLANKS.sub(" ", text)) is not None

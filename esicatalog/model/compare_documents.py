@@ -8,7 +8,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Document
 from esicatalog.esi.records.module import Module
 from esicatalog.model.compare_facts import either, matched_in_steps
-from esicatalog.model.slots import reachable_modules
+from esicatalog.model.module_offer import module_offers
 
 
 class DescribedDevice(NamedTuple):
@@ -28,11 +28,11 @@ Pair = tuple[DescribedDevice | None, DescribedDevice | None]
 def described_devices(document: Document) -> list[DescribedDevice]:
     """All devices of a document, in its order; also those without codes."""
     found = []
-    for info, lines, referenced in zip(document.infos, document.device_lines, document.referenced_modules, strict=True):
+    for info, lines, offer in zip(document.infos, document.device_lines, module_offers(document), strict=True):
         vendor_id = info.vendor.vendor_id if info.vendor is not None else None
         vendor = display_text(info.vendor.names) if info.vendor is not None else None
         for device, line in zip(info.devices, lines, strict=True):
-            modules = tuple(reachable_modules(device, (*info.modules, *referenced)))
+            modules = tuple(offer.reachable(device))
             found.append(DescribedDevice(vendor_id, vendor, device, modules, line))
     return found
 

@@ -1,10 +1,13 @@
 """What engineers filter devices by and no single element says: sizes, SYNC support, cycle, layout, safety."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Annotated
 
+from lxml import etree
+
 from esicatalog.esi.binding import Doc, Record
+from esicatalog.esi.numbers import MAX_STORED
 from esicatalog.esi.records.device import Device
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.drive_modes import DriveModes
@@ -12,8 +15,8 @@ from esicatalog.model.process_data import ProcessData
 from esicatalog.model.safety import FsoeEvidence
 
 SYNC_PARAMETERS = (0x1C32, 0x1C33)
-_SYNC_TYPES, _MINIMUM_CYCLE = 4, 5
-_MIN_CYCLE_ATTRIBUTE = re.compile(r'MinCycleTime="(\d{1,18})"')
+_SYNC_TYPES, MINIMUM_CYCLE = 4, 5
+_COUNT = re.compile(r"\s*\d{1,18}\s*")
 """Thirty years and more are no cycle."""
 
 
@@ -43,7 +46,11 @@ class DeviceFacts(Record):
     ] = None
     input_sync_types: Annotated[int | None, Doc("Default of 0x1C33:04, supported sync types: weak evidence")] = None
     min_cycle_ns: Annotated[
-        int | None, Doc("Smallest cycle: default of 0x1C32:05 or 0x1C33:05, or TwinCAT MinCycleTime")
+        int | None,
+        Doc(
+            "Smallest bus cycle: default of 0x1C32:05 or 0x1C33:05, the larger one; else that with the preset "
+            "oversampling, TwinCAT DefaultFactor times MinCycleTime"
+        ),
     ] = None
     axis_count: Annotated[int, Doc("Axes with CiA 402 evidence, those of modules for further slots included")] = 0
     has_bootstrap: Annotated[bool, Doc("The EEPROM description has a bootstrap mailbox")] = False
@@ -90,7 +97,26 @@ def _sync_parameter(device: Device, index: int, views: DictionaryViews) -> dict[
 
 
 def _min_cycle_ns(device: Device, sync: Iterable[dict[int, int]]) -> int | None:
-    given = [values[_MINIMUM_CYCLE] for values in sync if values.get(_MINIMUM_CYCLE)]
+    """The cycle that outputs and inputs both keep up with, else the smallest one that samples of an OpMode allow."""
+    declared = [values[MINIMUM_CYCLE] for values in sync if values.get(MINIMUM_CYCLE, 0) > 0]
+    if declared:
+        return max(declared)
     texts = (device.info_vendor_specific, device.dc_vendor_specific, *(m.vendor_specific for m in device.op_modes))
-    given += [int(found[1]) for text in texts if text for found in _MIN_CYCLE_ATTRIBUTE.finditer(text) if int(found[1])]
-    return min(given, default=None)
+    sampled = [cycle for text in texts if text and "MinCycleTime" in text for cycle in _sampled_cycles(text)]
+    return min(sampled, default=None)
+
+
+def _sampled_cycles(text: str) -> Iterator[int]:
+    """Bus cycles in TwinCAT's words: MinCycleTime on Oversampling is the smallest interval between two samples.
+
+    EL1262: 1000 ns, and one million samples a second in its data sheet; a cycle has DefaultFactor samples unless
+    another factor is chosen.
+    """
+    for element in etree.fromstring(text).iter():
+        interval, samples = _count(element.get("MinCycleTime")), _count(element.get("DefaultFactor")) or 1
+        if interval and interval * samples <= MAX_STORED:
+            yield interval * samples
+
+
+def _count(text: str | None) -> int:
+    return int(text) if text is not None and _COUNT.fullmatch(text) else 0

@@ -3,41 +3,47 @@
 Ranks, scores and traps of ESI-FACTS section 16. Nothing here decides; :mod:`esicatalog.model.drive_modes` does.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Annotated, NamedTuple
+from collections.abc import Iterable, Iterator
+from typing import Annotated
+
+import msgspec
 
 from esicatalog.esi.binding import Doc, Record
-from esicatalog.esi.numbers import decode_hex_binary
+from esicatalog.esi.numbers import decode_hex_binary, parse_hex_dec
 from esicatalog.esi.records.common import display_text
-from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Pdo
-from esicatalog.esi.records.profile import Profile
 from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.model.cia402 import (
-    AXIS_STEP,
-    CONTROLWORD,
     DRIVE_MODES,
     MODE_BY_CODE,
     MODES_OF_OPERATION,
     PROFILE_AND_CYCLIC,
-    PROFILE_CIA402,
     SINGLE_SETPOINTS,
     STANDARD_BITS,
     SUPPORTED_DRIVE_MODES,
     DriveMode,
+    denies,
     named_modes,
 )
 from esicatalog.model.dictionary import ObjectEntry
-from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
+from esicatalog.model.drive_parts import (
+    Part,
+    declaring_view,
+    mapping_pdos,
+    mapping_words,
+    maps_setpoint,
+    may_be_mapped,
+    pdo_words,
+    setpoint_words,
+    single_value,
+)
 
-MAX_AXES = 8
-MODES_OF_OPERATION_OF_AXES = range(MODES_OF_OPERATION, MODES_OF_OPERATION + MAX_AXES * AXIS_STEP, AXIS_STEP)
-"""Where 0x6060 lies, axis by axis."""
-_CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES)}
-"""Axes by their controlword."""
 YES, NO = "yes", "no"
+_OPTIONS = "options"
+"""Property in which vendors list values of an object."""
+_SINT = range(-0x80, 0x80)
+"""What 0x6060 can be."""
 
 RANKS: dict[str, tuple[str, float]] = {
     "A+": ("declared in ESI", 0.95),
@@ -76,129 +82,15 @@ class ModeEvidence(Record):
     evidence: Annotated[str, Doc("The finding in words")] = ""
 
 
-class Part(NamedTuple):
-    """What is looked at together: the device's own description or one module, for one axis."""
-
-    axis: int
-    slot_number: int | None
-    """Slot that a module is in."""
-    module_ident: int | None
-    name: str
-    """Names of a module: type and name."""
-    views: tuple[DictionaryView, ...]
-    """Its dictionaries."""
-    rx_pdos: tuple[Pdo, ...]
-    assigned: tuple[Pdo, ...]
-    """Those of them that are in the default process image; of a module, in the one with it plugged."""
-    init_cmds: tuple[InitCmd, ...]
-    profiles: tuple[Profile, ...]
-    """Those that speak for this axis."""
-    sync0: bool
-    """Whether an OpMode that it can run in generates SYNC0."""
-    axis_shift: int
-    """How far the axis's objects lie above those of the first axis."""
-    dc_op_mode_name: str | None = None
-    """OpMode that a module asks for."""
-    replaced: frozenset[int] = frozenset()
-    """Objects of the device in whose place those of modules count."""
-
-    def at(self, index: int) -> int:
-        """Where an object of the first axis lies in this part."""
-        return index + self.axis_shift
-
-
 def find_evidence(part: Part) -> Iterator[ModeEvidence]:
     """All findings of a part that has CiA 402 evidence."""
     yield from _supported_modes(part)
-    yield from _enumerated(part)
+    yield from _listed(part)
     yield from _init_commands(part)
     yield from _named(part)
     yield from _mapped(part)
     yield from _mappable(part)
-
-
-def has_cia402(part: Part) -> bool:
-    """Whether the part is a CiA 402 axis: profile number 402, or a 16 bit controlword of this axis.
-
-    On modular I/O 0x6040 is just an input channel, so the controlword has to look like one.
-    """
-    if any(_is_cia402(profile) for profile in part.profiles):
-        return True
-    control = part.at(CONTROLWORD)
-    mapped = any(
-        entry.entry_index == control and (entry.subindex or 0) == 0 and entry.bit_length == 16
-        for pdo in part.rx_pdos
-        for entry in pdo.entries
-    )
-    return mapped or any(control in view.once(_words) for view in part.views)
-
-
-def _words(view: DictionaryView) -> frozenset[int | None]:
-    """Indices of the objects of 16 bits."""
-    return frozenset([declared.object_index for declared in view.dictionary.objects if declared.bit_size == 16])
-
-
-def may_be_drive(owner: Device | Module, views: DictionaryViews) -> bool:
-    """Whether a device or module can be a CiA 402 drive: a cheap look before a close one."""
-    return (
-        any(map(_is_cia402, owner.profiles))
-        or any(not view.by_index.keys().isdisjoint(_CONTROLWORDS) for view in views.of(owner.profiles))
-        or any(entry.entry_index in _CONTROLWORDS for pdo in owner.rx_pdos for entry in pdo.entries)
-    )
-
-
-def _is_cia402(profile: Profile) -> bool:
-    return PROFILE_CIA402 in (profile.profile_no, *(channel.profile_no for channel in profile.channel_infos))
-
-
-def _declaring(part: Part, index: int) -> DictionaryView | None:
-    """The dictionary with the object that counts, None without one."""
-    for view in part.views:
-        declared = view.by_index.get(index)
-        if declared is not None and not (index in part.replaced and declared.overwritten_by_module):
-            return view
-    return None
-
-
-def _value(part: Part, index: int) -> ObjectEntry | None:
-    """The single value of an object."""
-    view = _declaring(part, index)
-    resolved = view.resolved(index) if view is not None else None
-    return resolved.entries[0] if resolved is not None else None
-
-
-def _enum_values(part: Part, index: int) -> list[tuple[int | None, str]]:
-    """Values and texts of the enumeration that an object's type is."""
-    view = _declaring(part, index)
-    data_type = view.types.by_name.get(view.by_index[index].type or "") if view is not None else None
-    if data_type is None:
-        return []
-    return [(item.value, display_text(item.texts) or "") for item in data_type.enum_infos]
-
-
-def marked_objects(part: Part) -> list[int]:
-    """Objects that say something about modes and are marked OverwrittenByModule."""
-    indices = (SUPPORTED_DRIVE_MODES, MODES_OF_OPERATION, *PROFILE_AND_CYCLIC, *SINGLE_SETPOINTS)
-    declared = [(part.at(index), view.by_index.get(part.at(index))) for index in indices for view in part.views]
-    return [index for index, item in declared if item is not None and item.overwritten_by_module]
-
-
-Contents = Mapping[int | None, Sequence[tuple[DictionaryView, ...]]]
-"""What slots hold, by number: the dictionaries of each of the alternatives."""
-
-
-def yielding(part: Part, contents: Contents) -> Part:
-    """A part of the device beside what its slots hold: its marked objects yield to theirs (ESI-FACTS section 12)."""
-    replaced = frozenset(
-        index
-        for index in marked_objects(part)
-        if any(all(_declares(views, index) for views in alternatives) for alternatives in contents.values())
-    )
-    return part._replace(replaced=replaced) if replaced != part.replaced else part
-
-
-def _declares(views: Sequence[DictionaryView], index: int) -> bool:
-    return any(index in view.by_index for view in views)
+    yield from _in_range(part)
 
 
 def _finding(
@@ -231,7 +123,7 @@ def _finding(
 def _supported_modes(part: Part) -> Iterator[ModeEvidence]:
     """Default of 0x6502: bit b declares mode b + 1. Absent and zero say nothing."""
     index = part.at(SUPPORTED_DRIVE_MODES)
-    entry = _value(part, index)
+    entry = single_value(part, index)
     if entry is None or not (value := _bits(entry)):
         return
     rank, doubt = "A+", ""
@@ -248,10 +140,10 @@ def _supported_modes(part: Part) -> Iterator[ModeEvidence]:
         is_set = bool(value >> mode.bit & 1)
         text = f"0x{index:04X} default {entry.default_raw}{doubt} has bit {mode.bit} ({mode.name})"
         if is_set:
-            text = f"declared in ESI: {text} set; read 0x6502 on the drive"
+            text = f"declared in ESI: {text} set; read 0x{index:04X} on the drive"
             yield _finding(part, mode, rank, text, conflict=rank != "A+", object_index=index)
         elif rank == "A+":
-            text = f"declared in ESI: {text} clear; read 0x6502 on the drive"
+            text = f"declared in ESI: {text} clear; read 0x{index:04X} on the drive"
             yield _finding(part, mode, "A-", text, polarity=NO, object_index=index)
 
 
@@ -267,14 +159,63 @@ def _bits(entry: ObjectEntry) -> int:
     return number & ((1 << base.bit_size) - 1) if base is not None and base.signed and base.bit_size else 0
 
 
-def _enumerated(part: Part) -> Iterator[ModeEvidence]:
-    """0x6060 whose type enumerates modes by code, with a text that names the same mode."""
+def _listed(part: Part) -> Iterator[ModeEvidence]:
+    """Values that 0x6060 can have by an enumeration or options: codes of modes whose text does not say otherwise."""
     index = part.at(MODES_OF_OPERATION)
-    for value, text in _enum_values(part, index):
+    for what, value, text in _listed_values(part, index):
         mode = MODE_BY_CODE.get(value) if value is not None else None
-        if mode is not None:
-            words = f"values of 0x{index:04X} list {value} ({text})"
-            yield _finding(part, mode, "B2", words, object_index=index)
+        if mode is None or denies(text) or mode.name not in (named_modes(text) or DRIVE_MODES):
+            continue
+        words = f"{what} of 0x{index:04X} list {value} ({text})"
+        yield _finding(part, mode, "B2", words, object_index=index)
+
+
+def _listed_values(part: Part, index: int) -> list[tuple[str, int | None, str]]:
+    """The values that an object lists, each with what lists it and its text."""
+    view = declaring_view(part, index)
+    if view is None:
+        return []
+    declared = view.by_index[index]
+    data_type = view.types.by_name.get(declared.type or "")
+    enum_infos = data_type.enum_infos if data_type is not None else ()
+    found = [("values", item.value, display_text(item.texts) or "") for item in enum_infos]
+    for item in declared.properties:
+        if (item.name or "").strip().lower() == _OPTIONS:
+            found += [("options", parse_hex_dec(value), text) for value, text in _options(item.value or "").items()]
+    return found
+
+
+def _options(text: str) -> dict[str, str]:
+    """Texts by value, as vendors write them into a property: a JSON object. Anything else lists nothing."""
+    try:
+        return msgspec.json.decode(text, type=dict[str, str])
+    except (msgspec.DecodeError, RecursionError):
+        return {}
+
+
+def _in_range(part: Part) -> Iterator[ModeEvidence]:
+    """Codes between the minimum and maximum of 0x6060, where it does not list its values.
+
+    The greatest value of its type, SINT, is no statement: nothing was bounded.
+    """
+    index = part.at(MODES_OF_OPERATION)
+    entry = single_value(part, index)
+    if entry is None or entry.max_int is None or _listed_values(part, index):
+        return
+    highest = _as_sint(entry.max_int)
+    lowest = _as_sint(entry.min_int) if entry.min_int is not None else _SINT.start
+    if highest == _SINT[-1]:
+        return
+    for mode in DRIVE_MODES.values():
+        if lowest <= mode.code <= highest:
+            bounds = f"{lowest} to {highest}" if entry.min_int is not None else f"up to {highest}"
+            text = f"0x{index:04X} takes values {bounds}, {mode.code} ({mode.name}) among them"
+            yield _finding(part, mode, "E", text, object_index=index)
+
+
+def _as_sint(number: int) -> int:
+    """What a number is in 0x6060, which some declare as USINT."""
+    return number - 0x100 if number in range(0x80, 0x100) else number
 
 
 def _init_commands(part: Part) -> Iterator[ModeEvidence]:
@@ -368,66 +309,7 @@ def _mappable(part: Part) -> Iterator[ModeEvidence]:
     pairs += [(setpoint, (mode,)) for setpoint, mode in SINGLE_SETPOINTS.items()]
     for setpoint, modes in pairs:
         index = part.at(setpoint)
-        entry = _value(part, index)
-        if entry is not None and "R" in (entry.pdo_mapping or ""):
+        if may_be_mapped(part, index):
             for mode in modes:
                 text = f"0x{index:04X} can be mapped into an RxPDO"
                 yield _finding(part, mode, "E", text, object_index=index)
-
-
-def maps_setpoint(part: Part, pdo: Pdo, setpoints: Sequence[int]) -> bool:
-    """Whether a PDO maps these setpoints, all of them.
-
-    A virtual PDO is a description only, nothing transports it (ESI-FACTS sections 9 and 18).
-    """
-    wanted = {part.at(index) for index in setpoints}
-    return bool(wanted) and not pdo.virtual and wanted.issubset([entry.entry_index for entry in pdo.entries])
-
-
-def mapping_pdos(part: Part, mode: DriveMode) -> list[Pdo]:
-    """The RxPDOs that map the setpoint of a mode: one with all of it, else one for each object.
-
-    Drives with one object a PDO assign several, which must not exclude each other. None where an object is not mapped.
-    """
-    whole = _mapping_pdo(part, mode.setpoints)
-    if whole is not None:
-        return [whole]
-    each = [_mapping_pdo(part, (index,)) for index in mode.setpoints] if len(mode.setpoints) > 1 else []
-    found = [pdo for pdo in each if pdo is not None]
-    excluded = {item.pdo_index for pdo in found for item in pdo.excludes}
-    return found if len(found) == len(each) and excluded.isdisjoint([pdo.pdo_index for pdo in found]) else []
-
-
-def _mapping_pdo(part: Part, setpoints: Sequence[int]) -> Pdo | None:
-    """The RxPDO that maps setpoints: one that is assigned by default before others."""
-    fitting = [pdo for pdo in part.rx_pdos if maps_setpoint(part, pdo, setpoints)]
-    return next((pdo for pdo in fitting if pdo in part.assigned), fitting[0] if fitting else None)
-
-
-def maps_mode_of_operation(part: Part, pdos: Sequence[Pdo]) -> Pdo | None:
-    """The RxPDO among ``pdos`` that maps 0x6060."""
-    index = part.at(MODES_OF_OPERATION)
-    return next((pdo for pdo in pdos if any(entry.entry_index == index for entry in pdo.entries)), None)
-
-
-def setpoint_words(part: Part, mode: DriveMode) -> str:
-    """The objects of a mode's setpoint in words."""
-    return " and ".join(f"0x{part.at(index):04X}" for index in mode.setpoints)
-
-
-def pdo_words(pdo: Pdo) -> str:
-    """A PDO in words."""
-    return f"RxPDO 0x{pdo.pdo_index:04X}" if pdo.pdo_index is not None else "an RxPDO"
-
-
-def mapping_words(pdos: Sequence[Pdo]) -> str:
-    """PDOs in words, as what maps something."""
-    return " and ".join(map(pdo_words, pdos)) + (" maps" if len(pdos) == 1 else " map")
-
-
-def axes_of(views: Sequence[DictionaryView], rx_pdos: Iterable[Pdo]) -> list[int]:
-    """Axes above the first whose controlword stands literally in a description."""
-    mapped = {entry.entry_index for pdo in rx_pdos for entry in pdo.entries}
-    return [
-        axis for control, axis in _CONTROLWORDS.items() if axis and (control in mapped or _declares(views, control))
-    ]

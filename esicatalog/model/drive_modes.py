@@ -6,13 +6,12 @@ what any of them can, and the recipe names which one to plug.
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import msgspec
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import display_text
-from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import DataType
 from esicatalog.esi.records.module import Module
@@ -21,33 +20,24 @@ from esicatalog.model.cia402 import (
     AXIS_STEP,
     CIA402,
     DRIVE_MODES,
-    MODES_OF_OPERATION,
     PROFILE_AREA,
     DriveMode,
+    denies,
     named_modes,
 )
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
-from esicatalog.model.drive_evidence import (
-    NO,
-    RANKS,
-    YES,
+from esicatalog.model.drive_evidence import NO, RANKS, YES, ModeEvidence, find_evidence, module_names
+from esicatalog.model.drive_parts import (
     Contents,
-    ModeEvidence,
     Part,
     axes_of,
-    find_evidence,
     has_cia402,
     mapping_pdos,
-    mapping_words,
-    maps_mode_of_operation,
     marked_objects,
     may_be_drive,
-    module_names,
-    pdo_words,
-    setpoint_words,
-    written_mode,
     yielding,
 )
+from esicatalog.model.drive_recipe import mode_recipe
 from esicatalog.model.process_image import SmImage, default_process_image, process_image
 from esicatalog.model.slots import (
     PluggedModule,
@@ -60,7 +50,7 @@ from esicatalog.model.slots import (
     numbered_slots,
     slot_dependences,
 )
-from esicatalog.model.sync import default_op_mode, generated_signals, is_superseded
+from esicatalog.model.sync import default_op_mode, op_modes_with_sync0
 
 YES_FROM, LIKELY_FROM, POSSIBLE_FROM = 0.8, 0.5, 0.2
 _CAP_AGAINST_DECLARATION = 0.2
@@ -141,7 +131,7 @@ def drive_modes(
 def _device_parts(device: Device, known: DictionaryViews, images: Sequence[SmImage]) -> list[Part]:
     views = known.of(device.profiles)
     assigned = _assigned(images, None)
-    sync0 = bool(_with_sync0(device))
+    sync0 = bool(op_modes_with_sync0(device))
     commands = device.mailbox.coe_init_cmds if device.mailbox is not None else ()
     return [
         Part(
@@ -208,16 +198,10 @@ def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int,
         _assigned(process_image(device, [plugged], op_mode), plugged.slot_number),
         module.mailbox.coe_init_cmds if module.mailbox is not None else (),
         module.profiles if first == 0 else (),
-        any(module.dc_op_mode_name in (None, mode.name) for mode in _with_sync0(device)),
+        any(module.dc_op_mode_name in (None, mode.name) for mode in op_modes_with_sync0(device)),
         shift,
         module.dc_op_mode_name,
     )
-
-
-def _with_sync0(device: Device) -> list[OpMode]:
-    """The OpModes that generate SYNC0 and are not superseded (ESI-FACTS section 11)."""
-    time_only = device.dc_time_loop_control_only
-    return [mode for mode in device.op_modes if generated_signals(mode, time_only).sync0 and not is_superseded(mode)]
 
 
 def _assigned(images: Sequence[SmImage], slot_number: int | None) -> tuple[Pdo, ...]:
@@ -256,15 +240,24 @@ def _configurations(own: list[Part], plugged: dict[int, list[Part]], contents: C
     return found
 
 
-_Judged = tuple[DriveModeVerdict, list[Part], Part | None, bool]
-"""A verdict, the parts it is about, the module among them and whether it is there by default."""
+class _Judged(NamedTuple):
+    """A verdict, the parts it is about, the module among them and whether that is there by default."""
 
+    verdict: DriveModeVerdict
+    parts: list[Part]
+    module: Part | None
+    is_default: bool
+    has_setpoint: bool
 
-def _preference(judged: _Judged) -> tuple[float, bool, bool]:
-    """The best answer first, of equal ones that without a choice; a "no" that something contradicts tells more."""
-    verdict, _, _, is_default = judged
-    is_no = verdict.verdict == NO
-    return 0.0 if is_no else verdict.score, is_default, is_no and verdict.conflict
+    @property
+    def preference(self) -> tuple[float, bool, bool, bool]:
+        """The best answer first; of equal ones that with its setpoint in an RxPDO, then that without a choice.
+
+        A "no" that something contradicts tells more.
+        """
+        is_no = self.verdict.verdict == NO
+        score = 0.0 if is_no else self.verdict.score
+        return score, self.has_setpoint and not is_no, self.is_default, is_no and self.verdict.conflict
 
 
 def _best(
@@ -282,17 +275,33 @@ def _best(
         if verdict is not None:
             module = next((part for part in reversed(parts) if part.module_ident is not None), None)
             is_default = module is None or (module.slot_number, module.module_ident) in defaults
-            judged.append((verdict, parts, module, is_default))
+            has_setpoint = not mode.setpoints or any(mapping_pdos(part, mode) for part in parts)
+            judged.append(_Judged(verdict, parts, module, is_default, has_setpoint))
     if not judged:
         return None
-    best, parts, module, is_default = max(judged, key=_preference)
-    alternatives = [
-        f"0x{item.module_ident:X}"
-        for verdict, _, item, _ in judged
-        if verdict.score == best.score and item is not None and module is not None
-        if item.slot_number == module.slot_number and item.module_ident not in (None, module.module_ident)
-    ]
-    return _with_recipe(device, best, mode, parts, module, is_default, alternatives)
+    best, parts, module, is_default, has_setpoint = max(judged, key=lambda item: item.preference)
+    if best.verdict == NO:
+        return best
+    plug = None
+    if module is not None:
+        alternatives = [
+            f"or 0x{item.module.module_ident:X}"
+            for item in judged
+            if item.verdict.score == best.score and item.has_setpoint == has_setpoint and item.module is not None
+            if item.module.slot_number == module.slot_number and item.module is not module
+        ]
+        which = ["default" if is_default else "not the default", *alternatives]
+        plug = f"plug module 0x{module.module_ident:X} into slot {module.slot_number} ({', '.join(which)})"
+    recipe = mode_recipe(device, mode, parts, plug)
+    return msgspec.structs.replace(
+        best,
+        module_ident=module.module_ident if module is not None else None,
+        module_is_default=is_default if module is not None else None,
+        rx_pdo_index=recipe.pdos[0].pdo_index if recipe.pdos else None,
+        rx_pdo_is_default=recipe.pdos_are_default if recipe.pdos else None,
+        op_mode=recipe.op_mode,
+        recipe=recipe.words,
+    )
 
 
 def _verdict(axis: int, mode: DriveMode, findings: list[ModeEvidence]) -> DriveModeVerdict | None:
@@ -331,63 +340,6 @@ def _word(score: float) -> str:
     return next((word for word, least in words if score >= least), "unknown")
 
 
-def _with_recipe(
-    device: Device,
-    verdict: DriveModeVerdict,
-    mode: DriveMode,
-    parts: list[Part],
-    module: Part | None,
-    is_default: bool,
-    alternatives: list[str],
-) -> DriveModeVerdict:
-    if verdict.verdict == "no":
-        return verdict
-    steps: list[str] = []
-    if module is not None:
-        which = ["default" if is_default else "not the default", *(f"or {ident}" for ident in alternatives)]
-        steps.append(f"plug module 0x{module.module_ident:X} into slot {module.slot_number} ({', '.join(which)})")
-    part, pdos = next(((part, pdos) for part in reversed(parts) if (pdos := mapping_pdos(part, mode))), (parts[-1], []))
-    pdos_are_default = all(pdo in part.assigned for pdo in pdos)
-    if pdos:
-        subject = "it is not" if len(pdos) == 1 else "not all are"
-        assigned = "" if pdos_are_default else f"; {subject} assigned by default"
-        steps.append(f"{mapping_words(pdos)} the setpoint{assigned}")
-    elif mode.setpoints:
-        steps.append(f"map the setpoint {setpoint_words(part, mode)} into an RxPDO")
-    op_mode = (module.dc_op_mode_name if module is not None else None) or _op_mode(device, mode)
-    if op_mode is not None:
-        steps.append(f"OpMode {op_mode!r}")
-    steps.append(_mode_of_operation_step(mode, parts, pdos))
-    return msgspec.structs.replace(
-        verdict,
-        module_ident=module.module_ident if module is not None else None,
-        module_is_default=is_default if module is not None else None,
-        rx_pdo_index=pdos[0].pdo_index if pdos else None,
-        rx_pdo_is_default=pdos_are_default if pdos else None,
-        op_mode=op_mode,
-        recipe="; ".join(steps),
-    )
-
-
-def _op_mode(device: Device, mode: DriveMode) -> str | None:
-    """OpMode to choose: for cyclic modes the first valid one with SYNC0, else the default."""
-    with_sync0 = _with_sync0(device) if mode.cyclic else []
-    chosen = with_sync0[0] if with_sync0 else default_op_mode(device.op_modes)
-    return chosen.name if chosen is not None else None
-
-
-def _mode_of_operation_step(mode: DriveMode, parts: list[Part], pdos: list[Pdo]) -> str:
-    for part in reversed(parts):
-        pdo = maps_mode_of_operation(part, pdos)
-        if pdo is not None:
-            return f"0x{part.at(MODES_OF_OPERATION):04X} is mapped in {pdo_words(pdo)}: set it to {mode.code}"
-    part = parts[-1]
-    index = part.at(MODES_OF_OPERATION)
-    if any(written_mode(command, index) is mode for command in part.init_cmds):
-        return f"0x{index:04X} = {mode.code} is written by an InitCmd"
-    return f"0x{index:04X} is not mapped there: write {mode.code} to it before operation"
-
-
 def _other_systems(device: Device, views: DictionaryViews) -> list[DriveModeVerdict]:
     """Drives that do not speak CiA 402: SoE, and motion terminals of the modular device profile."""
     if device.mailbox is not None and device.mailbox.soe:
@@ -419,7 +371,9 @@ def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
     """Modes that values of objects name: where each is named first."""
     types = view.types.by_name
     named = {
-        name: [(mode, text) for text in _enum_texts(data_type) for mode in sorted(named_modes(text))]
+        name: [
+            (mode, text) for text in _enum_texts(data_type) if not denies(text) for mode in sorted(named_modes(text))
+        ]
         for name, data_type in types.items()
         if data_type.enum_infos
     }

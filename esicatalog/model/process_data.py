@@ -16,7 +16,8 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.process_image import SmImage, default_process_image
-from esicatalog.model.slots import IndicesInSlots, default_modules
+from esicatalog.model.slot_indices import IndicesInSlots
+from esicatalog.model.slots import default_modules
 from esicatalog.model.sync import SyncSignals, default_position, generated_signals, is_superseded
 
 _MAX_KNOWN = 1_000

@@ -1,6 +1,7 @@
 """Process image: which PDOs are assigned, and where every entry lies (ESI-FACTS sections 0, 9, 12 and 18).
 
-A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the SyncManager: then that list counts.
+A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the SyncManager: then that list counts, with
+the mandatory ones, which have to stay.
 PDOs follow each other bit by bit in document order; a SyncManager is as long as all its bits, rounded up once.
 An oversampled PDO repeats its entries: as often as the OpMode says, else by its own OSFac, each sample OSIndexInc
 further. What a virtual SyncManager has is described, not transported, like a virtual PDO.
@@ -112,16 +113,17 @@ def process_image(
 ) -> list[SmImage]:
     """The process image for chosen modules, OpMode and PDO assignment; SyncManagers in ascending order.
 
-    ``assignment`` wins over the OpMode's list, that over Pdo@Sm; mandatory PDOs that it leaves out are added. The
+    ``assignment`` wins over the OpMode's list, that over Pdo@Sm; mandatory PDOs that either leaves out are added. The
     OpMode's oversampling factors count whoever assigns the PDO, since its SYNC0 runs that often.
     """
     problems, candidates = _candidates(device, plugged)
     lists = _lists(op_mode)
-    assigned = {number: [pdo_index for pdo_index, _ in items] for number, items in lists.items()}
+    wanted = {number: [pdo_index for pdo_index, _ in items] for number, items in lists.items()} | {**(assignment or {})}
     factors = {pdo_index: factor for items in lists.values() for pdo_index, factor in items}
+    assigned: dict[int, list[int]] = {}
     remarks: dict[int, list[str]] = {}
-    for number, wanted in (assignment or {}).items():
-        assigned[number], remarks[number] = _with_mandatory(number, wanted, candidates)
+    for number, indices in wanted.items():
+        assigned[number], remarks[number] = _with_mandatory(number, indices, candidates)
     numbers = {c.pdo.sm for c in candidates if c.pdo.sm is not None} | assigned.keys()
     numbers |= {n for n, sm in enumerate(device.sync_managers) if sm.usage in _DIRECTION_OF_USAGE}
     chosen: dict[int, list[_Candidate]] = {}
@@ -133,7 +135,7 @@ def process_image(
 
 
 def _with_mandatory(number: int, wanted: Sequence[int], candidates: list[_Candidate]) -> tuple[list[int], list[str]]:
-    mandatory = [c.pdo.pdo_index for c in candidates if c.pdo.sm == number and c.pdo.mandatory]
+    mandatory = [c.pdo.pdo_index for c in candidates if c.pdo.sm == number and c.pdo.mandatory and not c.pdo.virtual]
     missing = [index for index in dict.fromkeys(mandatory) if index is not None and index not in wanted]
     return [*missing, *wanted], [f"PDO {_hex(index)} is mandatory: assigned too" for index in missing]
 

@@ -5,8 +5,7 @@ the slot number (counted from 0 over all instances) and only where DependOnSlot 
 """
 
 from collections import defaultdict
-from collections.abc import Container, Hashable, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, TypeVar
 
 import msgspec
@@ -42,17 +41,34 @@ class ExpandedModule(NamedTuple):
     problems: tuple[str, ...]
 
 
+class ModuleVendor(NamedTuple):
+    """Whose a module is, and whose the device with the slot; None where a document does not say it."""
+
+    of_module: int | None = None
+    of_device: int | None = None
+
+    def fits(self, wanted: int | None) -> bool:
+        """Whether it is the vendor that a ModuleClass wants: VendorId, without one that of the device."""
+        vendor = self.of_device if wanted is None else wanted
+        return vendor is None or self.of_module in (None, vendor)
+
+
+_ANY_VENDOR = ModuleVendor()
+
+
 def reachable_modules(device: Device, modules: Iterable[Module]) -> list[Module]:
-    """The modules that any slot of the device accepts, by ModuleIdent or by ModuleClass, in the order given."""
+    """The modules that any slot of the device accepts, of whatever vendor, in the order given."""
     return [module for module in modules if any(accepts(slot, module) for slot in device.slots)]
 
 
-def accepts(slot: Slot, module: Module) -> bool:
-    """Whether a module fits a slot."""
+def accepts(slot: Slot, module: Module, vendor: ModuleVendor = _ANY_VENDOR) -> bool:
+    """Whether a module fits a slot: by its ModuleIdent, or by its ModuleClass and vendor."""
     if module.module_ident is not None and any(item.module_ident == module.module_ident for item in slot.module_idents):
         return True
     wanted = module.module_class
-    return wanted is not None and any(item.module_class == wanted for item in slot.module_classes)
+    return wanted is not None and any(
+        item.module_class == wanted and vendor.fits(item.class_vendor_id) for item in slot.module_classes
+    )
 
 
 def numbered_slots(device: Device) -> Iterator[tuple[int, Slot, int]]:
@@ -63,11 +79,11 @@ def numbered_slots(device: Device) -> Iterator[tuple[int, Slot, int]]:
 
 
 def slot_runs(device: Device) -> Iterator[tuple[Slot, range]]:
-    """Every Slot element with the numbers of the slots that it stands for."""
+    """Every Slot element with the numbers of the slots that it stands for: none where MaxInstances is 0."""
     first = 0
     for slot in device.slots:
         instances = slot.max_instances if slot.max_instances is not None else 1
-        numbers = range(first, first + min(max(instances, 1), _MAX_INSTANCES))
+        numbers = range(first, first + min(max(instances, 0), _MAX_INSTANCES))
         yield slot, numbers
         first = numbers.stop
 
@@ -81,18 +97,33 @@ def fitting_modules(device: Device, modules: Sequence[Module]) -> Iterator[tuple
         yield number, slot, fitting[id(slot)]
 
 
+def preset_idents(slot: Slot) -> list[int]:
+    """ModuleIdents of what a slot has without a choice, in the order in which they count.
+
+    Those marked Default, then Slot/@Default and Slot/@Fallback of schema 1.17: "automatically plugged when no other
+    module is plugged to this slot".
+    """
+    marked = [item.module_ident for item in slot.module_idents if item.is_default]
+    return [ident for ident in (*marked, slot.default_ident, slot.fallback_ident) if ident is not None]
+
+
 def default_modules(device: Device, modules: Sequence[Module]) -> list[PluggedModule]:
-    """What is plugged without a choice: in required slots the module marked Default, else the only one that fits."""
-    by_ident = {module.module_ident: module for module in reversed(modules)}
+    """What is plugged without a choice: in required slots the preset module, else the only one that fits.
+
+    A preset makes the first slot of a Slot element a required one. It counts where it fits.
+    """
+    by_ident: dict[int | None, list[Module]] = defaultdict(list)
+    for module in modules:
+        by_ident[module.module_ident].append(module)
     plugged = []
-    for number, slot, instance in numbered_slots(device):
-        preset = [item.module_ident for item in slot.module_idents if item.is_default]
-        required = slot.min_instances or (1 if preset else 0)
-        if not preset and len(slot.module_idents) == 1:
-            preset = [slot.module_idents[0].module_ident]
-        module = by_ident.get(preset[0]) if preset else None
-        if instance < required and module is not None:
-            plugged.append(PluggedModule(number, slot, module))
+    for slot, numbers in slot_runs(device):
+        idents: list[int | None] = [*preset_idents(slot)]
+        required = slot.min_instances or (1 if idents else 0)
+        if not idents and len(slot.module_idents) == 1:
+            idents = [slot.module_idents[0].module_ident]
+        fitting = (module for ident in idents for module in by_ident.get(ident, ()) if accepts(slot, module))
+        if (module_there := next(fitting, None)) is not None:
+            plugged += [PluggedModule(number, slot, module_there) for number in numbers[:required]]
     return plugged
 
 
@@ -148,7 +179,7 @@ def leaving_indices(device: Device, modules: Iterable[Module]) -> Iterator[tuple
     ends = [
         (number, slot, SlotShift(device, slot, number))
         for slot, numbers in slot_runs(device)
-        for number in dict.fromkeys((numbers[0], numbers[-1]))
+        for number in dict.fromkeys((*numbers[:1], *numbers[-1:]))
     ]
     moves = [(-1 if shift.moves_down else MAX_INDEX - shift.largest, number, slot) for number, slot, shift in ends]
     moves.reverse()
@@ -225,30 +256,14 @@ def _in_slot(item: Shifted, field: str, move: Any) -> Shifted:
     return item if moved == index else msgspec.structs.replace(item, **{field: moved})
 
 
-class _Step(NamedTuple):
+class Step(NamedTuple):
     """How far an index moves from slot to slot, and how far with the group of a slot."""
 
     by_slot: int
     by_group: int
 
-    def reaches(self, wanted: int, moving: "_Moving", numbers: Container[int]) -> bool:
-        """Whether an index comes to lie at ``wanted`` in one of the slots."""
-        distance = wanted - moving.unshifted - (self.by_group if moving.by_group else 0)
-        if not self.by_slot or not moving.by_slot:
-            return distance == 0
-        number, rest = divmod(distance, self.by_slot)
-        return rest == 0 and number in numbers
 
-
-class _Moving(NamedTuple):
-    """An index and what it follows."""
-
-    unshifted: int
-    by_slot: bool
-    by_group: bool
-
-
-def _steps(device: Device, slot: Slot) -> tuple[_Step, _Step]:
+def slot_steps(device: Device, slot: Slot) -> tuple[Step, Step]:
     """The steps of objects and of PDOs; what a Slot element says counts before what is said for all."""
 
     def increment(own: int | None, common: int | None) -> int:
@@ -256,99 +271,22 @@ def _steps(device: Device, slot: Slot) -> tuple[_Step, _Step]:
 
     group = slot.slot_group or 0
     return (
-        _Step(
+        Step(
             increment(slot.slot_index_increment, device.slot_index_increment),
             group * increment(slot.slot_group_index_increment, device.slot_group_index_increment),
         ),
-        _Step(
+        Step(
             increment(slot.slot_pdo_increment, device.slot_pdo_increment),
             group * increment(slot.slot_group_pdo_increment, device.slot_group_pdo_increment),
         ),
     )
 
 
-class _AlikeSlots:
-    """Slots that accept the same modules and move their indices by the same steps."""
-
-    def __init__(self, modules: Sequence[Module], steps: tuple[_Step, _Step]) -> None:
-        self.step_of_objects, self.step_of_pdos = steps
-        self.numbers: set[int] = set()
-        self._modules = modules
-
-    @cached_property
-    def pdos(self) -> set[_Moving]:
-        """Indices of the PDOs of all modules that move."""
-        pdos = [pdo for module in self._modules for pdo in (*module.rx_pdos, *module.tx_pdos)]
-        return {moving for pdo in pdos if (moving := _moving(pdo.pdo_index, pdo)) is not None}
-
-    @cached_property
-    def objects(self) -> Mapping[_Moving, list[Module]]:
-        """Indices of the objects that move, with the modules that have them."""
-        found: dict[_Moving, list[Module]] = defaultdict(list)
-        for module in self._modules:
-            for profile in module.profiles:
-                for declared in profile.dictionary.objects if profile.dictionary is not None else ():
-                    if (moving := _moving(declared.object_index, declared)) is not None:
-                        found[moving].append(module)
-        return found
-
-
-def _moving(index: int | None, item: Pdo | Object) -> _Moving | None:
-    if index is None or not (item.depend_on_slot or item.depend_on_slot_group):
-        return None
-    return _Moving(index, bool(item.depend_on_slot), bool(item.depend_on_slot_group))
-
-
-class IndicesInSlots:
-    """Which indices the modules of a device can have in its slots; worked out when asked for.
-
-    What it takes grows with the indices of modules and with the Slot elements that differ, not with the slots: the
-    hundreds of a coupler mostly accept the same modules.
-    """
-
-    def __init__(self, device: Device, modules: Sequence[Module]) -> None:
-        self._device = device
-        self._modules = modules
-        self._objects_at: dict[int, list[tuple[Module, int]]] = {}
-
-    @cached_property
-    def _alike(self) -> Sequence[_AlikeSlots]:
-        fitting: dict[Hashable, list[Module]] = {}
-        alike: dict[Hashable, _AlikeSlots] = {}
-        for slot, numbers in slot_runs(self._device):
-            idents = tuple([item.module_ident for item in slot.module_idents])
-            accepted = (idents, tuple([item.module_class for item in slot.module_classes]))
-            if accepted not in fitting:
-                fitting[accepted] = [module for module in self._modules if accepts(slot, module)]
-            steps = _steps(self._device, slot)
-            slots = alike.setdefault((accepted, steps), _AlikeSlots(fitting[accepted], steps))
-            slots.numbers.update(numbers)
-        return list(alike.values())
-
-    def has_pdo(self, index: int) -> bool:
-        """Whether a module has a PDO at an index in some slot that it moves with."""
-        return 0 <= index <= MAX_INDEX and any(
-            slots.step_of_pdos.reaches(index, moving, slots.numbers) for slots in self._alike for moving in slots.pdos
-        )
-
-    def objects(self, index: int) -> Sequence[tuple[Module, int]]:
-        """The modules that have an object at an index in some slot that it moves with, and its index in the module."""
-        if index not in self._objects_at:
-            self._objects_at[index] = [
-                (module, moving.unshifted)
-                for slots in self._alike
-                for moving, modules in slots.objects.items()
-                if 0 <= index <= MAX_INDEX and slots.step_of_objects.reaches(index, moving, slots.numbers)
-                for module in modules
-            ]
-        return self._objects_at[index]
-
-
 class SlotShift:
     """By how much indices move in one slot; what would leave 16 bits stays and is named."""
 
     def __init__(self, device: Device, slot: Slot, slot_number: int) -> None:
-        objects, pdos = _steps(device, slot)
+        objects, pdos = slot_steps(device, slot)
         self._objects, self._objects_of_group = slot_number * objects.by_slot, objects.by_group
         self._pdos, self._pdos_of_group = slot_number * pdos.by_slot, pdos.by_group
         self._slot_number = slot_number

@@ -12,6 +12,7 @@ from lxml import etree
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 
 SYNC_UNIT_ACTIVE = 0x0100
@@ -82,6 +83,12 @@ def is_superseded(op_mode: OpMode) -> bool:
     if text is None or "IgnoreFromBuildNo" not in text:
         return False
     return any(element.get("IgnoreFromBuildNo") for element in etree.fromstring(text).iter())
+
+
+def op_modes_with_sync0(device: Device) -> list[OpMode]:
+    """The OpModes that generate SYNC0 and are not superseded (ESI-FACTS section 11)."""
+    time_only = device.dc_time_loop_control_only
+    return [mode for mode in device.op_modes if generated_signals(mode, time_only).sync0 and not is_superseded(mode)]
 
 
 def default_op_mode(op_modes: Sequence[OpMode], modules: Iterable[Module] = ()) -> OpMode | None:

@@ -41,8 +41,10 @@ class Slot(Record):
         int | None, Xml("@SlotGroupIndexIncrement", HEX, "Object index step per slot group")
     ] = None
     tree_view: Annotated[str | None, Xml("@TreeView", doc="SLOTGROUP, SLOT, SLOTCOMPACT or PDO")] = None
-    default_ident: Annotated[int | None, Xml("@Default", HEX, "Default (schema 1.17)")] = None
-    fallback_ident: Annotated[int | None, Xml("@Fallback", HEX, "Fallback (schema 1.17)")] = None
+    default_ident: Annotated[int | None, Xml("@Default", HEX, "ModuleIdent that is preselected (schema 1.17)")] = None
+    fallback_ident: Annotated[
+        int | None, Xml("@Fallback", HEX, "ModuleIdent that is plugged when no other one is (schema 1.17)")
+    ] = None
     module_idents: Annotated[tuple[SlotModuleIdent, ...], Xml("ModuleIdent")] = ()
     module_classes: Annotated[tuple[SlotModuleClass, ...], Xml("ModuleClass")] = ()
     image_symbol: Annotated[str | None, Xml("Image16x14", doc="Image as a symbolic name (obsolete)")] = None

@@ -7,10 +7,11 @@ from esicatalog.lint.subjects import DeviceSubject, Dictionaries, ModuleSubject
 from esicatalog.model.cia402 import (
     CONTROLWORD,
     MODES_OF_OPERATION,
+    MODES_OF_OPERATION_OF_AXES,
     STATUSWORD,
     SUPPORTED_DRIVE_MODES,
 )
-from esicatalog.model.drive_evidence import MODES_OF_OPERATION_OF_AXES, ModeEvidence, written_mode
+from esicatalog.model.drive_evidence import ModeEvidence, written_mode
 
 _DEVICE_TYPE = 0x1000
 _NEEDED = (CONTROLWORD, STATUSWORD, MODES_OF_OPERATION, SUPPORTED_DRIVE_MODES)

@@ -9,9 +9,9 @@ from esicatalog.lint.subjects import PdoMapping, PdoTypes, PlacedEntry
 from esicatalog.model.base_types import BASE_TYPES, BaseType, base_type
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.pdo_facts import entry_facts
+from esicatalog.model.pdo_mapping import MAPPABLE_IN
 from esicatalog.model.resolver import TypeSet
 
-_LETTERS = {"RxPdo": "R", "TxPdo": "T"}
 _KINDS_OF_BITS = frozenset({"bool", "uint", "bits"})
 """Kinds that differ in name only: the same bits without sign."""
 _BOOL_SIZES = frozenset({1, 8})
@@ -105,7 +105,7 @@ def _kind(base: BaseType) -> str:
 @rule("L39", WARNING, "ETG.2000 Flags/PdoMapping: T for TxPdo, R for RxPdo; absent = not mappable")
 def not_mappable(mapping: PdoMapping) -> Iterator[Found]:
     """A PDO maps objects without PdoMapping (with that of the other direction only: E)."""
-    letter = _LETTERS[mapping.direction]
+    letter = MAPPABLE_IN[mapping.direction]
     refused = [
         (position, entry, declared.pdo_mapping)
         for position, entry, declared in mapping.described

@@ -5,12 +5,12 @@ from collections.abc import Iterator
 
 from esicatalog.lint.registry import ERROR, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject
-from esicatalog.model.slots import default_modules, expand_module, leaving_indices, slot_runs
+from esicatalog.model.slots import accepts, default_modules, expand_module, leaving_indices, preset_idents, slot_runs
 
 
 @rule("L53", ERROR, "ETG.2000 Slot/ModuleIdent, @Default, @MinInstances, @MaxInstances")
 def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
-    """A slot names an unknown module, presets several, or needs more than it takes (needs one, presets none: W)."""
+    """A slot names an unknown module, presets several, or needs more than it takes (presets none: W)."""
     idents = {module.module_ident for module in subject.module_records}
     for number, slot in enumerate(subject.device.slots):
         place: Place = ("slots", number)
@@ -20,10 +20,17 @@ def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
                     f"slot {number + 1} names ModuleIdent 0x{item.module_ident:X}, which no module of the document has",
                     (*place, "module_idents", position),
                 )
+        for name, ident in (("Default", slot.default_ident), ("Fallback", slot.fallback_ident)):
+            if ident is not None and not any(
+                module.module_ident == ident and accepts(slot, module) for module in subject.module_records
+            ):
+                yield Found(
+                    f"slot {number + 1} has {name} 0x{ident:X}, which is no module that fits it", place, WARNING
+                )
         preset = [item for item in slot.module_idents if item.is_default]
         if len(preset) > 1:
             yield Found(f"slot {number + 1} presets {len(preset)} modules: only one can be plugged", place)
-        elif not preset and len(slot.module_idents) > 1 and slot.min_instances:
+        elif not preset_idents(slot) and len(slot.module_idents) > 1 and slot.min_instances:
             yield Found(
                 f"slot {number + 1} needs a module (MinInstances {slot.min_instances}) and presets none: "
                 "mark one ModuleIdent with Default=1",

@@ -1,0 +1,214 @@
+"""What is looked at together for drive modes: a device's own description or a module, for one axis.
+
+Rules of ESI-FACTS sections 12 and 16: axes by their controlword, objects that yield to those of modules, and the
+RxPDOs that map a mode's setpoint.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.profile import Profile
+from esicatalog.model.cia402 import (
+    AXIS_STEP,
+    CONTROLWORD,
+    MAX_AXES,
+    MODES_OF_OPERATION,
+    PROFILE_AND_CYCLIC,
+    PROFILE_CIA402,
+    SINGLE_SETPOINTS,
+    SUPPORTED_DRIVE_MODES,
+    DriveMode,
+)
+from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
+from esicatalog.model.pdo_mapping import is_mappable
+
+_CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES)}
+"""Axes by their controlword."""
+
+
+class Part(NamedTuple):
+    """What is looked at together: the device's own description or one module, for one axis."""
+
+    axis: int
+    slot_number: int | None
+    """Slot that a module is in."""
+    module_ident: int | None
+    name: str
+    """Names of a module: type and name."""
+    views: tuple[DictionaryView, ...]
+    """Its dictionaries."""
+    rx_pdos: tuple[Pdo, ...]
+    assigned: tuple[Pdo, ...]
+    """Those of them that are in the default process image; of a module, in the one with it plugged."""
+    init_cmds: tuple[InitCmd, ...]
+    profiles: tuple[Profile, ...]
+    """Those that speak for this axis."""
+    sync0: bool
+    """Whether an OpMode that it can run in generates SYNC0."""
+    axis_shift: int
+    """How far the axis's objects lie above those of the first axis."""
+    dc_op_mode_name: str | None = None
+    """OpMode that a module asks for."""
+    replaced: frozenset[int] = frozenset()
+    """Objects of the device in whose place those of modules count."""
+
+    def at(self, index: int) -> int:
+        """Where an object of the first axis lies in this part."""
+        return index + self.axis_shift
+
+
+def has_cia402(part: Part) -> bool:
+    """Whether the part is a CiA 402 axis: profile number 402, or a 16 bit controlword of this axis.
+
+    On modular I/O 0x6040 is just an input channel, so the controlword has to look like one.
+    """
+    if any(_is_cia402(profile) for profile in part.profiles):
+        return True
+    control = part.at(CONTROLWORD)
+    mapped = any(
+        entry.entry_index == control and (entry.subindex or 0) == 0 and entry.bit_length == 16
+        for pdo in part.rx_pdos
+        for entry in pdo.entries
+    )
+    return mapped or any(control in view.once(_words) for view in part.views)
+
+
+def _words(view: DictionaryView) -> frozenset[int | None]:
+    """Indices of the objects of 16 bits."""
+    return frozenset([declared.object_index for declared in view.dictionary.objects if declared.bit_size == 16])
+
+
+def may_be_drive(owner: Device | Module, views: DictionaryViews) -> bool:
+    """Whether a device or module can be a CiA 402 drive: a cheap look before a close one."""
+    return (
+        any(map(_is_cia402, owner.profiles))
+        or any(not view.by_index.keys().isdisjoint(_CONTROLWORDS) for view in views.of(owner.profiles))
+        or any(entry.entry_index in _CONTROLWORDS for pdo in owner.rx_pdos for entry in pdo.entries)
+    )
+
+
+def _is_cia402(profile: Profile) -> bool:
+    return PROFILE_CIA402 in (profile.profile_no, *(channel.profile_no for channel in profile.channel_infos))
+
+
+def declaring_view(part: Part, index: int) -> DictionaryView | None:
+    """The dictionary with the object that counts, None without one."""
+    for view in part.views:
+        declared = view.by_index.get(index)
+        if declared is not None and not (index in part.replaced and declared.overwritten_by_module):
+            return view
+    return None
+
+
+def is_declared(part: Part, index: int) -> bool:
+    """Whether an object is in the dictionary and counts."""
+    return declaring_view(part, index) is not None
+
+
+def declared_entries(part: Part, index: int) -> Sequence[ObjectEntry]:
+    """The entries of an object, none where the dictionary has no such object that counts."""
+    view = declaring_view(part, index)
+    resolved = view.resolved(index) if view is not None else None
+    return resolved.entries if resolved is not None else ()
+
+
+def single_value(part: Part, index: int) -> ObjectEntry | None:
+    """The single value of an object."""
+    return next(iter(declared_entries(part, index)), None)
+
+
+def may_be_mapped(part: Part, index: int) -> bool:
+    """Whether the dictionary lets an object into an RxPDO, be it a value or (0x60C1) a record of some."""
+    return any(is_mappable(entry, "RxPdo") for entry in declared_entries(part, index))
+
+
+def marked_objects(part: Part) -> list[int]:
+    """Objects that say something about modes and are marked OverwrittenByModule."""
+    indices = (SUPPORTED_DRIVE_MODES, MODES_OF_OPERATION, *PROFILE_AND_CYCLIC, *SINGLE_SETPOINTS)
+    declared = [(part.at(index), view.by_index.get(part.at(index))) for index in indices for view in part.views]
+    return [index for index, item in declared if item is not None and item.overwritten_by_module]
+
+
+Contents = Mapping[int | None, Sequence[tuple[DictionaryView, ...]]]
+"""What slots hold, by number: the dictionaries of each of the alternatives."""
+
+
+def yielding(part: Part, contents: Contents) -> Part:
+    """A part of the device beside what its slots hold: its marked objects yield to theirs (ESI-FACTS section 12)."""
+    replaced = frozenset(
+        index
+        for index in marked_objects(part)
+        if any(all(_declares(views, index) for views in alternatives) for alternatives in contents.values())
+    )
+    return part._replace(replaced=replaced) if replaced != part.replaced else part
+
+
+def _declares(views: Sequence[DictionaryView], index: int) -> bool:
+    return any(index in view.by_index for view in views)
+
+
+def maps_setpoint(part: Part, pdo: Pdo, setpoints: Sequence[int]) -> bool:
+    """Whether a PDO maps these setpoints, all of them.
+
+    A virtual PDO is a description only, nothing transports it (ESI-FACTS sections 9 and 18).
+    """
+    wanted = {part.at(index) for index in setpoints}
+    return bool(wanted) and not pdo.virtual and wanted.issubset([entry.entry_index for entry in pdo.entries])
+
+
+def mapping_pdos(part: Part, mode: DriveMode) -> list[Pdo]:
+    """The RxPDOs that map the setpoint of a mode: one with all of it, else one for each object.
+
+    Drives with one object a PDO assign several, which must not exclude each other. None where an object is not mapped.
+    """
+    whole = _mapping_pdo(part, mode.setpoints)
+    if whole is not None:
+        return [whole]
+    each = [_mapping_pdo(part, (index,)) for index in mode.setpoints] if len(mode.setpoints) > 1 else []
+    found = [pdo for pdo in each if pdo is not None]
+    excluded = {item.pdo_index for pdo in found for item in pdo.excludes}
+    return found if len(found) == len(each) and excluded.isdisjoint([pdo.pdo_index for pdo in found]) else []
+
+
+def _mapping_pdo(part: Part, setpoints: Sequence[int]) -> Pdo | None:
+    """The RxPDO that maps setpoints: one that is assigned by default before others."""
+    fitting = [pdo for pdo in part.rx_pdos if maps_setpoint(part, pdo, setpoints)]
+    return next((pdo for pdo in fitting if pdo in part.assigned), fitting[0] if fitting else None)
+
+
+def mapping_pdo(index: int, pdos: Iterable[Pdo]) -> Pdo | None:
+    """The first of some PDOs that maps an object."""
+    return next((pdo for pdo in pdos if any(entry.entry_index == index for entry in pdo.entries)), None)
+
+
+def setpoint_words(part: Part, mode: DriveMode) -> str:
+    """The objects of a mode's setpoint in words."""
+    return object_words(map(part.at, mode.setpoints))
+
+
+def object_words(indices: Iterable[int]) -> str:
+    """Objects in words."""
+    return " and ".join(f"0x{index:04X}" for index in indices)
+
+
+def pdo_words(pdo: Pdo) -> str:
+    """A PDO in words."""
+    return f"RxPDO 0x{pdo.pdo_index:04X}" if pdo.pdo_index is not None else "an RxPDO"
+
+
+def mapping_words(pdos: Sequence[Pdo]) -> str:
+    """PDOs in words, as what maps something."""
+    return " and ".join(map(pdo_words, pdos)) + (" maps" if len(pdos) == 1 else " map")
+
+
+def axes_of(views: Sequence[DictionaryView], rx_pdos: Iterable[Pdo]) -> list[int]:
+    """Axes above the first whose controlword stands literally in a description."""
+    mapped = {entry.entry_index for pdo in rx_pdos for entry in pdo.entries}
+    return [
+        axis for control, axis in _CONTROLWORDS.items() if axis and (control in mapped or _declares(views, control))
+    ]
