@@ -472,6 +472,17 @@ def test_a_device_that_uses_the_time_only_gets_no_sync_signals():
     assert next(choice_lines(free)) == "OpMode:   0 'FreeRun': no distributed clocks"
 
 
+@pytest.mark.parametrize("activate", ["#x10300", "-256"])
+def test_an_assign_activate_that_does_not_fit_its_registers_is_refused(activate):
+    with pytest.raises(InputError, match=r"'DC' has AssignActivate -?0x\w+, which does not fit the registers"):
+        configured(SMS + dc(("DC", times(activate, FACTOR_1))))
+
+
+def test_a_control_byte_of_more_than_8_bits_is_told():
+    (remark,) = configured(SMS.replace('ControlByte="#x64"', 'ControlByte="#x164"')).remarks
+    assert remark == "SM2 has the ControlByte 0x164, which does not fit its register of 8 bits"
+
+
 def test_a_cycle_that_cannot_be_divided_is_refused():
     content = SMS + dc(("os", times("#x730", 'Factor="-3">0', 'Factor="-1">0')))
     with pytest.raises(InputError, match="divides the bus cycle by 3; 1000000 ns is no multiple"):

@@ -329,3 +329,45 @@ def test_l47_tells_whether_a_text_was_read_as_a_number(tmp_path, type_name, text
 def test_attributes_that_are_read_though_the_schema_forbids_them(tmp_path, rule_id, attributes, count):
     rx_pdo = pdo("RxPdo", "#x1600", 8, attributes=attributes)
     assert len(linted(tmp_path, rule_id, device(SYNC_MANAGERS + rx_pdo))) == count
+
+
+SM = "<Sm {}>Outputs</Sm>"
+OP_MODE = "<Dc><OpMode><Name>DC</Name><AssignActivate>{}</AssignActivate></OpMode></Dc>"
+ENTRY_OF = (
+    "<RxPdo><Index>{}</Index><Name>R</Name>"
+    "<Entry><Index>{}</Index><SubIndex>{}</SubIndex><BitLen>8</BitLen></Entry></RxPdo>"
+)
+INIT_CMD = (
+    "<Mailbox><CoE><InitCmd><Transition>PS</Transition><Index>{}</Index><SubIndex>{}</SubIndex><Data>00</Data>"
+    "</InitCmd></CoE></Mailbox>"
+)
+
+
+@pytest.mark.parametrize(
+    ("content", "place", "bits"),
+    [
+        (SM.format('StartAddress="#x11000"'), "Sm/@StartAddress", 16),
+        (SM.format('ControlByte="#x164"'), "Sm/@ControlByte", 8),
+        (SM.format('DefaultSize="65536"'), "Sm/@DefaultSize", 16),
+        (OP_MODE.format("#x10300"), "AssignActivate", 16),
+        (ENTRY_OF.format("#x11600", "#x7000", 1), "Index", 16),
+        (ENTRY_OF.format("#x1600", "#x17000", 1), "Index", 16),
+        (ENTRY_OF.format("#x1600", "#x7000", 256), "SubIndex", 8),
+        (INIT_CMD.format("#x12000", 1), "Index", 16),
+        (INIT_CMD.format("#x2000", 300), "SubIndex", 8),
+        (dictionary("", declared("#x12000", "UINT", 16)), "Index", 16),
+    ],
+)
+def test_l06_knows_how_wide_a_field_is(tmp_path, content, place, bits):
+    """Registers and indices have 16 bits, ControlByte and subindices 8 (ETG.1000.6, ESC registers 0x0800 and on)."""
+    (found,) = linted(tmp_path, "L06", device(content))
+    assert re.fullmatch(rf"{place}: '[#\w]+' does not fit into {bits} bits; read as \d+", found["message"])
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "words"), [("L06", "Type/@ProductCode: '0x1' has a C prefix"), ("L03", "RxPdo/@Fixed: 'yes' is not")]
+)
+def test_the_attribute_that_breaks_the_format_is_named(tmp_path, rule_id, words):
+    text = device(pdo("RxPdo", "#x1600", 8, attributes='Fixed="yes"'), product="0x1")
+    (found,) = linted(tmp_path, rule_id, text)
+    assert found["message"].startswith(words)

@@ -25,6 +25,7 @@ from esicatalog.model.sm_facts import sm_facts
 OUTPUT, INPUT = "output", "input"
 _DIRECTION_OF_USAGE = {"Outputs": OUTPUT, "Inputs": INPUT, "MBoxOut": OUTPUT, "MBoxIn": INPUT}
 _DIRECTION_OF_PDO = {"RxPdo": OUTPUT, "TxPdo": INPUT}
+_CONTROL_BYTES = range(0x100)
 _MAX_INDEX, _MAX_SUBINDEX, _UINT32_MAX = 0xFFFF, 0xFF, 0xFFFF_FFFF
 
 
@@ -250,6 +251,8 @@ def _sync_managers(
             continue
         if described is None:
             remarks.append(f"PDOs name SM{number}, which the device does not describe")
+        elif (control := described.control_byte or 0) not in _CONTROL_BYTES:
+            remarks.append(f"SM{number} has the ControlByte {control:#x}, which does not fit its register of 8 bits")
         pdos: list[AssignedPdo] = []
         is_placed = True
         for at, placed in enumerate(placed_pdos):

@@ -42,7 +42,8 @@ found_by_reader(
     "L06",
     ERROR,
     "Malformed or out of range HexDecValue or integer; decimal is 402, hexadecimal #x1A00.",
-    "ETG.2000 EtherCATBase.xsd HexDecValue, xs:int (32 bits); identities are uint32",
+    "ETG.2000 EtherCATBase.xsd HexDecValue, xs:int (32 bits); identities have 32 bits, indices and registers 16, "
+    "ControlByte and subindices 8",
 )
 found_by_reader(
     "L07",
