@@ -227,7 +227,7 @@ def test_a_virtual_sync_manager_is_not_configured():
 
 
 def test_a_pdo_without_sync_manager_does_not_go_to_a_virtual_one():
-    with pytest.raises(InputError, match="has none for Outputs"):
+    with pytest.raises(InputError, match="has none for a RxPdo"):
         configured('<Sm Virtual="1">Outputs</Sm>' + pdo("RxPdo", "#x1600", 16), pdos=parse_pdo_choice("0x1600"))
 
 

@@ -371,3 +371,61 @@ def test_the_attribute_that_breaks_the_format_is_named(tmp_path, rule_id, words)
     text = device(pdo("RxPdo", "#x1600", 8, attributes='Fixed="yes"'), product="0x1")
     (found,) = linted(tmp_path, rule_id, text)
     assert found["message"].startswith(words)
+
+
+MAILBOX_AND_PROCESS_DATA = (
+    '<Sm DefaultSize="128">MBoxOut</Sm><Sm DefaultSize="128">MBoxIn</Sm><Sm>Outputs</Sm><Sm>Inputs</Sm>'
+    "<Sm>DynamicOutputs</Sm><Sm>Orbita</Sm>"
+)
+
+
+@pytest.mark.parametrize(
+    ("kind", "sm", "role"),
+    [
+        ("RxPdo", 0, "MBoxOut"),
+        ("TxPdo", 1, "MBoxIn"),
+        ("RxPdo", 3, "Inputs"),
+        ("TxPdo", 4, "DynamicOutputs"),
+        ("RxPdo", 2, None),
+        ("RxPdo", 4, None),
+        ("TxPdo", 5, None),  # a word of the vendor's says nothing
+    ],
+)
+@pytest.mark.parametrize("in_module", [False, True])
+def test_l27_knows_what_a_sync_manager_is_for(tmp_path, kind, sm, role, in_module):
+    assigned = pdo(kind, "#x1600", 8, attributes=f'Sm="{sm}"')
+    own, carried = (slots(1), module(assigned)) if in_module else (assigned, "")
+    found = linted(tmp_path, "L27", device(MAILBOX_AND_PROCESS_DATA + own), carried)
+    assert [item["message"].partition("which is ")[2] for item in found] == ([f"{role}: correct Sm"] if role else [])
+
+
+@pytest.mark.parametrize(
+    ("sm", "index", "words"),
+    [
+        (0, "#x1600", "assigns the RxPdo 0x1600 to SM 0, which is MBoxOut"),
+        (2, "#x1A00", "assigns the TxPdo 0x1A00 to SM 2, which is Outputs"),
+        (6, "#x1600", "names SM 6; there are 6: correct No"),
+        (2, "#x1600", None),
+        (5, "#x1A00", None),
+    ],
+)
+def test_l52_knows_what_a_sync_manager_is_for(tmp_path, sm, index, words):
+    mode = f'<OpMode><Name>DC</Name><AssignActivate>0</AssignActivate><Sm No="{sm}"><Pdo>{index}</Pdo></Sm></OpMode>'
+    pdos = pdo("RxPdo", "#x1600", 8) + pdo("TxPdo", "#x1A00", 8)
+    found = linted(tmp_path, "L52", device(f"{MAILBOX_AND_PROCESS_DATA}{pdos}<Dc>{mode}</Dc>"))
+    assert [item["message"] for item in found] == ([f"OpMode 1 'DC' {words}"] if words else [])
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "role", "control", "count"),
+    [
+        ("L19", "DynamicOutputs", "#x20", 1),
+        ("L19", "DynamicOutputs", "#x64", 0),
+        ("L19", "DynamicInputs", "#x64", 1),
+        ("L21", "DynamicOutputs", "#x24", 1),
+        ("L21", "DynamicInputs", "#x20", 0),
+    ],
+)
+def test_l19_and_l21_know_the_dynamic_roles(tmp_path, rule_id, role, control, count):
+    sm = f'<Sm StartAddress="#x1000" ControlByte="{control}">{role}</Sm>'
+    assert len(linted(tmp_path, rule_id, device(sm))) == count

@@ -6,10 +6,10 @@ from esicatalog.esi.records.pdo import Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import DIRECTIONS, DeviceSubject, ModuleSubject, PlacedPdo, ProcessSubject, is_absent
 from esicatalog.model.pdo_facts import entry_facts, symmetric_exclusions
+from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
 
 _RANGES = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
-_OPPOSITE = {"RxPdo": "Inputs", "TxPdo": "Outputs"}
 _MAX_SII_BITS = 255
 _ASSIGNMENT_OBJECT = 0x1C10
 
@@ -20,22 +20,22 @@ def _words(direction: str, index: int | None) -> str:
 
 @rule("L27", ERROR, "ETG.2000 Pdo/@Sm: position of the Sm element; RxPdo go to Outputs, TxPdo to Inputs")
 def sync_manager_of_pdo(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
-    """A PDO is assigned to a SyncManager that does not exist or runs the other way."""
+    """A PDO is assigned to a SyncManager that does not exist, runs the other way or carries the mailbox."""
     if isinstance(subject, ProcessSubject):
         targets = [("", subject.data.sync_managers)]
     else:
         targets = [(f" of {host.device.type!r}", host.device.sync_managers) for host in subject.hosts]
     for of, sync_managers in targets:
-        usages = [sm.usage for sm in sync_managers]
         for placed in subject.pdos:
             number = placed.pdo.sm
             if number is None:
                 continue
             words = f"{_words(placed.direction, placed.pdo.pdo_index)} is assigned to SM {number}"
-            if not 0 <= number < len(usages):
-                yield Found(f"{words}{of}, which has {len(usages)} SyncManagers: correct Sm", (*placed.place, "sm"))
-            elif usages[number] == _OPPOSITE[placed.direction]:
-                yield Found(f"{words}{of}, which is {usages[number]}: correct Sm", (*placed.place, "sm"))
+            if not 0 <= number < len(sync_managers):
+                words += f"{of}, which has {len(sync_managers)} SyncManagers"
+                yield Found(f"{words}: correct Sm", (*placed.place, "sm"))
+            elif not may_transport(sync_managers[number], placed.direction):
+                yield Found(f"{words}{of}, which is {sync_managers[number].usage}: correct Sm", (*placed.place, "sm"))
 
 
 @rule("L28", WARNING, "ETG.1000.6: a PDO mapping object exists once")

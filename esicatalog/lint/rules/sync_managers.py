@@ -1,37 +1,24 @@
 """Rules about SyncManagers: roles, ControlByte, memory, sizes (ESI-FACTS section 8)."""
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.lint.areas import Area, overlaps
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, ProcessSubject, is_absent
-from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.sm_facts import SM_ROLES, SmRole, sm_facts, sm_role
 
-
-class _Role(NamedTuple):
-    transfer_direction: str
-    is_mailbox: bool
-
-
-ROLES = {
-    "MBoxOut": _Role("output", True),
-    "MBoxIn": _Role("input", True),
-    "Outputs": _Role("output", False),
-    "Inputs": _Role("input", False),
-}
-_DYNAMIC_ROLES = ("DynamicOutputs", "DynamicInputs")
-"""What TwinCAT knows beside them."""
+_MAILBOXES = [usage for usage, role in SM_ROLES.items() if role.is_mailbox]
+_IN_EEPROM = [usage for usage, role in SM_ROLES.items() if not role.is_dynamic]
 _DIRECTION_BITS = {"output": "01 (the master writes)", "input": "00 (the master reads)"}
 _BUFFERS = 3
 _PROCESS_DATA_RAM = 0x1000
 """Registers below are no memory that a SyncManager would buffer three times (0x0F00: digital outputs)."""
 
 
-def _with_roles(subject: ProcessSubject) -> Iterator[tuple[int, SyncManager, _Role]]:
+def _with_roles(subject: ProcessSubject) -> Iterator[tuple[int, SyncManager, SmRole]]:
     for number, sm in enumerate(subject.data.sync_managers):
-        role = ROLES.get(sm.usage or "")
+        role = sm_role(sm)
         if role is not None:
             yield number, sm, role
 
@@ -43,13 +30,13 @@ def mailbox_without_sync_managers(subject: DeviceSubject) -> Iterator[Found]:
     usages = [sm.usage for sm in subject.device.sync_managers]
     if mailbox is None:
         for number, usage in enumerate(usages):
-            if usage in ("MBoxOut", "MBoxIn"):
+            if usage in _MAILBOXES:
                 yield Found(
                     f"SM {number} is {usage}, but there is no Mailbox: say which protocols it carries",
                     ("sync_managers", number),
                 )
     else:
-        for usage in ("MBoxOut", "MBoxIn"):
+        for usage in _MAILBOXES:
             if usage not in usages:
                 yield Found(f"Mailbox without a SyncManager {usage}: add it, or remove Mailbox", ("mailbox",))
 
@@ -84,10 +71,10 @@ def mode_against_role(subject: ProcessSubject) -> Iterator[Found]:
 @rule("L21", INFORMATION, "ESC register 0x0804 + 8n, bit 6: watchdog trigger")
 def outputs_without_watchdog(subject: ProcessSubject) -> Iterator[Found]:
     """Outputs without watchdog trigger: they keep their values when the master stops."""
-    for number, sm in enumerate(subject.data.sync_managers):
-        if sm.usage == "Outputs" and sm_facts(sm).watchdog_trigger is False:
+    for number, sm, role in _with_roles(subject):
+        if role.pdo_direction == "RxPdo" and sm_facts(sm).watchdog_trigger is False:
             yield Found(
-                f"SM {number} Outputs has the ControlByte 0x{sm.control_byte:02X} without watchdog (bit 6): "
+                f"SM {number} {sm.usage} has the ControlByte 0x{sm.control_byte:02X} without watchdog (bit 6): "
                 "nothing tells the device that the master stopped, unless it looks itself",
                 ("sync_managers", number),
             )
@@ -124,9 +111,9 @@ def _image_bytes(subject: ProcessSubject, number: int) -> int:
 def role_unknown(subject: ProcessSubject) -> Iterator[Found]:
     """The role of a SyncManager is empty or unknown."""
     for number, sm in enumerate(subject.data.sync_managers):
-        if sm.usage not in ROLES and sm.usage not in _DYNAMIC_ROLES:
+        if sm_role(sm) is None:
             words = f"has the role {sm.usage!r}" if sm.usage else "has no role"
-            yield Found(f"SM {number} {words}: a master expects {', '.join(ROLES)}", ("sync_managers", number))
+            yield Found(f"SM {number} {words}: a master expects {', '.join(_IN_EEPROM)}", ("sync_managers", number))
 
 
 @rule("L24", WARNING, "A SyncManager is as long as all bits of its assigned PDOs, rounded up to bytes once")
