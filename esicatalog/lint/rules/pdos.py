@@ -2,10 +2,12 @@
 
 from collections.abc import Iterable, Iterator
 
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.pdo import Exclude, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import DIRECTIONS, DeviceSubject, ModuleSubject, PlacedPdo, ProcessSubject, is_absent
 from esicatalog.model.pdo_facts import entry_facts, symmetric_exclusions
+from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
 
@@ -93,13 +95,13 @@ def exclusion_one_sided(subject: ProcessSubject | ModuleSubject) -> Iterator[Fou
 
 
 @rule("L31", ERROR, "ETG.2000 Exclude: the PDOs may not be assigned at the same time")
-def exclusive_defaults(subject: ProcessSubject) -> Iterator[Found]:
+def exclusive_defaults(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """Two PDOs that exclude each other are both assigned by default, or a PDO excludes itself."""
     if not _any_excludes(subject):
         return
     for placed in subject.pdos:
         for number, item in enumerate(placed.pdo.excludes):
-            if item.pdo_index is not None and item.pdo_index == placed.pdo.pdo_index:
+            if item.pdo_index is not None and _in_slots(item) == _in_slots(placed.pdo):
                 yield Found(
                     f"{_words(placed.direction, item.pdo_index)} excludes itself: remove that Exclude",
                     (*placed.place, "excludes", number),
@@ -125,10 +127,27 @@ def _any_excludes(subject: ProcessSubject | ModuleSubject) -> bool:
     return any(placed.pdo.excludes for placed in subject.pdos)
 
 
-def _assigned_by_default(subject: ProcessSubject) -> list[PlacedPdo]:
+def _in_slots(item: Pdo | Exclude) -> tuple[int | None, bool, bool]:
+    """What decides on the index in any slot."""
+    return item.pdo_index, bool(item.depend_on_slot), bool(item.depend_on_slot_group)
+
+
+def _processes(subject: ProcessSubject | ModuleSubject) -> list[ProcessData]:
+    """What the devices exchange that it can be a part of."""
+    if isinstance(subject, ProcessSubject):
+        return [subject.data]
+    return [host.derivation.process_data for host in subject.hosts]
+
+
+def _listed_sms(mode: OpMode | None) -> set[int | None]:
+    """The SyncManagers to which an OpMode assigns PDOs itself."""
+    return {item.no for item in mode.sm_assignments if item.pdos} if mode is not None else set()
+
+
+def _assigned_by_default(subject: ProcessSubject | ModuleSubject) -> list[PlacedPdo]:
     """PDOs with Sm, but not those whose SyncManager the default OpMode assigns itself."""
-    mode = subject.data.default_op_mode
-    listed = {item.no for item in mode.sm_assignments if item.pdos} if mode is not None else set()
+    of_modes = [_listed_sms(data.default_op_mode) for data in _processes(subject)]
+    listed = set.intersection(*of_modes) if of_modes else set()
     return [
         placed
         for placed in subject.pdos
@@ -143,13 +162,12 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
         return
     hosts = [] if isinstance(subject, ProcessSubject) else subject.hosts
     modules = subject.modules if isinstance(subject, ProcessSubject) else [m for host in hosts for m in host.modules]
-    processes = [subject.data] if isinstance(subject, ProcessSubject) else [h.derivation.process_data for h in hosts]
     known = {placed.pdo.pdo_index for owner in (subject, *hosts, *modules) for placed in owner.pdos}
     for placed in subject.pdos:
         for number, item in enumerate(placed.pdo.excludes):
             if item.pdo_index is None or item.pdo_index in known:
                 continue
-            if not any(data.in_slots.has_pdo(item.pdo_index) for data in processes):
+            if not any(data.in_slots.has_pdo(item.pdo_index) for data in _processes(subject)):
                 yield Found(
                     f"{_words(placed.direction, placed.pdo.pdo_index)} excludes 0x{item.pdo_index:04X}, "
                     "which is no PDO of the device: correct or remove it",
@@ -217,12 +235,18 @@ def too_long_for_eeprom(pdo: Pdo) -> Iterator[Found]:
             )
 
 
-@rule("L65", WARNING, "CoE objects 0x1C10 + n (ETG.1000.6) and ETG.2000 Pdo/@Sm: both say what is assigned by default")
+@rule(
+    "L65",
+    WARNING,
+    "CoE objects 0x1C10 + n (ETG.1000.6) and ETG.2000 Pdo/@Sm, OpMode/Sm: they say what is assigned by default",
+)
 def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
-    """The defaults of 0x1C12 or 0x1C13 name other PDOs than those assigned by Sm."""
+    """The defaults of 0x1C12 or 0x1C13 name other PDOs than those assigned by Sm or the default OpMode."""
     if subject.is_modular:
         return
+    mode = subject.derivation.process_data.default_op_mode
     for image in subject.derivation.images:
+        lists = image.sm in _listed_sms(mode)
         entries = subject.own.entries(_ASSIGNMENT_OBJECT + image.sm)
         if not entries:
             continue
@@ -234,9 +258,10 @@ def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
         }
         assigned = {placed.pdo.pdo_index for placed in image.pdos}
         if defaults and defaults != assigned:
+            assigns = f"the OpMode {mode.name!r} assigns" if mode is not None and lists else f"Sm={image.sm} assigns"
             yield Found(
                 f"0x{_ASSIGNMENT_OBJECT + image.sm:04X} assigns {_indices(defaults)} by default, "
-                f"Sm={image.sm} assigns {_indices(assigned)}: which of them counts depends on the master",
+                f"{assigns} {_indices(assigned)}: which of them counts depends on the master",
                 subject.object_place(_ASSIGNMENT_OBJECT + image.sm),
             )
 
