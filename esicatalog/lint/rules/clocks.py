@@ -39,10 +39,10 @@ def sync1_times(subject: ProcessSubject) -> Iterator[Found]:
         if mode.assign_activate is None:
             continue
         if sync_signals(mode.assign_activate).sync1:
-            if mode.cycle_time_sync1_ns is None and mode.shift_time_sync1_ns is None:
+            if not (mode.cycle_time_sync1_ns or mode.cycle_time_sync1_factor or mode.shift_time_sync1_ns is not None):
                 yield Found(
                     f"{_words(number, mode)} makes SYNC1 (AssignActivate 0x{mode.assign_activate:04X}) "
-                    "without CycleTimeSync1: its time is unknown",
+                    f"{_without('CycleTimeSync1', mode.cycle_time_sync1_ns)}: its time is unknown; give it",
                     _at(number),
                     WARNING,
                 )
@@ -56,15 +56,21 @@ def sync1_times(subject: ProcessSubject) -> Iterator[Found]:
 
 @rule("L51", WARNING, "ETG.2000 OpMode/CycleTimeSync0")
 def sync0_time_missing(subject: ProcessSubject) -> Iterator[Found]:
-    """SYNC pulses without CycleTimeSync0."""
+    """SYNC pulses without CycleTimeSync0, or with 0 and no Factor; a device that makes them itself needs none."""
     for number, mode in enumerate(subject.data.op_modes):
         signals = sync_signals(mode.assign_activate)
-        if (signals.sync0 or signals.sync1) and mode.cycle_time_sync0_ns is None:
+        makes_pulses = (signals.sync0 or signals.sync1) and not signals.sync_unit_pdi
+        if makes_pulses and not (mode.cycle_time_sync0_ns or mode.cycle_time_sync0_factor):
             yield Found(
-                f"{_words(number, mode)} makes SYNC pulses without CycleTimeSync0: "
+                f"{_words(number, mode)} makes SYNC pulses {_without('CycleTimeSync0', mode.cycle_time_sync0_ns)}: "
                 "give it, 0 with Factor 1 for the bus cycle",
                 _at(number),
             )
+
+
+def _without(element: str, given_ns: int | None) -> str:
+    """How an element says no time: 0 counts with its Factor only."""
+    return f"without {element}" if given_ns is None else f"with {element} 0 and no Factor"
 
 
 @rule("L52", WARNING, "ETG.2000 OpMode: names select it, Sm/@No and Pdo refer to the device")

@@ -57,23 +57,28 @@ def declared_twice(record: DictionaryView | TypeSet | DataType) -> Iterator[Foun
     if isinstance(record, TypeSet):
         names = [data_type.name for data_type in record.data_types]
         for number, name in _repeated(names):
-            yield Found(f"DataType {name} is declared twice: the first counts", ("data_types", number, "name"))
+            yield Found(
+                f"DataType {name} is declared twice: the first counts; rename one", ("data_types", number, "name")
+            )
         return
     objects = record.dictionary.objects
     if len(record.by_index) == len(objects):
         return
     for number, index in _repeated([declared.object_index for declared in objects]):
-        yield Found(f"object 0x{index:04X} is declared twice", ("objects", number, "object_index"))
+        yield Found(f"object 0x{index:04X} is declared twice: remove one", ("objects", number, "object_index"))
 
 
 def _sub_items_twice(data_type: DataType) -> Iterator[Found]:
     for number, name in _repeated([sub_item.name for sub_item in data_type.sub_items]):
         yield Found(
-            f"SubItem {name!r} occurs twice in DataType {data_type.name}: values are paired by name",
+            f"SubItem {name!r} occurs twice in DataType {data_type.name}: values are paired by name; rename one",
             ("sub_items", number, "name"),
         )
     for number, subindex in _repeated([sub_item.subindex for sub_item in data_type.sub_items]):
-        yield Found(f"SubIdx {subindex} occurs twice in DataType {data_type.name}", ("sub_items", number, "subindex"))
+        yield Found(
+            f"SubIdx {subindex} occurs twice in DataType {data_type.name}: renumber one",
+            ("sub_items", number, "subindex"),
+        )
 
 
 def _repeated(keys: list[str | None] | list[int | None]) -> list[tuple[int, object]]:
@@ -95,7 +100,8 @@ def size_differs(subject: ObjectSubject) -> Iterator[Found]:
     index = declared.object_index or 0
     if declared.bit_size != data_type.bit_size and not any(index in dynamic for dynamic in _DYNAMIC):
         yield Found(
-            f"object 0x{index:04X} has BitSize {declared.bit_size}, its type {declared.type} {data_type.bit_size}",
+            f"object 0x{index:04X} has BitSize {declared.bit_size}, "
+            f"its type {declared.type} {data_type.bit_size}: correct one of them",
             ("bit_size",),
         )
 

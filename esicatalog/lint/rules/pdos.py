@@ -50,7 +50,8 @@ def index_twice(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
             continue
         if (placed.direction, index) in seen:
             yield Found(
-                f"{_words(placed.direction, index)} is described twice: an assignment by index means the first only",
+                f"{_words(placed.direction, index)} is described twice: an assignment by index means the first only; "
+                "give it another index",
                 (*placed.place, "pdo_index"),
             )
         seen.add((placed.direction, index))
@@ -197,7 +198,7 @@ def padding_with_type(pdo: Pdo) -> Iterator[Found]:
             carried = f"SubIndex {entry.subindex}" if entry.subindex else f"DataType {entry.data_type}"
             yield Found(
                 f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} is padding (index 0) with {carried}, "
-                "which means nothing",
+                "which means nothing: remove it",
                 ("entries", number),
             )
 

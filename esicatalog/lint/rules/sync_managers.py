@@ -86,7 +86,8 @@ def memory_overlap(subject: ProcessSubject) -> Iterator[Found]:
     for (start, end, number), (next_start, next_end, next_number) in overlaps(_areas(subject)):
         yield Found(
             f"SM {number} takes 0x{start:04X} to 0x{end - 1:04X} and SM {next_number} starts at "
-            f"0x{next_start:04X}: they overlap by {min(end, next_end) - next_start} bytes",
+            f"0x{next_start:04X}: they overlap by {min(end, next_end) - next_start} bytes; "
+            "move one of them, or correct DefaultSize",
             ("sync_managers", next_number),
         )
 
@@ -127,7 +128,8 @@ def default_size_against_pdos(subject: ProcessSubject) -> Iterator[Found]:
         size = _image_bytes(subject, number)
         if size and size != sm.default_size:
             yield Found(
-                f"SM {number} {sm.usage} has DefaultSize {sm.default_size}; its assigned PDOs take {size} bytes",
+                f"SM {number} {sm.usage} has DefaultSize {sm.default_size}; "
+                f"its assigned PDOs take {size} bytes: correct one of them",
                 ("sync_managers", number),
             )
 
@@ -148,12 +150,14 @@ def pdos_outside_sizes(subject: ProcessSubject) -> Iterator[Found]:
         size = _image_bytes(subject, number)
         if size and sm.max_size is not None and size > sm.max_size:
             yield Found(
-                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, MaxSize is {sm.max_size}",
+                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, "
+                f"MaxSize is {sm.max_size}: correct one of them",
                 ("sync_managers", number),
             )
         elif size and sm.min_size is not None and size < sm.min_size:
             yield Found(
-                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, MinSize is {sm.min_size}",
+                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, "
+                f"MinSize is {sm.min_size}: correct one of them",
                 ("sync_managers", number),
             )
 
@@ -163,15 +167,17 @@ def default_size(subject: ProcessSubject) -> Iterator[Found]:
     """A mailbox SyncManager without DefaultSize, or a DefaultSize outside of MinSize and MaxSize."""
     for number, sm, role in _with_roles(subject):
         place: Place = ("sync_managers", number)
-        if sm.default_size is None:
-            if role.is_mailbox and is_absent(sm, "default_size"):
-                yield Found(f"SM {number} {sm.usage} has no DefaultSize: the mailbox has no length; give it", place)
+        if role.is_mailbox and (sm.default_size == 0 or is_absent(sm, "default_size")):
+            words = "no DefaultSize" if sm.default_size is None else "DefaultSize 0"
+            yield Found(f"SM {number} {sm.usage} has {words}: the mailbox has no length; give it", place)
+        elif sm.default_size is None:
+            continue
         elif (sm.min_size is not None and sm.default_size < sm.min_size) or (
             sm.max_size is not None and sm.default_size > sm.max_size
         ):
             yield Found(
                 f"SM {number} {sm.usage} has DefaultSize {sm.default_size}, "
-                f"outside of {_number(sm.min_size)} to {_number(sm.max_size)}",
+                f"outside of {_number(sm.min_size)} to {_number(sm.max_size)}: correct one of them",
                 place,
             )
 
