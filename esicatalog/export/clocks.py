@@ -121,8 +121,7 @@ def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int) -> 
 def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
     """What the OpMode says at this bus cycle; None without AssignActivate, which means no distributed clocks.
 
-    Raises :class:`InputError` when the signals would drift because the cycle cannot be divided as the OpMode says, and
-    for what does not fit the registers of the slave controller.
+    Raises :class:`InputError` when the signals would drift because the cycle cannot be divided as the OpMode says.
     """
     if op_mode is None or not op_mode.assign_activate:
         return None

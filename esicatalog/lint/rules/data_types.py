@@ -8,10 +8,8 @@ from esicatalog.lint.dictionaries import ObjectSubject
 from esicatalog.lint.registry import ERROR, WARNING, Found, rule
 from esicatalog.model.base_types import base_type
 from esicatalog.model.dictionary_views import DictionaryView
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.resolver import TypeSet
-
-_DYNAMIC = (range(0x1600, 0x1C00), range(0x1C10, 0x1C30))
-"""PDO mapping and assignment: objects whose length follows what is mapped and assigned."""
 
 
 @rule("L41", ERROR, "EtherCATBase.xsd keyref: Object/Type, SubItem/Type and BaseType name a DataType of the dictionary")
@@ -98,12 +96,17 @@ def size_differs(subject: ObjectSubject) -> Iterator[Found]:
     if data_type is None or declared.bit_size is None or data_type.bit_size is None:
         return
     index = declared.object_index or 0
-    if declared.bit_size != data_type.bit_size and not any(index in dynamic for dynamic in _DYNAMIC):
+    if declared.bit_size != data_type.bit_size and not _is_dynamic(index):
         yield Found(
             f"object 0x{index:04X} has BitSize {declared.bit_size}, "
             f"its type {declared.type} {data_type.bit_size}: correct one of them",
             ("bit_size",),
         )
+
+
+def _is_dynamic(index: int) -> bool:
+    """Whether the length of an object follows what is mapped or assigned."""
+    return is_pdo_mapping(index) or index in PDO_ASSIGNMENTS
 
 
 @rule("L44", WARNING, "ETG.2000 SubItem/BitOffs, BitSize: the complete-access image; SubIndex 0 lies at its start")

@@ -5,15 +5,13 @@ from collections.abc import Iterable, Iterator
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.pdo import Exclude, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
-from esicatalog.lint.subjects import DIRECTIONS, DeviceSubject, ModuleSubject, PlacedPdo, ProcessSubject, is_absent
-from esicatalog.model.pdo_facts import entry_facts, symmetric_exclusions
+from esicatalog.lint.subjects import DIRECTIONS, DeclaredPdo, DeviceSubject, ModuleSubject, ProcessSubject, is_absent
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, entry_facts, symmetric_exclusions
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
 
-_RANGES = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
 _MAX_SII_BITS = 255
-_ASSIGNMENT_OBJECT = 0x1C10
 
 
 def _words(direction: str, index: int | None) -> str:
@@ -64,7 +62,7 @@ def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
     if mailbox is not None and mailbox.soe and not mailbox.coe:
         return  # the PDOs of a SoE drive are the IDNs of its telegrams
     for direction, field in DIRECTIONS.items():
-        allowed = _RANGES[direction]
+        allowed = PDO_MAPPINGS[direction]
         for position, pdo in enumerate(getattr(subject.record, field)):
             index = pdo.pdo_index
             if index not in allowed and index is not None and not pdo.virtual:
@@ -145,7 +143,7 @@ def _listed_sms(mode: OpMode | None) -> set[int | None]:
     return {item.no for item in mode.sm_assignments if item.pdos} if mode is not None else set()
 
 
-def _assigned_by_default(subject: ProcessSubject | ModuleSubject) -> list[PlacedPdo]:
+def _assigned_by_default(subject: ProcessSubject | ModuleSubject) -> list[DeclaredPdo]:
     """PDOs with Sm, but not those whose SyncManager the default OpMode assigns itself."""
     of_modes = [_listed_sms(data.default_op_mode) for data in _processes(subject)]
     listed = set.intersection(*of_modes) if of_modes else set()
@@ -248,7 +246,7 @@ def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
     mode = subject.derivation.process_data.default_op_mode
     for image in subject.derivation.images:
         lists = image.sm in _listed_sms(mode)
-        entries = subject.own.entries(_ASSIGNMENT_OBJECT + image.sm)
+        entries = subject.own.entries(PDO_ASSIGNMENTS.start + image.sm)
         if not entries:
             continue
         count = entries[0].default_int if 0 in entries else None
@@ -261,9 +259,9 @@ def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
         if defaults and defaults != assigned:
             assigns = f"the OpMode {mode.name!r} assigns" if mode is not None and lists else f"Sm={image.sm} assigns"
             yield Found(
-                f"0x{_ASSIGNMENT_OBJECT + image.sm:04X} assigns {_indices(defaults)} by default, "
+                f"0x{PDO_ASSIGNMENTS.start + image.sm:04X} assigns {_indices(defaults)} by default, "
                 f"{assigns} {_indices(assigned)}: which of them counts depends on the master",
-                subject.object_place(_ASSIGNMENT_OBJECT + image.sm),
+                subject.object_place(PDO_ASSIGNMENTS.start + image.sm),
             )
 
 
