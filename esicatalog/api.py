@@ -269,6 +269,13 @@ class Catalog:
         with self._connection() as connection:
             yield from stored_findings(connection, rules)
 
+    def refused_documents(self) -> "Iterator[DocumentFinding]":
+        """The documents that the ingest could not read, each with the reason as a finding of L01."""
+        from esicatalog.catalog.stored_findings import refused_documents
+
+        with self._connection() as connection:
+            yield from refused_documents(connection)
+
     def check(self) -> "CheckResult":
         """Verify the database, its references and the stored content hash."""
         from esicatalog.catalog.check import check_catalog

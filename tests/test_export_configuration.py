@@ -227,7 +227,7 @@ def test_a_virtual_sync_manager_is_not_configured():
 
 
 def test_a_pdo_without_sync_manager_does_not_go_to_a_virtual_one():
-    with pytest.raises(InputError, match="has none for Outputs"):
+    with pytest.raises(InputError, match="has none for a RxPdo"):
         configured('<Sm Virtual="1">Outputs</Sm>' + pdo("RxPdo", "#x1600", 16), pdos=parse_pdo_choice("0x1600"))
 
 
@@ -470,6 +470,17 @@ def test_a_device_that_uses_the_time_only_gets_no_sync_signals():
     free = configured(SMS + modes)
     assert (free.clocks, free.remarks) == (None, ())
     assert next(choice_lines(free)) == "OpMode:   0 'FreeRun': no distributed clocks"
+
+
+@pytest.mark.parametrize("activate", ["#x10300", "-256"])
+def test_an_assign_activate_that_does_not_fit_its_registers_is_refused(activate):
+    with pytest.raises(InputError, match=r"'DC' has AssignActivate -?0x\w+, which does not fit the registers"):
+        configured(SMS + dc(("DC", times(activate, FACTOR_1))))
+
+
+def test_a_control_byte_of_more_than_8_bits_is_told():
+    (remark,) = configured(SMS.replace('ControlByte="#x64"', 'ControlByte="#x164"')).remarks
+    assert remark == "SM2 has the ControlByte 0x164, which does not fit its register of 8 bits"
 
 
 def test_a_cycle_that_cannot_be_divided_is_refused():

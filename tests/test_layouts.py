@@ -11,7 +11,7 @@ from esicatalog.esi.layouts import Layouts
 from esicatalog.esi.notes import Notes
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.dictionary import DataType, Flags, Object, SubItem
-from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.repeats import MARK
 
 ENTRY = '<Entry Fixed="true"><Index>{}</Index><BitLen>{}</BitLen><Name LcId="1033">{}</Name></Entry>'
@@ -42,6 +42,17 @@ def test_a_layout_that_is_met_often_is_read_without_the_parser():
         fixed=True,
         spelling={"fixed": "true"},
     )
+
+
+def test_a_text_that_does_not_fit_its_field_is_left_to_the_parser_which_finds_it():
+    words = "<Entry><Index>#x{:04X}</Index><SubIndex>{}</SubIndex><BitLen>8</BitLen></Entry>"
+    found = read(Entry, *[words.format(0x6000, n) for n in range(4)], words.format(0x16000, 1), words.format(1, 256))
+    assert found[3:] == [Entry(entry_index=0x6000, subindex=3, bit_length=8), None, None]
+
+
+def test_a_layout_with_an_attribute_that_breaks_the_format_is_left_to_the_parser():
+    words = '<Exclude DependOnSlot="yes">#x1600</Exclude>'
+    assert read(Exclude, *[words] * 5) == [None] * 5
 
 
 def test_spellings_stand_in_the_order_of_the_document():

@@ -1,5 +1,6 @@
 """``esicatalog lint``: what it reads, what it prints, how it ends."""
 
+import errno
 import io
 import json
 import re
@@ -15,6 +16,7 @@ from snippets import device, esi, write
 
 from esicatalog import Catalog
 from esicatalog.cli.lint import command, print_findings
+from esicatalog.esi import containers
 from esicatalog.esi.notes import Finding
 from esicatalog.lint.registry import chosen_rules
 from esicatalog.lint.report import DocumentFinding
@@ -85,6 +87,49 @@ def test_other_files_are_skipped_unless_named(tmp_path):
 def test_what_cannot_be_read_at_all_is_an_error(tmp_path):
     write(tmp_path, {"empty.xml": "", "a.xml": esi(device())})
     assert [(Path(item["file"]).name, item["rule"]) for item in found(tmp_path)] == [("empty.xml", "L01")]
+
+
+DEEP = "<EtherCATInfo>" + "<a>" * 300 + "</a>" * 300 + "</EtherCATInfo>"
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "options"),
+    [
+        ("deep.xml", DEEP, ["--select", "L18"]),
+        ("empty.xml", "", ["--ignore", "L01"]),
+        ("e.xml", ENI, ["--ignore", "L02"]),
+    ],
+)
+def test_a_refused_document_is_never_clean(tmp_path, name, text, options):
+    """Where the rule that would tell it is not chosen, it counts as unreadable."""
+    write(tmp_path, {name: text})
+    result = run(tmp_path / name, *options)
+    assert (result.stdout, result.exit_code) == ("", 1)
+    assert re.match(rf"esicatalog: .*{name}: .+\n0 errors", result.stderr)
+
+
+def test_a_refused_document_of_a_catalog_is_never_clean(tmp_path):
+    write(tmp_path / "esi", {"empty.xml": "", "a.xml": esi(device())})
+    db = tmp_path / "catalog.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([tmp_path / "esi"], jobs=1)
+    result = run("--db", db, "--select", "L18")
+    assert (result.stdout, result.exit_code) == ("", 1)
+    assert result.stderr == "esicatalog: empty.xml: the file is empty\n0 errors, 0 warnings, 0 infos\n"
+    assert [(item["file"], item["rule"]) for item in found("--db", db)] == [("empty.xml", "L01")]
+
+
+@pytest.mark.parametrize("options", [[], ["--select", "L18"]])
+def test_a_file_that_may_not_be_read_is_not_called_broken(tmp_path, monkeypatch, options):
+    write(tmp_path, {"a.xml": esi(device())})
+
+    def refuse(path: object) -> None:
+        raise PermissionError(errno.EACCES, "Permission denied")
+
+    monkeypatch.setattr(containers, "open_regular", refuse)
+    result = run(tmp_path, *options)
+    assert (result.stdout, result.exit_code) == ("", 1)
+    assert "a.xml: cannot be read: Permission denied\n" in result.stderr
 
 
 def test_select_and_ignore(tmp_path):
@@ -176,6 +221,17 @@ def test_findings_stored_in_a_catalog(tmp_path):
     assert [(item["file"], item["rule"], item["severity"]) for item in items] == [("a.xml", "L06", "E")] * 2
     assert run("--db", db).exit_code == 1
     assert run("--db", tmp_path / "missing.db").exit_code == 2
+
+
+def test_documents_of_one_relative_name_are_told_apart(tmp_path):
+    """They describe one identity differently, in two folders that were given to one ingest."""
+    write(tmp_path, {"p1/a.xml": esi(device()), "p2/a.xml": esi(device(name="Other"))})
+    db = tmp_path / "catalog.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([tmp_path / "p1", tmp_path / "p2"], jobs=1)
+    (item,) = found("--db", db, "--select", "L12")
+    assert item["file"] == str(tmp_path / "p2" / "a.xml")
+    assert f"with other content in {tmp_path / 'p1' / 'a.xml'}:" in item["message"]
 
 
 def test_a_damaged_finding_is_one_line(tmp_path):

@@ -95,7 +95,7 @@ def test_what_is_read_of_default_data_of_another_length(tmp_path, type_name, bit
     )
     write(tmp_path, {"a.xml": esi(device(dictionary(data_type, declared)))})
     (found,) = [item for item in findings(tmp_path / "a.xml") if item["rule"] == "L45"]
-    assert found["message"].endswith(f"0x2000:00 has DefaultData of {words}")
+    assert found["message"].endswith(f"0x2000:00 has DefaultData of {words}: correct it")
 
 
 SYNC_MANAGERS = (
@@ -244,6 +244,9 @@ def test_l55_looks_at_every_slot(tmp_path, instances, own, position):
     assert f"/Slot[{position}]" in found["path"]
 
 
+MOVE = "move one of them, or correct DefaultSize"
+
+
 def test_l22_counts_from_the_sync_manager_that_reaches_furthest(tmp_path):
     sync_managers = (
         '<Sm StartAddress="#x1000" ControlByte="#x26" DefaultSize="#x400" Enable="1">MBoxOut</Sm>'
@@ -252,8 +255,8 @@ def test_l22_counts_from_the_sync_manager_that_reaches_furthest(tmp_path):
         '<Sm StartAddress="#x1500" ControlByte="#x20" DefaultSize="4" Enable="1">Inputs</Sm>'
     )
     assert [item["message"] for item in linted(tmp_path, "L22", device(sync_managers))] == [
-        "SM 0 takes 0x1000 to 0x13FF and SM 1 starts at 0x1080: they overlap by 16 bytes",
-        "SM 0 takes 0x1000 to 0x13FF and SM 2 starts at 0x1100: they overlap by 12 bytes",
+        "SM 0 takes 0x1000 to 0x13FF and SM 1 starts at 0x1080: they overlap by 16 bytes; " + MOVE,
+        "SM 0 takes 0x1000 to 0x13FF and SM 2 starts at 0x1100: they overlap by 12 bytes; " + MOVE,
     ]
 
 

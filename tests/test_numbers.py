@@ -7,8 +7,12 @@ from hypothesis import strategies as st
 from esicatalog.esi.numbers import (
     BOOL,
     DEC,
+    DEC8,
+    DEC16,
     FLOAT,
     HEX,
+    HEX8,
+    HEX16,
     HEX_BINARY,
     IDENTITY,
     IMAGE,
@@ -20,7 +24,7 @@ from esicatalog.esi.numbers import (
     parse_real,
 )
 
-SCALARS = [HEX, DEC, IDENTITY, INT, INTEGER, BOOL, FLOAT, HEX_BINARY, IMAGE, TEXT]
+SCALARS = [HEX, HEX8, HEX16, DEC, DEC8, DEC16, IDENTITY, INT, INTEGER, BOOL, FLOAT, HEX_BINARY, IMAGE, TEXT]
 
 
 @pytest.mark.parametrize(
@@ -112,6 +116,29 @@ def test_an_int_has_32_bits(text):
     assert INT.read(text)[:2] == (int(text), None)
     assert INT.read(text).remark.rule == "L06"
     assert INTEGER.read(text) == (int(text), None, None)
+
+
+@pytest.mark.parametrize("scalar", [HEX16, DEC16])
+@pytest.mark.parametrize(("text", "value"), [("#x10000", 65536), ("65536", 65536), ("0x11000", 69632), ("-1", -1)])
+def test_what_does_not_fit_into_16_bits_is_kept_with_a_remark(scalar, text, value):
+    parsed = scalar.read(text)
+    assert parsed.value == value
+    assert parsed.remark == ("L06", "E", f"{text!r} does not fit into 16 bits; read as {value}")
+
+
+@pytest.mark.parametrize("scalar", [HEX8, DEC8])
+@pytest.mark.parametrize(("text", "value"), [("#x164", 356), ("256", 256)])
+def test_what_does_not_fit_into_8_bits_is_kept_with_a_remark(scalar, text, value):
+    parsed = scalar.read(text)
+    assert parsed.value == value
+    assert parsed.remark == ("L06", "E", f"{text!r} does not fit into 8 bits; read as {value}")
+
+
+def test_the_largest_numbers_of_8_and_16_bits():
+    assert HEX16.read("#xFFFF") == (0xFFFF, None, None)
+    assert DEC16.read("65535") == (0xFFFF, None, None)
+    assert HEX8.read("#x00FF") == (0xFF, None, None)
+    assert DEC8.read("255") == (0xFF, None, None)
 
 
 def test_the_largest_ints():

@@ -114,6 +114,12 @@ def test_pdos_of_the_other_direction_are_not_exchanged():
     assert found[2].remarks == ("PDO 0x1A00 is left out: it is a TxPdo, SM2 is for Outputs",)
 
 
+def test_a_mailbox_exchanges_no_pdos():
+    found = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="0"'))
+    assert (indices(found[0]), found[0].byte_size) == ([], 0)
+    assert found[0].remarks == ("PDO 0x1600 is left out: it is a RxPdo, SM0 is for MBoxOut",)
+
+
 def test_of_listed_pdos_with_one_index_that_of_the_direction_counts():
     same = pdo("RxPdo", "#x1A00", 16) + pdo("TxPdo", "#x1A00", 32)
     listed = op_mode('<Sm No="3"><Pdo>#x1A00</Pdo></Sm>')

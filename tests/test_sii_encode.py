@@ -78,7 +78,7 @@ def test_a_string_table_gives_its_texts_back_or_refuses(texts):
 @pytest.mark.parametrize(
     ("image", "words"),
     [
-        (SiiImage(header=Header(vendor_id=2**32)), "Header: vendor_id 4294967296 does not fit"),
+        (SiiImage(header=Header(vendor_id=2**32)), "Header: vendor_id 4294967296 does not fit into 32 bits"),
         (SiiImage(header=Header(station_alias=-1)), "station_alias -1"),
         (SiiImage(header=Header(private=b"")), "private does not fit: 66 bytes needed, 0 given"),
         (

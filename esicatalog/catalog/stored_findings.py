@@ -1,7 +1,7 @@
 """What lint says of a catalog: the findings stored at ingest, and the rules across documents on the rows of devices."""
 
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import sqlalchemy as sa
 
@@ -10,30 +10,44 @@ from esicatalog.esi.notes import Finding
 from esicatalog.lint.library import DeviceFact, Hidden, device_path, lint_library
 from esicatalog.lint.registry import Rule
 from esicatalog.lint.report import DocumentFinding
+from esicatalog.lint.rules.reading import REFUSED
 
 
 def stored_findings(connection: sa.Connection, rules: Iterable[Rule]) -> Iterator[DocumentFinding]:
     """Findings of the chosen rules, by document and line; those across documents come last."""
     chosen = tuple(rules)
     ids = {rule.id for rule in chosen}
-    columns = (sources.c.member, *(findings.c[name] for name in Finding.__struct_fields__))
+    names = _names(connection)
     query = (
-        sa.select(*columns)
+        sa.select(*(findings.c[name] for name in ("source_id", *Finding.__struct_fields__)))
         .join_from(findings, sources)
         .order_by(sources.c.member, findings.c.line, sources.c.location, findings.c.id)
     )
-    if _UNREADABLE in ids:
-        refused = sa.select(sources.c.member, sources.c.message).where(sources.c.status == "failed")
-        for member, message in connection.execute(refused.order_by(sources.c.member, sources.c.location)):
-            yield DocumentFinding(member, Finding(_UNREADABLE, "E", message or "cannot be read", 0))
-    for member, *values in connection.execute(query):
+    if REFUSED in ids:
+        yield from refused_documents(connection)
+    for source_id, *values in connection.execute(query):
         finding = Finding(*values)
         if finding.rule in ids:
-            yield DocumentFinding(member, finding)
-    yield from lint_library(_facts(connection), chosen)
+            yield DocumentFinding(names[source_id], finding)
+    yield from lint_library(_facts(connection, names), chosen)
 
 
-def _facts(connection: sa.Connection) -> list[DeviceFact]:
+def refused_documents(connection: sa.Connection) -> Iterator[DocumentFinding]:
+    """The documents that an ingest could not read: no rule has looked at them."""
+    names = _names(connection)
+    query = sa.select(sources.c.id, sources.c.message).where(sources.c.status == "failed")
+    for source_id, message in connection.execute(query.order_by(sources.c.member, sources.c.location)):
+        yield DocumentFinding(names[source_id], Finding(REFUSED, "E", message or "cannot be read", 0))
+
+
+def _names(connection: sa.Connection) -> dict[int, str]:
+    """How each document is called: by its member, by its location where several folders have such a member."""
+    rows = connection.execute(sa.select(sources.c.id, sources.c.member, sources.c.location)).all()
+    counts = Counter(row.member for row in rows)
+    return {row.id: row.member if counts[row.member] == 1 else row.location for row in rows}
+
+
+def _facts(connection: sa.Connection, names: Mapping[int, str]) -> list[DeviceFact]:
     """Every Device element of every document, as the rules across documents see it."""
     hidden: dict[int, list[Hidden]] = defaultdict(list)
     named = hidden_revisions.c
@@ -48,7 +62,6 @@ def _facts(connection: sa.Connection) -> list[DeviceFact]:
             device_sources.c.section,
             device_sources.c.position.label("number"),
             device_sources.c.line,
-            sources.c.member,
             sources.c.root,
             source_vendors.c.name.label("vendor_name"),
         )
@@ -65,7 +78,7 @@ def _facts(connection: sa.Connection) -> list[DeviceFact]:
     sections = Counter(source_id for source_id, _ in counts)
     return [
         DeviceFact(
-            row.member,
+            names[row.source_id],
             row.line,
             device_path(row.root, row.section, sections[row.source_id], row.number, counts[row.source_id, row.section]),
             row.vendor_id,
@@ -78,6 +91,3 @@ def _facts(connection: sa.Connection) -> list[DeviceFact]:
         )
         for row in rows
     ]
-
-
-_UNREADABLE = "L01"

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 import click
 
 from esicatalog.cli.common import EXIT_NO, format_option, print_json, reporting_errors
-from esicatalog.errors import DocumentError, InputError, NotAnEsiDocument
+from esicatalog.errors import DocumentError, InputError, NotAnEsiDocument, UnreadableDocument
 
 if TYPE_CHECKING:
     from esicatalog.esi.containers import Container
@@ -45,9 +45,11 @@ def command(
 ) -> None:
     """Check ESI files, folders (recursively) and zip archives by the rules L01 to L68.
 
-    Files that are no ESI are skipped unless they are named themselves. Exit code 1 when there are errors.
+    Files that are no ESI are skipped unless they are named themselves. Exit code 1 when there are errors, or
+    documents that could not be checked: these are told whatever rules are chosen.
     """
     from esicatalog.lint.registry import chosen_rules
+    from esicatalog.lint.report import summary
     from esicatalog.lint.rules import ALL_RULES
 
     rules = chosen_rules(ALL_RULES, _ids(select), _ids(ignore))
@@ -56,15 +58,12 @@ def command(
         return
     if bool(paths) == bool(db):
         raise InputError("name files, folders or archives to lint, or a catalog with --db")
-    if db:
-        run = None
-        items: Iterable[DocumentFinding] = _stored(db, rules)
-    else:
-        run = _Run(paths, rules, schema)
-        items = run.findings()
-    shown = print_findings(items, rules, output_format)
-    _print_summary(shown, run)
-    if any(finding.severity == "E" for finding in shown) or (run is not None and run.unreadable):
+    run = _StoredRun(db, rules) if db else _Run(paths, rules, schema)
+    shown = print_findings(run.findings(), rules, output_format)
+    for problem in run.unreadable:
+        click.echo(f"esicatalog: {problem}", err=True)
+    click.echo(summary(shown) + run.counts(), err=True)
+    if run.unreadable or any(finding.severity == "E" for finding in shown):
         sys.exit(EXIT_NO)
 
 
@@ -104,24 +103,27 @@ def _print_rules(rules: "Sequence[Rule]", output_format: str) -> None:
             click.echo(f"{row['rule']} {row['severity']}  {row['title']}\n       {row['reference']}")
 
 
-def _print_summary(shown: "list[Finding]", run: "_Run | None") -> None:
-    from esicatalog.lint.report import summary
+class _StoredRun:
+    """What an ingest found, and what the documents of a catalog contradict each other in."""
 
-    words = summary(shown)
-    if run is not None:
-        words += f"; documents: {run.document_count}"
-        if run.skipped_count:
-            words += f", skipped as no ESI: {run.skipped_count}"
-        for problem in run.unreadable:
-            click.echo(f"esicatalog: {problem}", err=True)
-    click.echo(words, err=True)
+    def __init__(self, db: str, rules: "Sequence[Rule]") -> None:
+        self._db = db
+        self._rules = rules
+        self.unreadable: list[str] = []
 
+    def findings(self) -> "Iterator[DocumentFinding]":
+        """All findings; those across documents come last."""
+        from esicatalog.api import Catalog
+        from esicatalog.lint.rules.reading import REFUSED
 
-def _stored(db: str, rules: "Sequence[Rule]") -> "Iterator[DocumentFinding]":
-    from esicatalog.api import Catalog
+        with Catalog.open(self._db, read_only=True) as catalog:
+            if not any(rule.id == REFUSED for rule in self._rules):  # then no finding tells them
+                self.unreadable += [f"{item.document}: {item.finding.message}" for item in catalog.refused_documents()]
+            yield from catalog.findings(self._rules)
 
-    with Catalog.open(db, read_only=True) as catalog:
-        yield from catalog.findings(rules)
+    def counts(self) -> str:
+        """How many documents were looked at; an ingest has told it."""
+        return ""
 
 
 def _documents(item: "Found | FoundArchive") -> "Iterable[Found]":
@@ -166,14 +168,15 @@ class _Run:
         self._digests = Digests()
         self._facts: list[DeviceFact] = []
         self._opened: tuple[tuple[str, tuple[str, ...]], Container] | None = None
-        self.document_count = 0
-        self.skipped_count = 0
+        self._document_count = 0
+        self._skipped_count = 0
         self.unreadable: list[str] = []
 
     def findings(self) -> "Iterator[DocumentFinding]":
         """All findings; those across documents come last."""
         from esicatalog.lint.library import lint_library
         from esicatalog.lint.report import DocumentFinding
+        from esicatalog.lint.rules.reading import NO_ESI, REFUSED
 
         named = {os.path.realpath(path) for path in self._paths}
         for found in self._found():
@@ -183,16 +186,21 @@ class _Run:
                     yield DocumentFinding(shown, finding)
             except NotAnEsiDocument as error:
                 if found.location in named:
-                    yield from self._refused(shown, "L02", error)
+                    yield from self._refused(shown, NO_ESI, error)
                 else:
-                    self.skipped_count += 1
-            except DocumentError as error:
-                yield from self._refused(shown, "L01", error)
-            except InputError as error:
+                    self._skipped_count += 1
+            except (InputError, UnreadableDocument) as error:
                 self.unreadable.append(f"{shown}: {error}")
+            except DocumentError as error:
+                yield from self._refused(shown, REFUSED, error)
             except (MemoryError, RecursionError):
                 self.unreadable.append(f"{shown}: too large or too deep to be checked")
         yield from lint_library(self._facts, self._rules)
+
+    def counts(self) -> str:
+        """How many documents were looked at and left out, in words behind the summary."""
+        skipped = f", skipped as no ESI: {self._skipped_count}" if self._skipped_count else ""
+        return f"; documents: {self._document_count}{skipped}"
 
     def _found(self) -> "Iterator[Found]":
         from esicatalog.ingest.discover import discover
@@ -202,7 +210,7 @@ class _Run:
                 if found.problem is None:
                     yield found
                 elif found.problem[0] == "skipped":
-                    self.skipped_count += 1
+                    self._skipped_count += 1
                 else:
                     self.unreadable.append(f"{_shown(found.location)}: {found.problem[1]}")
 
@@ -216,7 +224,7 @@ class _Run:
             read, tree = self._reader.read_tree(container.read(found.name), found.name, container)
         else:
             read, tree = pulled.document, _once(pulled.tree)
-        self.document_count += 1
+        self._document_count += 1
         findings = self._linter.document(
             read, tree, lambda name: resolve_reference(container, found.name, name) is not None
         )
@@ -245,9 +253,12 @@ class _Run:
         return self._opened[1]
 
     def _refused(self, shown: str, rule_id: str, error: DocumentError) -> "Iterator[DocumentFinding]":
+        """Tell that nothing of a document was checked, whatever rules are chosen."""
         from esicatalog.esi.notes import Finding
         from esicatalog.lint.report import DocumentFinding
 
-        self.document_count += 1
+        self._document_count += 1
         if any(rule.id == rule_id for rule in self._rules):
             yield DocumentFinding(shown, Finding(rule_id, "E", str(error), error.line))
+        else:
+            self.unreadable.append(f"{shown}: {error}")

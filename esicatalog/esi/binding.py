@@ -217,7 +217,7 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
             notes.unmapped_attribute(element, name, text, repeated=True)
         else:
             if (remark := store(slot, text, values)) is not None:
-                notes.remark(element, remark)
+                notes.remark(element, remark, name)
     text_slot = node.text
     if text_slot is not None:
         if text_slot.name not in values or text_slot.many:

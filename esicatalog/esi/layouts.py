@@ -20,7 +20,7 @@ from lxml import etree
 from esicatalog.esi.binding import Field, Record, Slot, fields_of, is_record, read_record, shared, store
 from esicatalog.esi.documents import make_parser
 from esicatalog.esi.notes import Notes
-from esicatalog.esi.numbers import TEXT
+from esicatalog.esi.numbers import TEXT, Remark
 from esicatalog.esi.repeats import MARK
 
 _TAGS = re.compile(r"(<[^!][^>]*+>(?:\s*+<[^!][^>]*+>)*+)")
@@ -35,7 +35,7 @@ _MAX_KNOWN = 10_000
 _LONGEST_KNOWN = 200
 """Characters of the texts of such a record."""
 _NUMBER = "0100000"
-"""Begins the numbers of a specimen: good for all scalars but booleans, and no canonical spelling of a number."""
+"""Begins the numbers of a specimen: read by all scalars but booleans, and no canonical spelling of a number."""
 _NUMBERS = re.compile(rf"0?{int(_NUMBER)}(\d{{3}})")
 _MAX_TEXTS = 1_000
 _NESTS_DEEP = etree.XPath(f"boolean(/*{'/*' * 50})")
@@ -99,7 +99,7 @@ class Layouts:
         numbers = [f"{_NUMBER}{place:03}" for place in range(len(tags) - 1)]
         places: dict[Any, int] = {int(number): place for place, number in enumerate(numbers)}
         places |= {number: place for place, number in enumerate(numbers)}
-        notes = Notes(cut=self._specimen)
+        notes = _SpecimenNotes(self._specimen)
         try:
             words = "".join([tag + number for tag, number in zip(tags, [*numbers, ""], strict=True)])
             element = etree.fromstring(words.encode(), make_parser())
@@ -109,7 +109,7 @@ class Layouts:
             layout = _Layout(record, places, self._known)
         except (etree.XMLSyntaxError, _Unfit):
             return None
-        return layout if not notes.findings and layout.places == list(range(len(numbers))) else None
+        return layout if notes.are_sound and layout.places == list(range(len(numbers))) else None
 
 
 def _meanings(texts: list[Any]) -> list[Any] | None:
@@ -152,6 +152,27 @@ class _Specimen:
     def count(self, element: etree._Element) -> int:
         """Positions of elements do not matter."""
         return 1
+
+
+class _SpecimenNotes(Notes):
+    """Notes on a specimen: what is remarked on its numbers says nothing about the texts that they stand for.
+
+    They are too large for most fields; each text is looked at itself when it is met.
+    """
+
+    def __init__(self, specimen: _Specimen) -> None:
+        super().__init__(cut=specimen)
+        self._on_numbers = 0
+
+    def remark(self, element: etree._Element, remark: Remark, attribute: str | None = None) -> None:
+        """A scalar that breaks the format: a number, or what every part of the layout has."""
+        super().remark(element, remark, attribute)
+        self._on_numbers += attribute is None and _NUMBERS.fullmatch(element.text or "") is not None
+
+    @property
+    def are_sound(self) -> bool:
+        """Whether nothing was found but what is remarked on numbers."""
+        return len(self.findings) == self._on_numbers
 
 
 _Known = defaultdict[str, dict[Any, tuple[Record]]]

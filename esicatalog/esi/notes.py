@@ -119,9 +119,10 @@ class Notes:
             node = parent
         return "/".join(reversed(steps))
 
-    def remark(self, element: etree._Element, remark: Remark) -> None:
-        """A scalar that breaks the format, at ``element``."""
-        self.find(element, remark.rule, remark.severity, f"{element.tag!s}: {remark.message}")
+    def remark(self, element: etree._Element, remark: Remark, attribute: str | None = None) -> None:
+        """A scalar that breaks the format: the text of ``element``, or one of its attributes."""
+        place = str(element.tag) if attribute is None else f"{element.tag!s}/@{attribute}"
+        self.find(element, remark.rule, remark.severity, f"{place}: {remark.message}")
 
     def find(self, element: etree._Element, rule: str, severity: str, message: str) -> None:
         """A finding at ``element``."""

@@ -95,13 +95,18 @@ def parse_hex_dec(text: str) -> int | None:
     return int(match["dec"]) if match["dec"] else int(match["hex"], 16)
 
 
-def _hex_dec(limit: int) -> Callable[[str], tuple[int | None, Remark | None]]:
+def _hex_dec(limit: int, bits: int | None = None) -> Callable[[str], tuple[int | None, Remark | None]]:
+    """Reads a HexDecValue up to ``limit``; one of ``bits`` bits has to fit these without sign."""
+    fitting = range(1 << bits) if bits is not None else None
+
     def parse(text: str) -> tuple[int | None, Remark | None]:
         value = parse_hex_dec(text)
         if value is None:
             return None, Remark("L06", "E", f"{_quoted(text)} is not a HexDecValue; kept as text")
         if value > limit or (value < 0 and limit == UINT32_MAX) or value < -limit:
             return None, Remark("L06", "E", f"{_quoted(text)} is out of range; kept as text")
+        if fitting is not None and value not in fitting:
+            return value, Remark("L06", "E", f"{_quoted(text)} does not fit into {bits} bits; read as {value}")
         if text[:1] == "#" and text[2:4].lower() == "0x":
             return value, Remark("L06", "E", f"{_quoted(text)} carries two prefixes; read as {value}")
         if text[:2].lower() == "0x":
@@ -176,10 +181,22 @@ def _spell_float(value: float) -> str:
     return str(int(value)) if value.is_integer() and abs(value) < 1e15 else repr(value)
 
 
-HEX = Scalar("HexDecValue", _hex_dec(MAX_STORED), lambda value: f"#x{value:04X}")
-"""HexDecValue usually written in hex: indices, addresses, masks."""
+def _spell_hex(value: int) -> str:
+    return f"#x{value:04X}"
+
+
+HEX = Scalar("HexDecValue", _hex_dec(MAX_STORED), _spell_hex)
+"""HexDecValue usually written in hex: masks, notations."""
+HEX16 = Scalar("HexDecValue (16 bits)", _hex_dec(MAX_STORED, 16), _spell_hex)
+"""The same of 16 bits: indices of objects and PDOs, addresses and registers of the slave controller."""
+HEX8 = Scalar("HexDecValue (8 bits)", _hex_dec(MAX_STORED, 8), _spell_hex)
+"""The same of 8 bits: ControlByte."""
 DEC = Scalar("HexDecValue", _hex_dec(MAX_STORED), str)
-"""HexDecValue usually written in decimal: subindices, sizes, counts."""
+"""HexDecValue usually written in decimal: values, counts."""
+DEC16 = Scalar("HexDecValue (16 bits)", _hex_dec(MAX_STORED, 16), str)
+"""The same of 16 bits: lengths of SyncManagers."""
+DEC8 = Scalar("HexDecValue (8 bits)", _hex_dec(MAX_STORED, 8), str)
+"""The same of 8 bits: subindices."""
 IDENTITY = Scalar("HexDecValue (uint32)", _hex_dec(UINT32_MAX), lambda value: f"#x{value:08X}")
 """uint32 identity number: vendor, product, revision, serial, module ident."""
 INT = Scalar("xs:int", _int, str)

@@ -16,6 +16,7 @@ from esicatalog.export.choice import DEFAULT_CYCLE_NS
 from esicatalog.model.sync import SyncSignals, asked_positions, default_position, sync_signals
 
 _UINT32_MAX, _INT32_MAX = 0xFFFF_FFFF, 0x7FFF_FFFF
+_ASSIGN_ACTIVATE = range(0x1_0000)
 _TIME_LOOP_CONTROL_ONLY = (
     "Dc/TimeLoopControlOnly: the device uses the DC time and no SYNC or LATCH signal, so that a master writes none of "
     "the registers 0x0940 to 0x09FF, and AssignActivate 0x{:04X} of the OpMode is left out; the clocks of the bus have "
@@ -202,7 +203,7 @@ def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
             f"ShiftTimeSync0 has Factor {op_mode.shift_time_sync0_factor}, which is left out: its rule is not public; "
             "compare with a known configuration of the device"
         )
-    found = Clocks(op_mode.assign_activate & 0xFFFF, signals, sync0, shift_ns, delay, tuple(remarks))
+    found = Clocks(op_mode.assign_activate, signals, sync0, shift_ns, delay, tuple(remarks))
     if cycle_ns % found.divisor:
         raise InputError(
             f"OpMode {op_mode.name!r} divides the bus cycle by {found.divisor}; {cycle_ns} ns is no multiple of that: "
@@ -244,6 +245,11 @@ def _sync1_delay(op_mode: OpMode, sync0: Time, cycle_ns: int, remarks: list[str]
 
 
 def _check_range(found: Clocks, name: str | None, cycle_ns: int) -> None:
+    if found.assign_activate not in _ASSIGN_ACTIVATE:
+        raise InputError(
+            f"OpMode {name!r} has AssignActivate {found.assign_activate:#x}, which does not fit the registers 0x0980 "
+            "and 0x0981: correct it, or choose another OpMode"
+        )
     times = (found.sync0_cycle.in_ns(cycle_ns), found.sync1_delay.in_ns(cycle_ns))
     if not all(0 <= time <= _UINT32_MAX for time in times) or abs(found.sync0_shift_ns) > _INT32_MAX:
         raise InputError(f"OpMode {name!r} has times that do not fit the registers of the slave controller")

@@ -21,11 +21,11 @@ from esicatalog.export.subject import Subject
 from esicatalog.model.pdo_facts import has_length
 from esicatalog.model.process_image import PlacedPdo, SmImage, process_image
 from esicatalog.model.slots import PluggedModule, chosen_modules, expand_module
-from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.sm_facts import sm_facts, sm_role
 
 OUTPUT, INPUT = "output", "input"
-_DIRECTION_OF_USAGE = {"Outputs": OUTPUT, "Inputs": INPUT, "MBoxOut": OUTPUT, "MBoxIn": INPUT}
 _DIRECTION_OF_PDO = {"RxPdo": OUTPUT, "TxPdo": INPUT}
+_CONTROL_BYTES = range(0x100)
 _MAX_INDEX, _MAX_SUBINDEX, _UINT32_MAX = 0xFFFF, 0xFF, 0xFFFF_FFFF
 
 
@@ -257,6 +257,8 @@ def _sync_managers(
             continue
         if described is None:
             remarks.append(f"PDOs name SM{number}, which the device does not describe")
+        elif (control := described.control_byte or 0) not in _CONTROL_BYTES:
+            remarks.append(f"SM{number} has the ControlByte {control:#x}, which does not fit its register of 8 bits")
         pdos: list[AssignedPdo] = []
         is_placed = True
         for at, placed in enumerate(placed_pdos):
@@ -288,7 +290,8 @@ def _not_described(number: int, pdos: Sequence[AssignedPdo]) -> Iterator[str]:
 def _direction(number: int, described: SyncManager | None, pdos: Sequence[AssignedPdo], remarks: list[str]) -> str:
     """Direction of a SyncManager: by its ControlByte, else by its usage, else by its PDOs."""
     by_control = sm_facts(described).transfer_direction if described is not None else None
-    by_usage = _DIRECTION_OF_USAGE.get(described.usage or "") if described is not None else None
+    role = sm_role(described) if described is not None else None
+    by_usage = role.transfer_direction if role is not None else None
     by_pdos = {_DIRECTION_OF_PDO[pdo.direction] for pdo in pdos}
     direction = by_control or by_usage or next(iter(sorted(by_pdos)), INPUT)
     if (by_pdos | {by_usage or direction}) != {direction}:

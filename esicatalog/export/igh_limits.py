@@ -7,7 +7,8 @@ from collections.abc import Iterator
 
 from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration
-from esicatalog.export.init_cmds import PDO_ASSIGNMENT, StartCommand
+from esicatalog.export.init_cmds import StartCommand
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS
 
 MAX_SYNC_MANAGERS = 16
 """EC_MAX_SYNC_MANAGERS."""
@@ -31,7 +32,7 @@ def master_written(configuration: Configuration) -> frozenset[StartCommand]:
     A SyncManager without described entries is not configured: what the description writes for it nobody else does.
     """
     configured = [sm for sm in configuration.sync_managers if sm.is_described]
-    written = {PDO_ASSIGNMENT.start + sm.number for sm in configured}
+    written = {PDO_ASSIGNMENTS.start + sm.number for sm in configured}
     written |= {pdo.pdo_index for sm in configured for pdo in sm.pdos}
     return frozenset(
         command

@@ -8,14 +8,13 @@ from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.model.cia402 import AXIS_STEP
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
 
 START_TRANSITIONS = ("IP", "PS", "SO")
 """In the order of a start."""
 TRANSITIONS = (*START_TRANSITIONS, "SP", "OP", "OS")
 """The last three lead back."""
-PDO_ASSIGNMENT = range(0x1C10, 0x1C30)
-PDO_MAPPINGS = (range(0x1600, 0x1800), range(0x1A00, 0x1C00))
 MODULE_IDENT_LIST = 0xF030
 _SYNC_PARAMETERS = (0x1C32, 0x1C33)
 _NS_OF_CYCLE_UNIT = {
@@ -48,9 +47,7 @@ class StartCommand(NamedTuple):
     @property
     def writes_pdo_configuration(self) -> bool:
         """Whether it writes a PDO assignment or mapping, which masters write themselves."""
-        return self.protocol == "CoE" and (
-            self.object_index in PDO_ASSIGNMENT or any(self.object_index in mappings for mappings in PDO_MAPPINGS)
-        )
+        return self.protocol == "CoE" and (self.object_index in PDO_ASSIGNMENTS or is_pdo_mapping(self.object_index))
 
     @property
     def place(self) -> str:

@@ -16,8 +16,8 @@ from esicatalog.model.pdo_facts import symmetric_exclusions
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
 from esicatalog.model.process_image import Assignment, SmImage
 from esicatalog.model.slots import PluggedModule, expand_module
+from esicatalog.model.sm_facts import sm_role
 
-_USAGE_OF_DIRECTION = {"RxPdo": "Outputs", "TxPdo": "Inputs"}
 _FIELDS = {"RxPdo": "rx_pdos", "TxPdo": "tx_pdos"}
 
 Owner = TypeVar("Owner", Device, Module)
@@ -108,12 +108,13 @@ def _find(available: Iterable[_Available], wanted: PdoChoice) -> _Available:
 
 def _sync_manager(device: Device, found: _Available) -> int:
     """Its own SyncManager, else the first one for process data of its direction that it may go to."""
-    pdo, usage = found.pdo, _USAGE_OF_DIRECTION[found.direction]
+    pdo = found.pdo
     if pdo.sm is not None:
         if 0 <= pdo.sm < len(device.sync_managers) and device.sync_managers[pdo.sm].virtual:
             raise InputError(f"PDO 0x{pdo.pdo_index or 0:04X} is described, not transported: SM{pdo.sm} is virtual")
         return pdo.sm
-    numbers = [n for n, sm in enumerate(device.sync_managers) if sm.usage == usage and not sm.virtual]
+    roles = [None if sm.virtual else sm_role(sm) for sm in device.sync_managers]
+    numbers = [n for n, role in enumerate(roles) if role is not None and role.pdo_direction == found.direction]
     for number in numbers:
         if number not in pdo.excluded_sms:
             if device.sync_managers[number].fixed_assignment:
@@ -121,7 +122,8 @@ def _sync_manager(device: Device, found: _Available) -> int:
                     f"the assignment of SM{number} is fixed: PDO 0x{pdo.pdo_index or 0:04X} cannot be chosen"
                 )
             return number
-    why = f"may not go to SM{numbers[0]}" if numbers else f"has no SyncManager: the device has none for {usage}"
+    none = f"has no SyncManager: the device has none for a {found.direction}"
+    why = f"may not go to SM{numbers[0]}" if numbers else none
     raise InputError(f"PDO 0x{pdo.pdo_index or 0:04X} {why}")
 
 

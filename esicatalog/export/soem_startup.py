@@ -13,13 +13,13 @@ from esicatalog.export.esc_registers import (
     left_out,
     settable,
 )
-from esicatalog.export.init_cmds import PDO_ASSIGNMENT, StartCommand
+from esicatalog.export.init_cmds import StartCommand
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS
 
 _HOOK_TRANSITIONS = ("IP", "PS")
 """The hook runs in PRE-OP: the first chance for commands of IP, the right one for those of PS."""
 _MAX_COUNT, _MAX_BIT_LENGTH = 254, 255
 """Subindices of a PDO assignment or mapping, and bits that a mapping can express."""
-_ASSIGNMENT_OF_SM0 = 0x1C10
 
 
 _SYNC0_ACTIVE, _SYNC01_ACTIVE = 0x03, 0x07
@@ -106,9 +106,9 @@ def _pdo_configuration(configuration: Configuration) -> Iterator[StartCommand]:
     if mailbox is None or not mailbox.coe or not (mailbox.coe_pdo_assign or mailbox.coe_pdo_config):
         return
     assigned = [
-        (_ASSIGNMENT_OF_SM0 + sm.number, sm.pdos)
+        (PDO_ASSIGNMENTS.start + sm.number, sm.pdos)
         for sm in configuration.sync_managers
-        if sm.pdos and _ASSIGNMENT_OF_SM0 + sm.number in PDO_ASSIGNMENT and len(sm.pdos) <= _MAX_COUNT
+        if sm.pdos and PDO_ASSIGNMENTS.start + sm.number in PDO_ASSIGNMENTS and len(sm.pdos) <= _MAX_COUNT
     ]
     if mailbox.coe_pdo_assign:
         for index, _ in assigned:

@@ -61,8 +61,8 @@ class ObjectValues:
     def is_sound(self) -> bool:
         """Whether nothing about the values can be wrong, so that no rule needs to look at them.
 
-        Most objects have no values, numbers without limits, or defaults as long as their SubItems: they need not be
-        resolved.
+        Most objects have no values, small numbers without limits, or defaults as long as their SubItems: they need not
+        be resolved.
         """
         return self._are_harmless and self.is_paired
 
@@ -105,11 +105,16 @@ def _fit(pairs: _Pairs) -> bool:
 
 
 def _is_harmless(values: DeclaredValues, bit_size: int | None) -> bool:
-    """Whether there is no default, or one without limits: a number, or as many bytes as a known size asks for."""
-    data = values.default_data
+    """Whether there is no default, or one without limits that fits a known size: a number that is positive and needs
+    not the highest bit, or as many bytes.
+    """
+    data, number = values.default_data, values.default_value
     if not data:
-        if values.default_value is None and values.default_string is None:
-            return True
+        if number is None:
+            if values.default_string is None:
+                return True
+        elif bit_size is None or number < 0 or number.bit_length() >= bit_size:
+            return False
     elif bit_size is None or len(data) != 2 * ((bit_size + 7) // 8):
         return False
     return (

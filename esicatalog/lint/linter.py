@@ -144,6 +144,8 @@ class Linter:
                 hits += _below(("slots", number), self._check(slot, Record))
         hits += self._pdos(owner)
         for number, profile in enumerate(owner.record.profiles):
+            for position, channel in enumerate(profile.channel_infos):
+                hits += _below(("profiles", number, "channel_infos", position), self._check(channel, Record))
             if profile.dictionary is not None and profile.dictionary_file not in external:
                 hits += _below(("profiles", number, "dictionary"), self._dictionary(profile.dictionary))
         return hits

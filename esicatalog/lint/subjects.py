@@ -35,7 +35,7 @@ def is_absent(record: Record, field: str) -> bool:
     return getattr(record, field) is None and field not in (record.spelling or {})
 
 
-class PlacedPdo(NamedTuple):
+class DeclaredPdo(NamedTuple):
     """A PDO of a device or module and where it stands there."""
 
     place: Place
@@ -93,10 +93,10 @@ class Dictionaries:
         return ()
 
 
-def placed_pdos(record: Device | Module | ProcessData) -> list[PlacedPdo]:
+def declared_pdos(record: Device | Module | ProcessData) -> list[DeclaredPdo]:
     """PDOs in document order, outputs first."""
     return [
-        PlacedPdo((field, position), direction, pdo)
+        DeclaredPdo((field, position), direction, pdo)
         for direction, field in DIRECTIONS.items()
         for position, pdo in enumerate(getattr(record, field))
     ]
@@ -113,9 +113,9 @@ class Owner:
         """The data types that its dictionaries declare."""
 
     @cached_property
-    def pdos(self) -> list[PlacedPdo]:
+    def pdos(self) -> list[DeclaredPdo]:
         """Its PDOs."""
-        return placed_pdos(self.record)
+        return declared_pdos(self.record)
 
     @property
     def coe_init_cmds(self) -> tuple[InitCmd, ...]:
@@ -185,7 +185,7 @@ class ProcessSubject:
     def __init__(self, data: ProcessData, modules: Sequence[ModuleSubject]) -> None:
         self.data = data
         self.modules = modules
-        self.pdos = placed_pdos(data)
+        self.pdos = declared_pdos(data)
 
 
 class InfoSubject(NamedTuple):
@@ -213,7 +213,7 @@ class InfoSubject(NamedTuple):
                 yield ("devices", number, "slot_group_data", position), data
 
 
-PlacedEntry = tuple[int, Entry]
+NumberedEntry = tuple[int, Entry]
 """An entry and its position in its PDO."""
 
 
@@ -234,7 +234,7 @@ class PdoMapping(NamedTuple):
     pdo: Pdo
     described: list[tuple[int, Entry, ObjectEntry]]
     """Entries, their positions, and what a dictionary says about that which they map."""
-    unknown: list[PlacedEntry]
+    unknown: list[NumberedEntry]
     """Entries that map what no dictionary has."""
 
 

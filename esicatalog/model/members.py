@@ -105,12 +105,17 @@ class Members:
         if unmatched and self.is_array:
             self._pair_leftovers(unmatched.values(), paired)
         elif unmatched:
-            names = ", ".join(repr(info.name) for info in list(unmatched.values())[:3])
             outcome = "left unpaired"
             if is_complete and paired.keys().isdisjoint(unmatched):
                 paired.update(unmatched)
                 outcome = "paired by position"
-            remarks.append(("L46", f"Info sub-items {names} match no sub-item of the data type; {outcome}"))
+            by_problem: dict[str, list[str]] = {}
+            for info in unmatched.values():
+                is_known = (info.name or "").strip() in self._by_name
+                problem = "occur again" if is_known else "match no sub-item of the data type"
+                by_problem.setdefault(problem, []).append(repr(info.name))
+            for problem, names in by_problem.items():
+                remarks.append(("L46", f"Info sub-items {', '.join(names[:3])} {problem}; {outcome}"))
         return [paired.get(position) for position in range(len(self._members))]
 
     def _pair_leftovers(self, unmatched: Iterable[InfoSubItem], paired: dict[int, InfoSubItem]) -> None:

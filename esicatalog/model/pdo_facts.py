@@ -7,6 +7,16 @@ from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.numbers import MAX_STORED
 from esicatalog.esi.records.pdo import Entry, Pdo
 
+PDO_MAPPINGS = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
+"""Mapping objects of each direction: a PDO has the index of one (ETG.1000.6)."""
+PDO_ASSIGNMENTS = range(0x1C10, 0x1C30)
+"""Assignment objects: one for each SyncManager, from 0 (ETG.1000.6)."""
+
+
+def is_pdo_mapping(index: int) -> bool:
+    """Whether an object describes the content of a PDO."""
+    return any(index in indices for indices in PDO_MAPPINGS.values())
+
 
 class PdoFacts(Record):
     """What a PDO amounts to."""

@@ -20,6 +20,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.model.pdo_facts import pdo_bits, symmetric_exclusions
 from esicatalog.model.slots import MAX_INDEX, PluggedModule, default_modules, expand_module
+from esicatalog.model.sm_facts import may_transport, sm_role
 from esicatalog.model.sync import default_op_mode
 
 MAX_SM_BYTES = 0xFFFF
@@ -27,8 +28,6 @@ MAX_SM_BYTES = 0xFFFF
 
 Assignment = Mapping[int, Sequence[int]]
 """PDO indices in order, by SyncManager number."""
-
-_DIRECTION_OF_USAGE = {"Outputs": "RxPdo", "Inputs": "TxPdo"}
 
 
 class PlacedEntry(NamedTuple):
@@ -125,13 +124,19 @@ def process_image(
     for number, indices in wanted.items():
         assigned[number], remarks[number] = _with_mandatory(number, indices, candidates)
     numbers = {c.pdo.sm for c in candidates if c.pdo.sm is not None} | assigned.keys()
-    numbers |= {n for n, sm in enumerate(device.sync_managers) if sm.usage in _DIRECTION_OF_USAGE}
+    numbers |= {number for number, sm in enumerate(device.sync_managers) if _has_default(sm)}
     chosen: dict[int, list[_Candidate]] = {}
     for number in sorted(numbers):
         said = remarks[number] = [*problems, *remarks.get(number, ())]
         chosen[number] = _chosen(_sync_manager(device, number), number, candidates, assigned.get(number), said)
     rivals = _Rivals(candidate.pdo for of_sm in chosen.values() for candidate in of_sm)
     return [_image(device, number, of_sm, factors, rivals, remarks[number]) for number, of_sm in chosen.items()]
+
+
+def _has_default(sm: SyncManager) -> bool:
+    """Whether it has a default process image, be it empty."""
+    role = sm_role(sm)
+    return role is not None and not role.is_mailbox and not role.is_dynamic
 
 
 def _with_mandatory(number: int, wanted: Sequence[int], candidates: list[_Candidate]) -> tuple[list[int], list[str]]:
@@ -195,10 +200,9 @@ def _chosen(
         meant = [by_index[index] for index in indices if index in by_index]
     else:
         meant = [[candidate] for candidate in candidates if candidate.pdo.sm == number]
-    direction = _DIRECTION_OF_USAGE.get(sm.usage or "") if sm is not None else None
     chosen = []
     for alike in meant:
-        fitting = next((candidate for candidate in alike if direction in (None, candidate.direction)), None)
+        fitting = next((item for item in alike if sm is None or may_transport(sm, item.direction)), None)
         if fitting is not None:
             chosen.append(fitting)
         elif sm is not None:

@@ -17,10 +17,10 @@ from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.records.slots import Slot
+from esicatalog.model.pdo_facts import is_pdo_mapping
 
 MAX_INDEX = 0xFFFF
 _MAX_INSTANCES = 255
-_PDO_RANGES = (range(0x1600, 0x1800), range(0x1A00, 0x1C00))
 
 Shifted = TypeVar("Shifted", Entry, InitCmd, Object)
 
@@ -316,8 +316,7 @@ class SlotShift:
 
     def init_cmd_index(self, index: int, by_slot: bool | None, by_group: bool | None) -> int:
         """Shifted index of an InitCmd: a PDO's when it lies in a PDO range, else an object's."""
-        in_pdo_range = any(index in pdo_range for pdo_range in _PDO_RANGES)
-        return (self.pdo_index if in_pdo_range else self.object_index)(index, by_slot, by_group)
+        return (self.pdo_index if is_pdo_mapping(index) else self.object_index)(index, by_slot, by_group)
 
     def pdo(self, pdo: Pdo) -> Pdo:
         """The PDO with its index, exclusions and entries shifted."""

@@ -1,7 +1,7 @@
-"""ControlByte of a SyncManager in words (ESC register 0x0804, ESI-FACTS section 8)."""
+"""What a SyncManager is for, and its ControlByte in words (ESC register 0x0804, ESI-FACTS section 8)."""
 
 import functools
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.device import SyncManager
@@ -11,6 +11,44 @@ _DIRECTIONS = {0b00: "input", 0b01: "output"}
 _WATCHDOG = 0x40
 _PDI_INTERRUPT = 0x20
 _ECAT_INTERRUPT = 0x10
+
+
+class SmRole(NamedTuple):
+    """What the text of an Sm element means."""
+
+    transfer_direction: str
+    """output (the master writes) or input (the master reads)."""
+    pdo_direction: str | None
+    """RxPdo or TxPdo, what it transports; None for a mailbox."""
+    is_dynamic: bool = False
+    """Whether it transports what a configuration adds: TwinCAT's, the EEPROM has no such type."""
+
+    @property
+    def is_mailbox(self) -> bool:
+        """Whether it carries no process data."""
+        return self.pdo_direction is None
+
+
+SM_ROLES = {
+    "MBoxOut": SmRole("output", None),
+    "MBoxIn": SmRole("input", None),
+    "Outputs": SmRole("output", "RxPdo"),
+    "Inputs": SmRole("input", "TxPdo"),
+    "DynamicOutputs": SmRole("output", "RxPdo", is_dynamic=True),
+    "DynamicInputs": SmRole("input", "TxPdo", is_dynamic=True),
+}
+"""The roles that tools know; others are words of the vendor's and say nothing."""
+
+
+def sm_role(sync_manager: SyncManager) -> SmRole | None:
+    """The role of a SyncManager, None where nobody knows its text."""
+    return SM_ROLES.get(sync_manager.usage or "")
+
+
+def may_transport(sync_manager: SyncManager, direction: str) -> bool:
+    """Whether a SyncManager can have a RxPdo or TxPdo: as its role says, any where nobody knows that."""
+    role = sm_role(sync_manager)
+    return role is None or role.pdo_direction == direction
 
 
 class SmFacts(Record):

@@ -73,10 +73,10 @@ class Layout(Generic[R]):
 
     def _pack(self, name: str, code: str, value: Any) -> bytes:
         stored = len(value) if isinstance(value, tuple) else value
+        record, size = self._record_type.__name__, struct.calcsize(code)
+        if isinstance(stored, bytes) and len(stored) != size:
+            raise SiiEncodeError(f"{record}: {name} does not fit: {size} bytes needed, {len(stored)} given")
         try:
-            if isinstance(stored, bytes) and len(stored) != struct.calcsize(code):
-                raise struct.error(f"{struct.calcsize(code)} bytes needed, {len(stored)} given")
             return struct.pack(code, stored)
         except struct.error as error:
-            shown = f"{name} {stored}" if not isinstance(stored, bytes) else name
-            raise SiiEncodeError(f"{self._record_type.__name__}: {shown} does not fit: {error}") from error
+            raise SiiEncodeError(f"{record}: {name} {stored} does not fit into {8 * size} bits") from error

@@ -3,13 +3,13 @@
 from typing import Annotated
 
 from esicatalog.esi.binding import RAW, Record, Xml
-from esicatalog.esi.numbers import BOOL, HEX, INT
+from esicatalog.esi.numbers import BOOL, HEX, HEX16, INT
 
 
 class OpModePdo(Record):
     """PDO assigned in an OpMode."""
 
-    pdo_index: Annotated[int | None, Xml(".", HEX, "PDO index")] = None
+    pdo_index: Annotated[int | None, Xml(".", HEX16, "PDO index")] = None
     os_fac: Annotated[int | None, Xml("@OSFac", INT, "Oversampling factor")] = None
 
 
@@ -32,7 +32,7 @@ class OpMode(Record):
     name: Annotated[str | None, Xml("Name", doc="Name of the OpMode")] = None
     description: Annotated[str | None, Xml("Desc", doc="Description shown by tools")] = None
     assign_activate: Annotated[
-        int | None, Xml("AssignActivate", HEX, "AssignActivate: registers 0x0981 (high byte) and 0x0980 (low byte)")
+        int | None, Xml("AssignActivate", HEX16, "AssignActivate: registers 0x0981 (high byte) and 0x0980 (low byte)")
     ] = None
     cycle_time_sync0_ns: Annotated[
         int | None, Xml("CycleTimeSync0", INT, "SYNC0 cycle time in ns; 0 = by the factor")

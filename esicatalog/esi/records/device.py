@@ -4,7 +4,21 @@ from typing import Annotated, ClassVar
 
 from esicatalog.esi.binding import PRESENT, RAW, Record, Xml
 from esicatalog.esi.notes import Unmapped
-from esicatalog.esi.numbers import BOOL, DEC, FLOAT, HEX, HEX_BINARY, IDENTITY, IMAGE, INT, PHYSICS
+from esicatalog.esi.numbers import (
+    BOOL,
+    DEC,
+    DEC8,
+    DEC16,
+    FLOAT,
+    HEX,
+    HEX8,
+    HEX16,
+    HEX_BINARY,
+    IDENTITY,
+    IMAGE,
+    INT,
+    PHYSICS,
+)
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.mailbox import Mailbox
@@ -133,12 +147,12 @@ class SyncManager(Record):
     """SyncManager; its position is its number."""
 
     usage: Annotated[str | None, Xml(".", doc="MBoxOut, MBoxIn, Outputs, Inputs or a word of the vendor's")] = None
-    min_size: Annotated[int | None, Xml("@MinSize", DEC, "Least length in bytes")] = None
-    max_size: Annotated[int | None, Xml("@MaxSize", DEC, "Greatest length in bytes")] = None
-    default_size: Annotated[int | None, Xml("@DefaultSize", DEC, "Length in bytes of the default assignment")] = None
-    start_address: Annotated[int | None, Xml("@StartAddress", HEX, "Physical start address")] = None
-    control_byte: Annotated[int | None, Xml("@ControlByte", HEX, "ControlByte, register 0x0804 + 8n")] = None
-    enable: Annotated[int | None, Xml("@Enable", DEC, "Enable, bit 0 of register 0x0806 + 8n")] = None
+    min_size: Annotated[int | None, Xml("@MinSize", DEC16, "Least length in bytes")] = None
+    max_size: Annotated[int | None, Xml("@MaxSize", DEC16, "Greatest length in bytes")] = None
+    default_size: Annotated[int | None, Xml("@DefaultSize", DEC16, "Length in bytes of the default assignment")] = None
+    start_address: Annotated[int | None, Xml("@StartAddress", HEX16, "Physical start address")] = None
+    control_byte: Annotated[int | None, Xml("@ControlByte", HEX8, "ControlByte, register 0x0804 + 8n")] = None
+    enable: Annotated[int | None, Xml("@Enable", DEC8, "Enable, bit 0 of register 0x0806 + 8n")] = None
     one_byte_mode: Annotated[bool | None, Xml("@OneByteMode", BOOL, "One byte mode (obsolete)")] = None
     virtual: Annotated[bool | None, Xml("@Virtual", BOOL, "Not a real SyncManager")] = None
     watchdog: Annotated[bool | None, Xml("@Watchdog", BOOL, "Watchdog (obsolete)")] = None
@@ -281,7 +295,7 @@ class Device(Record):
         str | None, Xml("Info/StationAliasSupported", doc="NO_SUPPORT, REGISTER_SUPPORT, PROCESSDATA_SUPPORT")
     ] = None
     identification_ado: Annotated[
-        int | None, Xml("Info/IdentificationAdo", HEX, "Register or memory address of the ID selector")
+        int | None, Xml("Info/IdentificationAdo", HEX16, "Register or memory address of the ID selector")
     ] = None
     identification_reg134: Annotated[
         bool | None, Xml("Info/IdentificationReg134", BOOL, "ID is returned through register 0x0134")
@@ -347,10 +361,10 @@ class Device(Record):
         tuple[SlotSelection, ...], Xml("Slots/SlotSelections", doc="Named module selections, as JSON")
     ] = ()
 
-    esc_reg0108: Annotated[int | None, Xml("ESC/Reg0108", HEX, "Initial value of ESC register 0x0108")] = None
-    esc_reg0400: Annotated[int | None, Xml("ESC/Reg0400", HEX, "Watchdog divider, register 0x0400")] = None
-    esc_reg0410: Annotated[int | None, Xml("ESC/Reg0410", HEX, "PDI watchdog, register 0x0410")] = None
-    esc_reg0420: Annotated[int | None, Xml("ESC/Reg0420", HEX, "Process data watchdog, register 0x0420")] = None
+    esc_reg0108: Annotated[int | None, Xml("ESC/Reg0108", HEX16, "Initial value of ESC register 0x0108")] = None
+    esc_reg0400: Annotated[int | None, Xml("ESC/Reg0400", HEX16, "Watchdog divider, register 0x0400")] = None
+    esc_reg0410: Annotated[int | None, Xml("ESC/Reg0410", HEX16, "PDI watchdog, register 0x0410")] = None
+    esc_reg0420: Annotated[int | None, Xml("ESC/Reg0420", HEX16, "Process data watchdog, register 0x0420")] = None
     esc_mi45_access: Annotated[str | None, Xml("ESC@Mi45Access", doc="Mi45Access (after 1.17)")] = None
     esc_vendor_specific: Annotated[str | None, Xml("ESC/VendorSpecific", RAW)] = None
     eeprom: Annotated[Eeprom | None, Xml("Eeprom")] = None

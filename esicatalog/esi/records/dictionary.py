@@ -3,7 +3,7 @@
 from typing import Annotated, ClassVar
 
 from esicatalog.esi.binding import RAW, Record, Xml
-from esicatalog.esi.numbers import BOOL, DEC, HEX, HEX_BINARY, INT, INTEGER
+from esicatalog.esi.numbers import BOOL, DEC, DEC8, HEX, HEX16, HEX_BINARY, INT, INTEGER
 from esicatalog.esi.records.common import Name, Property
 
 
@@ -68,7 +68,7 @@ class Flags(Record):
 class SubItem(Record):
     """Member of a composite data type; its subindex is ``subindex`` or follows from the position."""
 
-    subindex: Annotated[int | None, Xml("SubIdx", DEC, "Subindex; absent in array types")] = None
+    subindex: Annotated[int | None, Xml("SubIdx", DEC8, "Subindex; absent in array types")] = None
     name: Annotated[str | None, Xml("Name", doc="Name, pairs the member with the object's values")] = None
     display_names: Annotated[tuple[Name, ...], Xml("DisplayName", doc="Display names in all languages")] = ()
     type: Annotated[str | None, Xml("Type", doc="Data type name within the same dictionary")] = None
@@ -88,7 +88,7 @@ class SubItem(Record):
 class DataType(Record):
     """Data type; its name is valid within one dictionary only."""
 
-    type_index: Annotated[int | None, Xml("Index", HEX, "CoE index of the type")] = None
+    type_index: Annotated[int | None, Xml("Index", HEX16, "CoE index of the type")] = None
     name: Annotated[str | None, Xml("Name", doc="Type name, the key within its dictionary")] = None
     base_type: Annotated[str | None, Xml("BaseType", doc="Type of the elements or of the enumeration")] = None
     comments: Annotated[tuple[Name, ...], Xml("Comment", doc="Comments in all languages")] = ()
@@ -133,7 +133,7 @@ class Object(DeclaredValues):
 
     SCHEMA_ORDER: ClassVar[tuple[str, ...]] = ("Index", "Name", "Comment", "Type", "BitSize")
 
-    object_index: Annotated[int | None, Xml("Index", HEX, "Object index")] = None
+    object_index: Annotated[int | None, Xml("Index", HEX16, "Object index")] = None
     depend_on_slot: Annotated[bool | None, Xml("Index@DependOnSlot", BOOL, "Index is shifted per slot")] = None
     depend_on_slot_group: Annotated[
         bool | None, Xml("Index@DependOnSlotGroup", BOOL, "Index is shifted per slot group")

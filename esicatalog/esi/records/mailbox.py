@@ -3,7 +3,7 @@
 from typing import Annotated
 
 from esicatalog.esi.binding import PRESENT, RAW, Record, Xml
-from esicatalog.esi.numbers import BOOL, DEC, HEX, HEX_BINARY, INT
+from esicatalog.esi.numbers import BOOL, DEC8, HEX16, HEX_BINARY, INT
 from esicatalog.esi.records.diagnostics import Diagnostics
 
 
@@ -13,12 +13,12 @@ class InitCmd(Record):
     transitions: Annotated[
         tuple[str, ...], Xml("Transition", doc="State changes at which it is sent: IP, PS, SO, SP, OP, OS; JSON")
     ] = ()
-    object_index: Annotated[int | None, Xml("Index", HEX, "CoE: object index")] = None
+    object_index: Annotated[int | None, Xml("Index", HEX16, "CoE: object index")] = None
     depend_on_slot: Annotated[bool | None, Xml("Index@DependOnSlot", BOOL, "Index is shifted per slot")] = None
     depend_on_slot_group: Annotated[
         bool | None, Xml("Index@DependOnSlotGroup", BOOL, "Index is shifted per slot group")
     ] = None
-    subindex: Annotated[int | None, Xml("SubIndex", DEC, "CoE: subindex")] = None
+    subindex: Annotated[int | None, Xml("SubIndex", DEC8, "CoE: subindex")] = None
     idn: Annotated[int | None, Xml("IDN", INT, "SoE: identification number")] = None
     channel: Annotated[int | None, Xml("@Chn", INT, "SoE: drive channel")] = None
     eoe_type: Annotated[int | None, Xml("Type", INT, "EoE: frame type")] = None

@@ -3,19 +3,19 @@
 from typing import Annotated
 
 from esicatalog.esi.binding import RAW, Record, Xml
-from esicatalog.esi.numbers import BOOL, DEC, HEX, INT
+from esicatalog.esi.numbers import BOOL, DEC8, HEX16, INT
 from esicatalog.esi.records.common import Name
 
 
 class Entry(Record):
     """Entry of a PDO; index 0 is a padding gap of ``bit_length`` bits."""
 
-    entry_index: Annotated[int | None, Xml("Index", HEX, "Object index of the mapped entry; 0 = padding")] = None
+    entry_index: Annotated[int | None, Xml("Index", HEX16, "Object index of the mapped entry; 0 = padding")] = None
     depend_on_slot: Annotated[bool | None, Xml("Index@DependOnSlot", BOOL, "Index is shifted per slot")] = None
     depend_on_slot_group: Annotated[
         bool | None, Xml("Index@DependOnSlotGroup", BOOL, "Index is shifted per slot group")
     ] = None
-    subindex: Annotated[int | None, Xml("SubIndex", DEC, "Subindex; absent counts as 0")] = None
+    subindex: Annotated[int | None, Xml("SubIndex", DEC8, "Subindex; absent counts as 0")] = None
     bit_length: Annotated[int | None, Xml("BitLen", INT, "Length in bits")] = None
     names: Annotated[tuple[Name, ...], Xml("Name", doc="Names in all languages")] = ()
     comments: Annotated[tuple[Name, ...], Xml("Comment", doc="Comments")] = ()
@@ -30,7 +30,7 @@ class Entry(Record):
 class Exclude(Record):
     """PDO that may not be assigned together with the owning one."""
 
-    pdo_index: Annotated[int | None, Xml(".", HEX, "Index of the excluded PDO")] = None
+    pdo_index: Annotated[int | None, Xml(".", HEX16, "Index of the excluded PDO")] = None
     depend_on_slot: Annotated[bool | None, Xml("@DependOnSlot", BOOL, "Index is shifted per slot")] = None
     depend_on_slot_group: Annotated[bool | None, Xml("@DependOnSlotGroup", BOOL, "Index is shifted per slot group")] = (
         None
@@ -40,7 +40,7 @@ class Exclude(Record):
 class Pdo(Record):
     """RxPdo (master to slave), TxPdo (slave to master) or SafetyParaMapping."""
 
-    pdo_index: Annotated[int | None, Xml("Index", HEX, "Index of the mapping object")] = None
+    pdo_index: Annotated[int | None, Xml("Index", HEX16, "Index of the mapping object")] = None
     depend_on_slot: Annotated[bool | None, Xml("Index@DependOnSlot", BOOL, "Index is shifted per slot")] = None
     depend_on_slot_group: Annotated[
         bool | None, Xml("Index@DependOnSlotGroup", BOOL, "Index is shifted per slot group")

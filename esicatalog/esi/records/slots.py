@@ -3,7 +3,7 @@
 from typing import Annotated
 
 from esicatalog.esi.binding import Record, Xml
-from esicatalog.esi.numbers import DEC, HEX, IDENTITY, IMAGE, INT
+from esicatalog.esi.numbers import DEC, HEX, HEX16, IDENTITY, IMAGE, INT
 from esicatalog.esi.records.common import Name
 
 
@@ -67,8 +67,8 @@ class ModulePdoGroup(Record):
 
     name: Annotated[str | None, Xml(".", doc="Name of the group")] = None
     alignment: Annotated[int | None, Xml("@Alignment", INT, "Alignment in bytes")] = None
-    rx_pdo: Annotated[int | None, Xml("@RxPdo", HEX, "Index of the alignment RxPDO")] = None
-    tx_pdo: Annotated[int | None, Xml("@TxPdo", HEX, "Index of the alignment TxPDO")] = None
+    rx_pdo: Annotated[int | None, Xml("@RxPdo", HEX16, "Index of the alignment RxPDO")] = None
+    tx_pdo: Annotated[int | None, Xml("@TxPdo", HEX16, "Index of the alignment TxPDO")] = None
 
 
 class SlotSelection(Record):

@@ -1,10 +1,13 @@
 """Rules about distributed clocks and OpModes (ESI-FACTS section 11)."""
 
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 
-from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.dc import OpMode, OpModeSm
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import ModuleSubject, ProcessSubject, is_absent
+from esicatalog.model.process_data import ProcessData
+from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import SYNC0_PULSE, SYNC1_PULSE, is_superseded, sync_signals
 
 
@@ -36,10 +39,10 @@ def sync1_times(subject: ProcessSubject) -> Iterator[Found]:
         if mode.assign_activate is None:
             continue
         if sync_signals(mode.assign_activate).sync1:
-            if mode.cycle_time_sync1_ns is None and mode.shift_time_sync1_ns is None:
+            if not (mode.cycle_time_sync1_ns or mode.cycle_time_sync1_factor or mode.shift_time_sync1_ns is not None):
                 yield Found(
                     f"{_words(number, mode)} makes SYNC1 (AssignActivate 0x{mode.assign_activate:04X}) "
-                    "without CycleTimeSync1: its time is unknown",
+                    f"{_without('CycleTimeSync1', mode.cycle_time_sync1_ns)}: its time is unknown; give it",
                     _at(number),
                     WARNING,
                 )
@@ -53,28 +56,46 @@ def sync1_times(subject: ProcessSubject) -> Iterator[Found]:
 
 @rule("L51", WARNING, "ETG.2000 OpMode/CycleTimeSync0")
 def sync0_time_missing(subject: ProcessSubject) -> Iterator[Found]:
-    """SYNC pulses without CycleTimeSync0."""
+    """SYNC pulses without CycleTimeSync0, or with 0 and no Factor; a device that makes them itself needs none."""
     for number, mode in enumerate(subject.data.op_modes):
         signals = sync_signals(mode.assign_activate)
-        if (signals.sync0 or signals.sync1) and mode.cycle_time_sync0_ns is None:
+        makes_pulses = (signals.sync0 or signals.sync1) and not signals.sync_unit_pdi
+        if makes_pulses and not (mode.cycle_time_sync0_ns or mode.cycle_time_sync0_factor):
             yield Found(
-                f"{_words(number, mode)} makes SYNC pulses without CycleTimeSync0: "
+                f"{_words(number, mode)} makes SYNC pulses {_without('CycleTimeSync0', mode.cycle_time_sync0_ns)}: "
                 "give it, 0 with Factor 1 for the bus cycle",
                 _at(number),
             )
 
 
+def _without(element: str, given_ns: int | None) -> str:
+    """How an element says no time: 0 counts with its Factor only."""
+    return f"without {element}" if given_ns is None else f"with {element} 0 and no Factor"
+
+
 @rule("L52", WARNING, "ETG.2000 OpMode: names select it, Sm/@No and Pdo refer to the device")
 def op_mode_references(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
-    """An OpMode names an unknown SyncManager or PDO, two have one name, or a module asks for an unknown one."""
+    """An OpMode names an unknown SyncManager or PDO, or a PDO that the SyncManager cannot have; its name occurs twice;
+    a module asks for an unknown one.
+    """
     if isinstance(subject, ModuleSubject):
         yield from _wanted_op_mode(subject)
         return
-    data = subject.data
+    yield from _names_twice(subject.data.op_modes)
     owners: list[ProcessSubject | ModuleSubject] = [subject, *subject.modules]
-    known = {placed.pdo.pdo_index for owner in owners for placed in owner.pdos}
+    directions: dict[int | None, set[str]] = defaultdict(set)
+    for placed in [placed for owner in owners for placed in owner.pdos]:
+        directions[placed.pdo.pdo_index].add(placed.direction)
+    for number, mode in enumerate(subject.data.op_modes):
+        for position, item in enumerate(mode.sm_assignments):
+            for found in _assignment(subject.data, item, directions):
+                place = (*_at(number), "sm_assignments", position, *found.place)
+                yield Found(f"{_words(number, mode)} {found.message}", place)
+
+
+def _names_twice(modes: Sequence[OpMode]) -> Iterator[Found]:
     names: set[str] = set()
-    for number, mode in enumerate(data.op_modes):
+    for number, mode in enumerate(modes):
         if mode.name and not is_superseded(mode):
             if mode.name in names:
                 yield Found(
@@ -82,18 +103,25 @@ def op_mode_references(subject: ProcessSubject | ModuleSubject) -> Iterator[Foun
                     _at(number),
                 )
             names.add(mode.name)
-        for position, item in enumerate(mode.sm_assignments):
-            place: Place = (*_at(number), "sm_assignments", position)
-            if item.no is not None and not 0 <= item.no < len(data.sync_managers):
-                yield Found(f"{_words(number, mode)} names SM {item.no}; there are {len(data.sync_managers)}", place)
-            for nth, pdo in enumerate(item.pdos):
-                if pdo.pdo_index is None or pdo.pdo_index in known:
-                    continue
-                if not data.in_slots.has_pdo(pdo.pdo_index):
-                    yield Found(
-                        f"{_words(number, mode)} assigns PDO 0x{pdo.pdo_index:04X}, which is not described",
-                        (*place, "pdos", nth),
-                    )
+
+
+def _assignment(data: ProcessData, item: OpModeSm, directions: Mapping[int | None, set[str]]) -> Iterator[Found]:
+    """What is wrong with the PDOs of a SyncManager; ``directions`` are those of the PDOs that are described."""
+    sm = None
+    if item.no is not None and 0 <= item.no < len(data.sync_managers):
+        sm = data.sync_managers[item.no]
+    elif item.no is not None:
+        yield Found(f"names SM {item.no}; there are {len(data.sync_managers)}: correct No")
+    for nth, pdo in enumerate(item.pdos):
+        index = pdo.pdo_index
+        if index is None:
+            continue
+        described = directions.get(index)
+        if described is None and not data.in_slots.has_pdo(index):
+            yield Found(f"assigns PDO 0x{index:04X}, which is not described", ("pdos", nth))
+        elif described and sm is not None and not any(may_transport(sm, direction) for direction in described):
+            kinds = " and ".join(sorted(described))
+            yield Found(f"assigns the {kinds} 0x{index:04X} to SM {item.no}, which is {sm.usage}", ("pdos", nth))
 
 
 def _wanted_op_mode(subject: ModuleSubject) -> Iterator[Found]:

@@ -8,10 +8,8 @@ from esicatalog.lint.dictionaries import ObjectSubject
 from esicatalog.lint.registry import ERROR, WARNING, Found, listed, rule
 from esicatalog.model.base_types import base_type
 from esicatalog.model.dictionary_views import DictionaryView
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.resolver import TypeSet
-
-_DYNAMIC = (range(0x1600, 0x1C00), range(0x1C10, 0x1C30))
-"""PDO mapping and assignment: objects whose length follows what is mapped and assigned."""
 
 
 @rule("L41", ERROR, "EtherCATBase.xsd keyref: Object/Type, SubItem/Type and BaseType name a DataType of the dictionary")
@@ -57,23 +55,28 @@ def declared_twice(record: DictionaryView | TypeSet | DataType) -> Iterator[Foun
     if isinstance(record, TypeSet):
         names = [data_type.name for data_type in record.data_types]
         for number, name in _repeated(names):
-            yield Found(f"DataType {name} is declared twice: the first counts", ("data_types", number, "name"))
+            yield Found(
+                f"DataType {name} is declared twice: the first counts; rename one", ("data_types", number, "name")
+            )
         return
     objects = record.dictionary.objects
     if len(record.by_index) == len(objects):
         return
     for number, index in _repeated([declared.object_index for declared in objects]):
-        yield Found(f"object 0x{index:04X} is declared twice", ("objects", number, "object_index"))
+        yield Found(f"object 0x{index:04X} is declared twice: remove one", ("objects", number, "object_index"))
 
 
 def _sub_items_twice(data_type: DataType) -> Iterator[Found]:
     for number, name in _repeated([sub_item.name for sub_item in data_type.sub_items]):
         yield Found(
-            f"SubItem {name!r} occurs twice in DataType {data_type.name}: values are paired by name",
+            f"SubItem {name!r} occurs twice in DataType {data_type.name}: values are paired by name; rename one",
             ("sub_items", number, "name"),
         )
     for number, subindex in _repeated([sub_item.subindex for sub_item in data_type.sub_items]):
-        yield Found(f"SubIdx {subindex} occurs twice in DataType {data_type.name}", ("sub_items", number, "subindex"))
+        yield Found(
+            f"SubIdx {subindex} occurs twice in DataType {data_type.name}: renumber one",
+            ("sub_items", number, "subindex"),
+        )
 
 
 def _repeated(keys: list[str | None] | list[int | None]) -> list[tuple[int, object]]:
@@ -96,11 +99,17 @@ def size_differs(subject: ObjectSubject | DataType) -> Iterator[Found]:
     if data_type is None or declared.bit_size is None or data_type.bit_size is None:
         return
     index = declared.object_index or 0
-    if declared.bit_size != data_type.bit_size and not any(index in dynamic for dynamic in _DYNAMIC):
+    if declared.bit_size != data_type.bit_size and not _is_dynamic(index):
         yield Found(
-            f"object 0x{index:04X} has BitSize {declared.bit_size}, its type {declared.type} {data_type.bit_size}",
+            f"object 0x{index:04X} has BitSize {declared.bit_size}, "
+            f"its type {declared.type} {data_type.bit_size}: correct one of them",
             ("bit_size",),
         )
+
+
+def _is_dynamic(index: int) -> bool:
+    """Whether the length of an object follows what is mapped or assigned."""
+    return is_pdo_mapping(index) or index in PDO_ASSIGNMENTS
 
 
 def _sizes_of_sub_items(data_type: DataType) -> Iterator[Found]:
@@ -114,7 +123,7 @@ def _sizes_of_sub_items(data_type: DataType) -> Iterator[Found]:
     if misfits:
         first, _ = misfits[0]
         words = listed([words for _, words in misfits])
-        yield Found(f"DataType {data_type.name}: {words}", ("sub_items", first, "bit_size"))
+        yield Found(f"DataType {data_type.name}: {words}; correct BitSize or Type", ("sub_items", first, "bit_size"))
 
 
 def _is_of_idn(data_type: DataType) -> bool:

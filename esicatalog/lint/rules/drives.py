@@ -64,7 +64,7 @@ def drive_objects(subject: DeviceSubject) -> Iterator[Found]:
     missing = [f"0x{index:04X}" for index in _NEEDED if dictionaries.entries(index) is None]
     if missing and all_described:
         yield Found(f"CiA 402 drive without {', '.join(missing)} in its dictionary", _dictionary_place(subject))
-    elif dictionaries.default(SUPPORTED_DRIVE_MODES) == 0:
+    if dictionaries.default(SUPPORTED_DRIVE_MODES) == 0:
         yield Found(
             "0x6502 has the default 0: it says nothing about the modes; give the modes of the drive",
             subject.object_place(SUPPORTED_DRIVE_MODES),
@@ -95,7 +95,7 @@ def device_type(subject: DeviceSubject) -> Iterator[Found]:
     if declared and default & 0xFFFF not in declared:
         yield Found(
             f"0x1000 has the default 0x{default:08X}, profile {default & 0xFFFF}; "
-            f"ProfileNo is {', '.join(map(str, declared))}",
+            f"ProfileNo is {', '.join(map(str, declared))}: correct one of them",
             subject.object_place(_DEVICE_TYPE),
         )
 

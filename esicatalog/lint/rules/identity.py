@@ -139,7 +139,7 @@ def identity_object(subject: DeviceSubject) -> Iterator[Found]:
             reversed_bytes = default == int.from_bytes(expected.to_bytes(4, "little"), "big")
             why = "its bytes are reversed" if reversed_bytes else "it looks taken over from another device"
             yield Found(
-                f"0x1018:{subindex:02} has the default 0x{default:08X}, {name} is 0x{expected:08X}: {why}",
+                f"0x1018:{subindex:02} has the default 0x{default:08X}, {name} is 0x{expected:08X}: {why}; correct it",
                 subject.object_place(_IDENTITY_OBJECT),
                 severity,
             )

@@ -6,17 +6,19 @@ from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.lint.registry import WARNING, Found, Place, rule
 from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject
-from esicatalog.model.access import ALL_STATES
+from esicatalog.model.access import ALL_STATES, PREOP, SAFEOP
 from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.model.sync import listed_pdos
 
 _TEXTS = frozenset({"string", "octets", "unicode", "domain"})
 _LEAST_EEPROM_BYTES = 128
+_SENT_IN = {"IP": PREOP, "PS": PREOP, "SO": SAFEOP}
+"""State of the device at the transitions of a start; those that lead back are not defined so (ESI-FACTS section 10)."""
 
 
 @rule("L56", WARNING, "ETG.2000 CoE/InitCmd: the master writes Data to the object; a device refuses what does not fit")
 def init_cmd(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
-    """An InitCmd writes an unknown or read-only object, or data of another length than the object's."""
+    """An InitCmd writes an object that is unknown, read-only or not writable then, or data of another length."""
     if not subject.coe_init_cmds:
         return
     others = () if isinstance(subject, DeviceSubject) else tuple(subject.hosts)
@@ -39,14 +41,18 @@ def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete:
         return None
     entries = dictionaries.entries(index)
     if entries is None:
-        return "writes an object that the dictionary does not have" if is_complete else None
+        return "writes an object that the dictionary does not have: describe or remove it" if is_complete else None
     if command.complete_access:
         return None
     entry = entries.get(command.subindex or 0)
     if entry is None:
-        return "writes a subindex that the dictionary does not have"
-    if not entry.access_word >> 3 & ALL_STATES:
-        return f"writes an object that is {entry.access}"
+        return "writes a subindex that the dictionary does not have: correct it"
+    writable = entry.access_word >> 3 & ALL_STATES
+    if not writable:
+        return f"writes an object that is {entry.access}: remove it, or correct Access"
+    refused = [transition for transition in command.transitions if _SENT_IN.get(transition, writable) & ~writable]
+    if refused:
+        return f"is sent at {', '.join(refused)}, when WriteRestrictions forbid to write the object: correct Transition"
     data = decode_hex_binary(command.data)
     if data is None or entry.bit_size is None:
         return None
@@ -54,7 +60,7 @@ def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete:
     is_text = entry.base_type is not None and BASE_TYPES[entry.base_type].kind in _TEXTS
     if len(data) == wanted or (is_text and len(data) < wanted):
         return None
-    return f"has {len(data)} bytes of Data; {entry.data_type} has {wanted}"
+    return f"has {len(data)} bytes of Data, {entry.data_type} has {wanted}: correct Data"
 
 
 @rule("L61", WARNING, "ETG.2000 Mailbox/CoE: objects are read and written through CoE")

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, listed, rule
-from esicatalog.lint.subjects import PdoMapping, PdoTypes, PlacedEntry
+from esicatalog.lint.subjects import NumberedEntry, PdoMapping, PdoTypes
 from esicatalog.model.base_types import BASE_TYPES, BaseType, base_type
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.pdo_facts import entry_facts
@@ -28,7 +28,7 @@ def _maps(mapping: PdoMapping) -> str:
     return f"{mapping.direction} 0x{mapping.pdo.pdo_index or 0:04X} maps"
 
 
-def _entries(items: Sequence[PlacedEntry]) -> str:
+def _entries(items: Sequence[NumberedEntry]) -> str:
     return listed([_words(entry) for _, entry in items])
 
 
@@ -36,7 +36,7 @@ def _words(entry: Entry) -> str:
     return f"0x{entry.entry_index:04X}:{entry.subindex or 0:02X}"
 
 
-def _place(items: Sequence[PlacedEntry]) -> Place:
+def _place(items: Sequence[NumberedEntry]) -> Place:
     return ("entries", items[0][0])
 
 

@@ -2,16 +2,16 @@
 
 from collections.abc import Iterable, Iterator
 
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.pdo import Exclude, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
-from esicatalog.lint.subjects import DIRECTIONS, DeviceSubject, ModuleSubject, PlacedPdo, ProcessSubject, is_absent
-from esicatalog.model.pdo_facts import entry_facts, symmetric_exclusions
+from esicatalog.lint.subjects import DIRECTIONS, DeclaredPdo, DeviceSubject, ModuleSubject, ProcessSubject, is_absent
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, entry_facts, symmetric_exclusions
+from esicatalog.model.process_data import ProcessData
+from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
 
-_RANGES = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
-_OPPOSITE = {"RxPdo": "Inputs", "TxPdo": "Outputs"}
 _MAX_SII_BITS = 255
-_ASSIGNMENT_OBJECT = 0x1C10
 
 
 def _words(direction: str, index: int | None) -> str:
@@ -20,22 +20,22 @@ def _words(direction: str, index: int | None) -> str:
 
 @rule("L27", ERROR, "ETG.2000 Pdo/@Sm: position of the Sm element; RxPdo go to Outputs, TxPdo to Inputs")
 def sync_manager_of_pdo(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
-    """A PDO is assigned to a SyncManager that does not exist or runs the other way."""
+    """A PDO is assigned to a SyncManager that does not exist, runs the other way or carries the mailbox."""
     if isinstance(subject, ProcessSubject):
         targets = [("", subject.data.sync_managers)]
     else:
         targets = [(f" of {host.device.type!r}", host.device.sync_managers) for host in subject.hosts]
     for of, sync_managers in targets:
-        usages = [sm.usage for sm in sync_managers]
         for placed in subject.pdos:
             number = placed.pdo.sm
             if number is None:
                 continue
             words = f"{_words(placed.direction, placed.pdo.pdo_index)} is assigned to SM {number}"
-            if not 0 <= number < len(usages):
-                yield Found(f"{words}{of}, which has {len(usages)} SyncManagers: correct Sm", (*placed.place, "sm"))
-            elif usages[number] == _OPPOSITE[placed.direction]:
-                yield Found(f"{words}{of}, which is {usages[number]}: correct Sm", (*placed.place, "sm"))
+            if not 0 <= number < len(sync_managers):
+                words += f"{of}, which has {len(sync_managers)} SyncManagers"
+                yield Found(f"{words}: correct Sm", (*placed.place, "sm"))
+            elif not may_transport(sync_managers[number], placed.direction):
+                yield Found(f"{words}{of}, which is {sync_managers[number].usage}: correct Sm", (*placed.place, "sm"))
 
 
 @rule("L28", WARNING, "ETG.1000.6: a PDO mapping object exists once")
@@ -48,7 +48,8 @@ def index_twice(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
             continue
         if (placed.direction, index) in seen:
             yield Found(
-                f"{_words(placed.direction, index)} is described twice: an assignment by index means the first only",
+                f"{_words(placed.direction, index)} is described twice: an assignment by index means the first only; "
+                "give it another index",
                 (*placed.place, "pdo_index"),
             )
         seen.add((placed.direction, index))
@@ -61,7 +62,7 @@ def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
     if mailbox is not None and mailbox.soe and not mailbox.coe:
         return  # the PDOs of a SoE drive are the IDNs of its telegrams
     for direction, field in DIRECTIONS.items():
-        allowed = _RANGES[direction]
+        allowed = PDO_MAPPINGS[direction]
         for position, pdo in enumerate(getattr(subject.record, field)):
             index = pdo.pdo_index
             if index not in allowed and index is not None and not pdo.virtual:
@@ -93,13 +94,13 @@ def exclusion_one_sided(subject: ProcessSubject | ModuleSubject) -> Iterator[Fou
 
 
 @rule("L31", ERROR, "ETG.2000 Exclude: the PDOs may not be assigned at the same time")
-def exclusive_defaults(subject: ProcessSubject) -> Iterator[Found]:
+def exclusive_defaults(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """Two PDOs that exclude each other are both assigned by default, or a PDO excludes itself."""
     if not _any_excludes(subject):
         return
     for placed in subject.pdos:
         for number, item in enumerate(placed.pdo.excludes):
-            if item.pdo_index is not None and item.pdo_index == placed.pdo.pdo_index:
+            if item.pdo_index is not None and _in_slots(item) == _in_slots(placed.pdo):
                 yield Found(
                     f"{_words(placed.direction, item.pdo_index)} excludes itself: remove that Exclude",
                     (*placed.place, "excludes", number),
@@ -125,10 +126,27 @@ def _any_excludes(subject: ProcessSubject | ModuleSubject) -> bool:
     return any(placed.pdo.excludes for placed in subject.pdos)
 
 
-def _assigned_by_default(subject: ProcessSubject) -> list[PlacedPdo]:
+def _in_slots(item: Pdo | Exclude) -> tuple[int | None, bool, bool]:
+    """What decides on the index in any slot."""
+    return item.pdo_index, bool(item.depend_on_slot), bool(item.depend_on_slot_group)
+
+
+def _processes(subject: ProcessSubject | ModuleSubject) -> list[ProcessData]:
+    """What the devices exchange that it can be a part of."""
+    if isinstance(subject, ProcessSubject):
+        return [subject.data]
+    return [host.derivation.process_data for host in subject.hosts]
+
+
+def _listed_sms(mode: OpMode | None) -> set[int | None]:
+    """The SyncManagers to which an OpMode assigns PDOs itself."""
+    return {item.no for item in mode.sm_assignments if item.pdos} if mode is not None else set()
+
+
+def _assigned_by_default(subject: ProcessSubject | ModuleSubject) -> list[DeclaredPdo]:
     """PDOs with Sm, but not those whose SyncManager the default OpMode assigns itself."""
-    mode = subject.data.default_op_mode
-    listed = {item.no for item in mode.sm_assignments if item.pdos} if mode is not None else set()
+    of_modes = [_listed_sms(data.default_op_mode) for data in _processes(subject)]
+    listed = set.intersection(*of_modes) if of_modes else set()
     return [
         placed
         for placed in subject.pdos
@@ -143,13 +161,12 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
         return
     hosts = [] if isinstance(subject, ProcessSubject) else subject.hosts
     modules = subject.modules if isinstance(subject, ProcessSubject) else [m for host in hosts for m in host.modules]
-    processes = [subject.data] if isinstance(subject, ProcessSubject) else [h.derivation.process_data for h in hosts]
     known = {placed.pdo.pdo_index for owner in (subject, *hosts, *modules) for placed in owner.pdos}
     for placed in subject.pdos:
         for number, item in enumerate(placed.pdo.excludes):
             if item.pdo_index is None or item.pdo_index in known:
                 continue
-            if not any(data.in_slots.has_pdo(item.pdo_index) for data in processes):
+            if not any(data.in_slots.has_pdo(item.pdo_index) for data in _processes(subject)):
                 yield Found(
                     f"{_words(placed.direction, placed.pdo.pdo_index)} excludes 0x{item.pdo_index:04X}, "
                     "which is no PDO of the device: correct or remove it",
@@ -179,7 +196,7 @@ def padding_with_type(pdo: Pdo) -> Iterator[Found]:
             carried = f"SubIndex {entry.subindex}" if entry.subindex else f"DataType {entry.data_type}"
             yield Found(
                 f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} is padding (index 0) with {carried}, "
-                "which means nothing",
+                "which means nothing: remove it",
                 ("entries", number),
             )
 
@@ -217,13 +234,19 @@ def too_long_for_eeprom(pdo: Pdo) -> Iterator[Found]:
             )
 
 
-@rule("L65", WARNING, "CoE objects 0x1C10 + n (ETG.1000.6) and ETG.2000 Pdo/@Sm: both say what is assigned by default")
+@rule(
+    "L65",
+    WARNING,
+    "CoE objects 0x1C10 + n (ETG.1000.6) and ETG.2000 Pdo/@Sm, OpMode/Sm: they say what is assigned by default",
+)
 def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
-    """The defaults of 0x1C12 or 0x1C13 name other PDOs than those assigned by Sm."""
+    """The defaults of 0x1C12 or 0x1C13 name other PDOs than those assigned by Sm or the default OpMode."""
     if subject.is_modular:
         return
+    mode = subject.derivation.process_data.default_op_mode
     for image in subject.derivation.images:
-        entries = subject.own.entries(_ASSIGNMENT_OBJECT + image.sm)
+        lists = image.sm in _listed_sms(mode)
+        entries = subject.own.entries(PDO_ASSIGNMENTS.start + image.sm)
         if not entries:
             continue
         count = entries[0].default_int if 0 in entries else None
@@ -234,10 +257,11 @@ def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
         }
         assigned = {placed.pdo.pdo_index for placed in image.pdos}
         if defaults and defaults != assigned:
+            assigns = f"the OpMode {mode.name!r} assigns" if mode is not None and lists else f"Sm={image.sm} assigns"
             yield Found(
-                f"0x{_ASSIGNMENT_OBJECT + image.sm:04X} assigns {_indices(defaults)} by default, "
-                f"Sm={image.sm} assigns {_indices(assigned)}: which of them counts depends on the master",
-                subject.object_place(_ASSIGNMENT_OBJECT + image.sm),
+                f"0x{PDO_ASSIGNMENTS.start + image.sm:04X} assigns {_indices(defaults)} by default, "
+                f"{assigns} {_indices(assigned)}: which of them counts depends on the master",
+                subject.object_place(PDO_ASSIGNMENTS.start + image.sm),
             )
 
 

@@ -5,14 +5,17 @@ from collections.abc import Iterator
 from esicatalog.lint.registry import ERROR, WARNING, Found, found_by_reader, rule
 from esicatalog.lint.subjects import InfoSubject
 
+REFUSED, NO_ESI = "L01", "L02"
+"""Rules for documents of which nothing can be checked."""
+
 found_by_reader(
-    "L01",
+    REFUSED,
     ERROR,
     "Not well-formed XML, or bytes that the declared encoding does not have.",
     "XML 1.0; a strict parser refuses the whole document",
 )
 found_by_reader(
-    "L02",
+    NO_ESI,
     ERROR,
     "The root element is none of ESI: EtherCATInfo, EtherCATInfoList, EtherCATModule, EtherCATDict, EtherCATDiag.",
     "ETG.2000; EtherCATConfig is an ENI file, the configuration of a master",
@@ -39,7 +42,8 @@ found_by_reader(
     "L06",
     ERROR,
     "Malformed or out of range HexDecValue or integer; decimal is 402, hexadecimal #x1A00.",
-    "ETG.2000 EtherCATBase.xsd HexDecValue, xs:int (32 bits); identities are uint32",
+    "ETG.2000 EtherCATBase.xsd HexDecValue, xs:int (32 bits); identities have 32 bits, indices and registers 16, "
+    "ControlByte and subindices 8",
 )
 found_by_reader(
     "L07",

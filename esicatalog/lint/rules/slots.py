@@ -3,7 +3,8 @@
 from collections import defaultdict
 from collections.abc import Iterator
 
-from esicatalog.lint.registry import ERROR, WARNING, Found, Place, rule
+from esicatalog.esi.records.module import Module
+from esicatalog.lint.registry import ERROR, WARNING, Found, Place, listed, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject
 from esicatalog.model.slots import accepts, default_modules, expand_module, leaving_indices, preset_idents, slot_runs
 
@@ -60,7 +61,7 @@ def module_ident_twice(section: InfoSubject) -> Iterator[Found]:
 
 @rule("L55", WARNING, "ETG.2000 DependOnSlot: index + slot number x increment")
 def shifted_indices(subject: DeviceSubject) -> Iterator[Found]:
-    """An index that moves with the slot leaves 16 bits, or meets that of another slot."""
+    """An index that moves with the slot leaves 16 bits, or meets that of another slot or of the device."""
     if subject.device.slots:
         yield from _overflows(subject)
         yield from _collisions(subject)
@@ -80,18 +81,28 @@ def _place(subject: DeviceSubject, slot_number: int) -> Place:
 
 
 def _collisions(subject: DeviceSubject) -> Iterator[Found]:
-    taken: dict[tuple[str, int], int] = {}
+    """Indices of default modules that the device or a default module before has; one finding for each two of them."""
+    own = [placed for placed in subject.pdos if not placed.pdo.overwritten_by_module]
+    taken = {(placed.direction, placed.pdo.pdo_index): "the device" for placed in own}
     for plugged in default_modules(subject.device, subject.module_records):
-        module = expand_module(subject.device, plugged).module
-        here = [("RxPdo", pdo.pdo_index) for pdo in module.rx_pdos]
-        here += [("TxPdo", pdo.pdo_index) for pdo in module.tx_pdos]
-        for what, index in here:
-            if index is None:
-                continue
-            other = taken.setdefault((what, index), plugged.slot_number)
-            if other != plugged.slot_number:
-                yield Found(
-                    f"{what} 0x{index:04X} of the default module in slot {plugged.slot_number} "
-                    f"meets that of slot {other}: DependOnSlot or the increment is missing",
-                    _place(subject, plugged.slot_number),
-                )
+        here = f"slot {plugged.slot_number}"
+        meeting: dict[str, list[str]] = defaultdict(list)
+        for what, index in _indices(expand_module(subject.device, plugged).module):
+            if index is not None and (other := taken.setdefault((what, index), here)) != here:
+                meeting[other].append(f"{what} 0x{index:04X}")
+        for other, indices in meeting.items():
+            words = "meets that" if len(indices) == 1 else "meet those"
+            yield Found(
+                f"{listed(indices)} of the default module in {here} {words} of {other}: "
+                "give DependOnSlot and an increment, or describe it once",
+                _place(subject, plugged.slot_number),
+            )
+
+
+def _indices(module: Module) -> Iterator[tuple[str, int | None]]:
+    """The indices of PDOs and objects, each with what it is of."""
+    yield from (("RxPdo", pdo.pdo_index) for pdo in module.rx_pdos)
+    yield from (("TxPdo", pdo.pdo_index) for pdo in module.tx_pdos)
+    for profile in module.profiles:
+        if profile.dictionary is not None:
+            yield from (("object", declared.object_index) for declared in profile.dictionary.objects)

@@ -1,37 +1,24 @@
 """Rules about SyncManagers: roles, ControlByte, memory, sizes (ESI-FACTS section 8)."""
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.lint.areas import Area, overlaps
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, ProcessSubject, is_absent
-from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.sm_facts import SM_ROLES, SmRole, sm_facts, sm_role
 
-
-class _Role(NamedTuple):
-    transfer_direction: str
-    is_mailbox: bool
-
-
-ROLES = {
-    "MBoxOut": _Role("output", True),
-    "MBoxIn": _Role("input", True),
-    "Outputs": _Role("output", False),
-    "Inputs": _Role("input", False),
-}
-_DYNAMIC_ROLES = ("DynamicOutputs", "DynamicInputs")
-"""What TwinCAT knows beside them."""
+_MAILBOXES = [usage for usage, role in SM_ROLES.items() if role.is_mailbox]
+_IN_EEPROM = [usage for usage, role in SM_ROLES.items() if not role.is_dynamic]
 _DIRECTION_BITS = {"output": "01 (the master writes)", "input": "00 (the master reads)"}
 _BUFFERS = 3
 _PROCESS_DATA_RAM = 0x1000
 """Registers below are no memory that a SyncManager would buffer three times (0x0F00: digital outputs)."""
 
 
-def _with_roles(subject: ProcessSubject) -> Iterator[tuple[int, SyncManager, _Role]]:
+def _with_roles(subject: ProcessSubject) -> Iterator[tuple[int, SyncManager, SmRole]]:
     for number, sm in enumerate(subject.data.sync_managers):
-        role = ROLES.get(sm.usage or "")
+        role = sm_role(sm)
         if role is not None:
             yield number, sm, role
 
@@ -43,13 +30,13 @@ def mailbox_without_sync_managers(subject: DeviceSubject) -> Iterator[Found]:
     usages = [sm.usage for sm in subject.device.sync_managers]
     if mailbox is None:
         for number, usage in enumerate(usages):
-            if usage in ("MBoxOut", "MBoxIn"):
+            if usage in _MAILBOXES:
                 yield Found(
                     f"SM {number} is {usage}, but there is no Mailbox: say which protocols it carries",
                     ("sync_managers", number),
                 )
     else:
-        for usage in ("MBoxOut", "MBoxIn"):
+        for usage in _MAILBOXES:
             if usage not in usages:
                 yield Found(f"Mailbox without a SyncManager {usage}: add it, or remove Mailbox", ("mailbox",))
 
@@ -84,10 +71,10 @@ def mode_against_role(subject: ProcessSubject) -> Iterator[Found]:
 @rule("L21", INFORMATION, "ESC register 0x0804 + 8n, bit 6: watchdog trigger")
 def outputs_without_watchdog(subject: ProcessSubject) -> Iterator[Found]:
     """Outputs without watchdog trigger: they keep their values when the master stops."""
-    for number, sm in enumerate(subject.data.sync_managers):
-        if sm.usage == "Outputs" and sm_facts(sm).watchdog_trigger is False:
+    for number, sm, role in _with_roles(subject):
+        if role.pdo_direction == "RxPdo" and sm_facts(sm).watchdog_trigger is False:
             yield Found(
-                f"SM {number} Outputs has the ControlByte 0x{sm.control_byte:02X} without watchdog (bit 6): "
+                f"SM {number} {sm.usage} has the ControlByte 0x{sm.control_byte:02X} without watchdog (bit 6): "
                 "nothing tells the device that the master stopped, unless it looks itself",
                 ("sync_managers", number),
             )
@@ -99,7 +86,8 @@ def memory_overlap(subject: ProcessSubject) -> Iterator[Found]:
     for (start, end, number), (next_start, next_end, next_number) in overlaps(_areas(subject)):
         yield Found(
             f"SM {number} takes 0x{start:04X} to 0x{end - 1:04X} and SM {next_number} starts at "
-            f"0x{next_start:04X}: they overlap by {min(end, next_end) - next_start} bytes",
+            f"0x{next_start:04X}: they overlap by {min(end, next_end) - next_start} bytes; "
+            "move one of them, or correct DefaultSize",
             ("sync_managers", next_number),
         )
 
@@ -124,9 +112,9 @@ def _image_bytes(subject: ProcessSubject, number: int) -> int:
 def role_unknown(subject: ProcessSubject) -> Iterator[Found]:
     """The role of a SyncManager is empty or unknown."""
     for number, sm in enumerate(subject.data.sync_managers):
-        if sm.usage not in ROLES and sm.usage not in _DYNAMIC_ROLES:
+        if sm_role(sm) is None:
             words = f"has the role {sm.usage!r}" if sm.usage else "has no role"
-            yield Found(f"SM {number} {words}: a master expects {', '.join(ROLES)}", ("sync_managers", number))
+            yield Found(f"SM {number} {words}: a master expects {', '.join(_IN_EEPROM)}", ("sync_managers", number))
 
 
 @rule("L24", WARNING, "A SyncManager is as long as all bits of its assigned PDOs, rounded up to bytes once")
@@ -140,7 +128,8 @@ def default_size_against_pdos(subject: ProcessSubject) -> Iterator[Found]:
         size = _image_bytes(subject, number)
         if size and size != sm.default_size:
             yield Found(
-                f"SM {number} {sm.usage} has DefaultSize {sm.default_size}; its assigned PDOs take {size} bytes",
+                f"SM {number} {sm.usage} has DefaultSize {sm.default_size}; "
+                f"its assigned PDOs take {size} bytes: correct one of them",
                 ("sync_managers", number),
             )
 
@@ -161,12 +150,14 @@ def pdos_outside_sizes(subject: ProcessSubject) -> Iterator[Found]:
         size = _image_bytes(subject, number)
         if size and sm.max_size is not None and size > sm.max_size:
             yield Found(
-                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, MaxSize is {sm.max_size}",
+                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, "
+                f"MaxSize is {sm.max_size}: correct one of them",
                 ("sync_managers", number),
             )
         elif size and sm.min_size is not None and size < sm.min_size:
             yield Found(
-                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, MinSize is {sm.min_size}",
+                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, "
+                f"MinSize is {sm.min_size}: correct one of them",
                 ("sync_managers", number),
             )
 
@@ -176,15 +167,17 @@ def default_size(subject: ProcessSubject) -> Iterator[Found]:
     """A mailbox SyncManager without DefaultSize, or a DefaultSize outside of MinSize and MaxSize."""
     for number, sm, role in _with_roles(subject):
         place: Place = ("sync_managers", number)
-        if sm.default_size is None:
-            if role.is_mailbox and is_absent(sm, "default_size"):
-                yield Found(f"SM {number} {sm.usage} has no DefaultSize: the mailbox has no length; give it", place)
+        if role.is_mailbox and (sm.default_size == 0 or is_absent(sm, "default_size")):
+            words = "no DefaultSize" if sm.default_size is None else "DefaultSize 0"
+            yield Found(f"SM {number} {sm.usage} has {words}: the mailbox has no length; give it", place)
+        elif sm.default_size is None:
+            continue
         elif (sm.min_size is not None and sm.default_size < sm.min_size) or (
             sm.max_size is not None and sm.default_size > sm.max_size
         ):
             yield Found(
                 f"SM {number} {sm.usage} has DefaultSize {sm.default_size}, "
-                f"outside of {_number(sm.min_size)} to {_number(sm.max_size)}",
+                f"outside of {_number(sm.min_size)} to {_number(sm.max_size)}: correct one of them",
                 place,
             )
 

@@ -4,11 +4,12 @@ from collections.abc import Iterator
 
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.lint.dictionaries import ObjectValues
-from esicatalog.lint.registry import WARNING, Found, listed, rule
+from esicatalog.lint.registry import WARNING, Found, Place, listed, rule
 from esicatalog.model.base_types import BASE_TYPES, BaseType
 from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
 from esicatalog.model.values import number_size
 
+_CHARACTER_BITS = {"string": 8, "unicode": 16}
 _FIXED_WIDTH = frozenset({"bool", "int", "uint", "bits", "real", "time", "guid"})
 
 
@@ -18,14 +19,21 @@ def _words(subject: ObjectValues, entry: ObjectEntry) -> str:
 
 @rule("L45", WARNING, "ETG.2000 DefaultData: the bytes of the value, little-endian; MinValue, MaxValue")
 def default_value(subject: ObjectValues) -> Iterator[Found]:
-    """DefaultData has another length than the type, or the default lies outside of minimum and maximum."""
+    """A default has another length than the type, does not fit into it, or lies outside of minimum and maximum."""
     found = []
     for entry in subject.with_values:
-        problem = _length_problem(entry) or _range_problem(entry)
+        problem = _length_problem(entry) or _fit_problem(entry) or _range_problem(entry)
         if problem is not None:
-            found.append(f"{_words(subject, entry)} {problem}")
+            found.append((entry, f"{_words(subject, entry)} {problem}"))
     if found:
-        yield Found(listed(found))
+        yield Found(f"{listed([words for _, words in found])}: correct it", _place(subject, found[0][0]))
+
+
+def _place(subject: ObjectValues, entry: ObjectEntry) -> Place:
+    """The SubItem of Info that gives the value of an entry, the object where its name does not tell which."""
+    names = [(info.name or "").strip() for info in subject.declared.info_sub_items]
+    name = (entry.name or "").strip()
+    return ("info_sub_items", names.index(name)) if name in names else ()
 
 
 def _length_problem(entry: ObjectEntry) -> str | None:
@@ -40,6 +48,25 @@ def _length_problem(entry: ObjectEntry) -> str | None:
     if len(data) < wanted and base.kind not in _FIXED_WIDTH:
         return None
     return f"has DefaultData of {len(data)} bytes; {entry.data_type} has {wanted}{_reading(len(data), entry, base)}"
+
+
+def _fit_problem(entry: ObjectEntry) -> str | None:
+    """A number or a text that its type has no room for."""
+    if entry.bit_size is None or entry.base_type is None:
+        return None
+    base, number = BASE_TYPES[entry.base_type], entry.default_int
+    if entry.default_kind == "string" and base.kind in _CHARACTER_BITS:
+        room = entry.bit_size // _CHARACTER_BITS[base.kind]
+        length = len(entry.default_raw or "")
+        if not 0 < room < length:  # STRING(0) is of any length
+            return None
+        return f"has a DefaultString of {length} characters, {entry.data_type} has {room}"
+    if entry.default_kind == "data" or number is None or not base.integral:
+        return None
+    needed = (number if number >= 0 else ~number).bit_length() + base.signed
+    if needed <= entry.bit_size and (base.signed or number >= 0):
+        return None
+    return f"has the default {number}, which does not fit into the {entry.bit_size} bits of {entry.data_type}"
 
 
 def _reading(given: int, entry: ObjectEntry, base: BaseType) -> str:
@@ -81,7 +108,7 @@ def info_unpaired(subject: ObjectValues) -> Iterator[Found]:
     index = subject.declared.object_index or 0
     for rule_id, words in subject.resolved.remarks:
         if rule_id == "L46":
-            yield Found(f"object 0x{index:04X}: {words}", ("info_sub_items", 0))
+            yield Found(f"object 0x{index:04X}: {words}: correct Info", ("info_sub_items", 0))
     members = len(subject.resolved.entries)
     names = {entry.name for entry in subject.resolved.entries}
     if (
@@ -90,7 +117,8 @@ def info_unpaired(subject: ObjectValues) -> Iterator[Found]:
         and not all((info.name or "").strip() in names for info in infos)
     ):
         yield Found(
-            f"object 0x{index:04X}: Info has {len(infos)} SubItems, the array {members - 1} elements and SubIndex 0",
+            f"object 0x{index:04X}: Info has {len(infos)} SubItems, the array {members - 1} elements and SubIndex 0: "
+            "give one for each",
             ("info_sub_items", 0),
         )
 
@@ -98,7 +126,7 @@ def info_unpaired(subject: ObjectValues) -> Iterator[Found]:
 @rule("L47", WARNING, "ETG.2000 Info/DefaultString is for texts; numbers have DefaultData or DefaultValue")
 def text_for_number(subject: ObjectValues) -> Iterator[Found]:
     """A number has a DefaultString."""
-    found = []
+    found: list[tuple[ObjectEntry, str]] = []
     for entry in subject.with_values:
         if entry.default_kind != "string" or entry.base_type is None:
             continue
@@ -106,6 +134,8 @@ def text_for_number(subject: ObjectValues) -> Iterator[Found]:
         if base.integral or base.kind == "real":
             is_number = entry.default_int is not None or entry.default_real is not None
             words = "read as a number" if is_number else "no number"
-            found.append(f"{_words(subject, entry)} of type {entry.data_type}: {entry.default_raw!r}, {words}")
+            said = f"{_words(subject, entry)} of type {entry.data_type}: {entry.default_raw!r}, {words}"
+            found.append((entry, said))
     if found:
-        yield Found(f"DefaultString of a number ({listed(found)}): use DefaultData")
+        numbers = listed([words for _, words in found])
+        yield Found(f"DefaultString of a number ({numbers}): use DefaultData", _place(subject, found[0][0]))

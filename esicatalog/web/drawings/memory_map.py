@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.model.process_image import SmImage
-from esicatalog.model.sm_facts import SmFacts, sm_facts
+from esicatalog.model.sm_facts import SmFacts, sm_facts, sm_role
 from esicatalog.web.drawings.svg import (
     WIDTH,
     clipped,
@@ -31,7 +31,6 @@ MOST_SYNC_MANAGERS = 16
 _MEMORY_START, _MEMORY_END = 0x1000, 0x10000
 _BUFFERS = {"buffered": 3, "mailbox": 1}
 _COLOURS = {"output": "pdo-0", "input": "pdo-2"}
-_MAILBOXES = ("MBoxOut", "MBoxIn")
 _LEFT, _RIGHT, _TOP = 52, WIDTH - 2, 8
 _LINE = 14
 
@@ -97,7 +96,7 @@ def memory_map_svg(device: Device, images: Sequence[SmImage]) -> str:
 
 
 def _area(number: int, sync_manager: SyncManager, image_size: int | None) -> _Area:
-    facts = sm_facts(sync_manager)
+    facts, role = sm_facts(sync_manager), sm_role(sync_manager)
     size = max(sync_manager.default_size or 0, image_size or 0) or None
     return _Area(
         number,
@@ -108,7 +107,7 @@ def _area(number: int, sync_manager: SyncManager, image_size: int | None) -> _Ar
         facts,
         _BUFFERS.get(facts.buffer_mode or "", 1) if size else 1,
         sync_manager.enable is None or bool(sync_manager.enable & 1),
-        sync_manager.usage in _MAILBOXES,
+        role is not None and role.is_mailbox,
     )
 
 

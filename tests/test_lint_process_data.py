@@ -1,0 +1,188 @@
+"""Rules about SyncManagers, PDOs, their assignment and the times of the clocks, on documents written for each."""
+
+import pytest
+from snippets import device, dictionary, pdo
+from test_lint_rules import declared, linted, module, slots
+
+MAILBOX_AND_PROCESS_DATA = (
+    '<Sm DefaultSize="128">MBoxOut</Sm><Sm DefaultSize="128">MBoxIn</Sm><Sm>Outputs</Sm><Sm>Inputs</Sm>'
+    "<Sm>DynamicOutputs</Sm><Sm>Orbita</Sm>"
+)
+
+
+@pytest.mark.parametrize(
+    ("kind", "sm", "role"),
+    [
+        ("RxPdo", 0, "MBoxOut"),
+        ("TxPdo", 1, "MBoxIn"),
+        ("RxPdo", 3, "Inputs"),
+        ("TxPdo", 4, "DynamicOutputs"),
+        ("RxPdo", 2, None),
+        ("RxPdo", 4, None),
+        ("TxPdo", 5, None),  # a word of the vendor's says nothing
+    ],
+)
+@pytest.mark.parametrize("in_module", [False, True])
+def test_l27_knows_what_a_sync_manager_is_for(tmp_path, kind, sm, role, in_module):
+    assigned = pdo(kind, "#x1600", 8, attributes=f'Sm="{sm}"')
+    own, carried = (slots(1), module(assigned)) if in_module else (assigned, "")
+    found = linted(tmp_path, "L27", device(MAILBOX_AND_PROCESS_DATA + own), carried)
+    assert [item["message"].partition("which is ")[2] for item in found] == ([f"{role}: correct Sm"] if role else [])
+
+
+@pytest.mark.parametrize(
+    ("sm", "index", "words"),
+    [
+        (0, "#x1600", "assigns the RxPdo 0x1600 to SM 0, which is MBoxOut"),
+        (2, "#x1A00", "assigns the TxPdo 0x1A00 to SM 2, which is Outputs"),
+        (6, "#x1600", "names SM 6; there are 6: correct No"),
+        (2, "#x1600", None),
+        (5, "#x1A00", None),
+    ],
+)
+def test_l52_knows_what_a_sync_manager_is_for(tmp_path, sm, index, words):
+    mode = f'<OpMode><Name>DC</Name><AssignActivate>0</AssignActivate><Sm No="{sm}"><Pdo>{index}</Pdo></Sm></OpMode>'
+    pdos = pdo("RxPdo", "#x1600", 8) + pdo("TxPdo", "#x1A00", 8)
+    found = linted(tmp_path, "L52", device(f"{MAILBOX_AND_PROCESS_DATA}{pdos}<Dc>{mode}</Dc>"))
+    assert [item["message"] for item in found] == ([f"OpMode 1 'DC' {words}"] if words else [])
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "role", "control", "count"),
+    [
+        ("L19", "DynamicOutputs", "#x20", 1),
+        ("L19", "DynamicOutputs", "#x64", 0),
+        ("L19", "DynamicInputs", "#x64", 1),
+        ("L21", "DynamicOutputs", "#x24", 1),
+        ("L21", "DynamicInputs", "#x20", 0),
+    ],
+)
+def test_l19_and_l21_know_the_dynamic_roles(tmp_path, rule_id, role, control, count):
+    sm = f'<Sm StartAddress="#x1000" ControlByte="{control}">{role}</Sm>'
+    assert len(linted(tmp_path, rule_id, device(sm))) == count
+
+
+ASSIGNED_0X1600 = dictionary(
+    "<DataType><Name>DT1C12</Name><BitSize>32</BitSize>"
+    "<SubItem><SubIdx>0</SubIdx><Name>N</Name><Type>USINT</Type><BitSize>8</BitSize><BitOffs>0</BitOffs></SubItem>"
+    "<SubItem><SubIdx>1</SubIdx><Name>P</Name><Type>UINT</Type><BitSize>16</BitSize><BitOffs>16</BitOffs></SubItem>"
+    "</DataType>",
+    "<Object><Index>#x1C12</Index><Name>O</Name><Type>DT1C12</Type><BitSize>32</BitSize><Info>"
+    "<SubItem><Name>N</Name><Info><DefaultData>01</DefaultData></Info></SubItem>"
+    "<SubItem><Name>P</Name><Info><DefaultData>0016</DefaultData></Info></SubItem></Info></Object>",
+)
+
+
+@pytest.mark.parametrize(
+    ("mode", "words"),
+    [
+        ('<Sm No="2"><Pdo>#x1601</Pdo></Sm>', "the OpMode 'DC' assigns 0x1601"),
+        ('<Sm No="3"><Pdo>#x1A00</Pdo></Sm>', None),
+    ],
+)
+def test_l65_says_what_assigns(tmp_path, mode, words):
+    """RxPdo 0x1600 has Sm=2, and 0x1C12:01 names it; the default OpMode may assign another one."""
+    pdos = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("RxPdo", "#x1601", 8) + pdo("TxPdo", "#x1A00", 8)
+    modes = f"<Dc><OpMode><Name>DC</Name><AssignActivate>0</AssignActivate>{mode}</OpMode></Dc>"
+    found = linted(tmp_path, "L65", device(ASSIGNED_0X1600 + MAILBOX_AND_PROCESS_DATA + pdos + modes))
+    said = f"0x1C12 assigns 0x1600 by default, {words}: which of them counts depends on the master"
+    assert [item["message"] for item in found] == ([said] if words else [])
+
+
+def excluding(index: str, excluded: str, sm: str = 'Sm="2"', attributes: str = 'DependOnSlot="1"') -> str:
+    """A RxPdo of a module that excludes another one."""
+    text = pdo("RxPdo", index, 8, attributes=sm, extra=f"<Exclude {attributes}>{excluded}</Exclude>")
+    return text.replace("<Index>", '<Index DependOnSlot="1">', 1)
+
+
+@pytest.mark.parametrize(
+    ("pdos", "words"),
+    [
+        (excluding("#x1600", "#x1600"), "excludes itself"),
+        (excluding("#x1600", "#x1601") + excluding("#x1601", "#x1600"), "exclude each other"),
+        (excluding("#x1600", "#x1601") + excluding("#x1601", "#x1600", sm=""), None),
+        (excluding("#x1600", "#x1600", attributes=""), None),  # in slot 1 it is another PDO
+    ],
+)
+def test_l31_looks_into_modules(tmp_path, pdos, words):
+    found = linted(tmp_path, "L31", device(MAILBOX_AND_PROCESS_DATA + slots(1)), module(pdos))
+    assert [item["path"].partition("/RxPdo")[0] for item in found] == ["EtherCATInfo/Descriptions/Modules/Module"] * (
+        words is not None
+    )
+    assert all(words in item["message"] for item in found)
+
+
+def test_l31_leaves_out_what_the_op_mode_of_the_device_assigns(tmp_path):
+    pdos = excluding("#x1600", "#x1601") + excluding("#x1601", "#x1600")
+    mode = "<Dc><OpMode><Name>A</Name><AssignActivate>0</AssignActivate>{}</OpMode></Dc>".format(
+        '<Sm No="2"><Pdo>#x1600</Pdo></Sm>'
+    )
+    assert linted(tmp_path, "L31", device(MAILBOX_AND_PROCESS_DATA + mode + slots(1)), module(pdos)) == []
+
+
+PRESET = (
+    '<Slots SlotPdoIncrement="{}" SlotIndexIncrement="{}"><Slot MinInstances="{}" MaxInstances="{}"><Name>s</Name>'
+    '<ModuleIdent Default="1">#x10</ModuleIdent></Slot></Slots>'
+)
+MOVING = module(
+    pdo("RxPdo", "#x1600", 8).replace("<Index>", '<Index DependOnSlot="1">', 1)
+    + dictionary("", declared("#x7000", "UINT", 16, 'DependOnSlot="1"'))
+)
+
+
+@pytest.mark.parametrize(
+    ("own", "placed", "message"),
+    [
+        ("", (1, 0, 2, 2), "object 0x7000 of the default module in slot 1 meets that of slot 0"),
+        ("", (0, 0, 2, 2), "RxPdo 0x1600, object 0x7000 of the default module in slot 1 meet those of slot 0"),
+        ("", (1, 16, 2, 2), None),
+        (
+            pdo("RxPdo", "#x1600", 8),
+            (1, 16, 1, 1),
+            "RxPdo 0x1600 of the default module in slot 0 meets that of the device",
+        ),
+        (pdo("RxPdo", "#x1600", 8, attributes='OverwrittenByModule="1"'), (1, 16, 1, 1), None),
+        (pdo("RxPdo", "#x1601", 8), (1, 16, 1, 1), None),
+    ],
+)
+def test_l55_looks_at_objects_and_at_the_device(tmp_path, own, placed, message):
+    found = linted(tmp_path, "L55", device(own + PRESET.format(*placed)), MOVING)
+    assert [item["message"].partition(": ")[0] for item in found] == ([message] if message else [])
+
+
+def op_mode(*times: str, activate: str = "#x300") -> str:
+    return f"<Dc><OpMode><Name>DC</Name><AssignActivate>{activate}</AssignActivate>{''.join(times)}</OpMode></Dc>"
+
+
+CYCLE_0, NO_CYCLE_0 = '<CycleTimeSync0 Factor="1">0</CycleTimeSync0>', "<CycleTimeSync0>0</CycleTimeSync0>"
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "content", "words"),
+    [
+        (
+            "L26",
+            '<Sm DefaultSize="0">MBoxOut</Sm>',
+            "SM 0 MBoxOut has DefaultSize 0: the mailbox has no length; give it",
+        ),
+        ("L26", '<Sm DefaultSize="0">Outputs</Sm>', None),
+        # A time of 0 counts with its Factor only.
+        ("L51", op_mode(NO_CYCLE_0), "OpMode 1 'DC' makes SYNC pulses with CycleTimeSync0 0 and no Factor"),
+        ("L51", op_mode(NO_CYCLE_0.replace(">", ' Factor="0">', 1)), "OpMode 1 'DC' makes SYNC pulses with"),
+        ("L51", op_mode(), "OpMode 1 'DC' makes SYNC pulses without CycleTimeSync0"),
+        ("L51", op_mode(CYCLE_0), None),
+        # Bit 0x0001: the device makes its SYNC signals itself.
+        ("L51", op_mode(NO_CYCLE_0, activate="#x301"), None),
+        (
+            "L50",
+            op_mode(CYCLE_0, "<CycleTimeSync1>0</CycleTimeSync1>", activate="#x700"),
+            "OpMode 1 'DC' makes SYNC1 (AssignActivate 0x0700) with CycleTimeSync1 0 and no Factor: its time",
+        ),
+        ("L50", op_mode(CYCLE_0, "<ShiftTimeSync1>0</ShiftTimeSync1>", activate="#x700"), None),
+        ("L50", op_mode(CYCLE_0, '<CycleTimeSync1 Factor="1">0</CycleTimeSync1>', activate="#x700"), None),
+    ],
+)
+def test_zero_is_no_length_and_no_time(tmp_path, rule_id, content, words):
+    found = linted(tmp_path, rule_id, device(content))
+    assert len(found) == (words is not None)
+    assert all(item["message"].startswith(words) for item in found)

@@ -1,0 +1,143 @@
+"""Rules about values: what fits into a field or a type, and what is written when."""
+
+import re
+
+import pytest
+from snippets import device, dictionary, pdo
+from test_lint_rules import TYPES, declared, linted
+
+SM = "<Sm {}>Outputs</Sm>"
+OP_MODE = "<Dc><OpMode><Name>DC</Name><AssignActivate>{}</AssignActivate></OpMode></Dc>"
+ENTRY_OF = (
+    "<RxPdo><Index>{}</Index><Name>R</Name>"
+    "<Entry><Index>{}</Index><SubIndex>{}</SubIndex><BitLen>8</BitLen></Entry></RxPdo>"
+)
+INIT_CMD = (
+    "<Mailbox><CoE><InitCmd><Transition>PS</Transition><Index>{}</Index><SubIndex>{}</SubIndex><Data>00</Data>"
+    "</InitCmd></CoE></Mailbox>"
+)
+
+
+@pytest.mark.parametrize(
+    ("content", "place", "bits"),
+    [
+        (SM.format('StartAddress="#x11000"'), "Sm/@StartAddress", 16),
+        (SM.format('ControlByte="#x164"'), "Sm/@ControlByte", 8),
+        (SM.format('DefaultSize="65536"'), "Sm/@DefaultSize", 16),
+        (OP_MODE.format("#x10300"), "AssignActivate", 16),
+        (ENTRY_OF.format("#x11600", "#x7000", 1), "Index", 16),
+        (ENTRY_OF.format("#x1600", "#x17000", 1), "Index", 16),
+        (ENTRY_OF.format("#x1600", "#x7000", 256), "SubIndex", 8),
+        (INIT_CMD.format("#x12000", 1), "Index", 16),
+        (INIT_CMD.format("#x2000", 300), "SubIndex", 8),
+        (dictionary("", declared("#x12000", "UINT", 16)), "Index", 16),
+    ],
+)
+def test_l06_knows_how_wide_a_field_is(tmp_path, content, place, bits):
+    """Registers and indices have 16 bits, ControlByte and subindices 8 (ETG.1000.6, ESC registers 0x0800 and on)."""
+    (found,) = linted(tmp_path, "L06", device(content))
+    assert re.fullmatch(rf"{place}: '[#\w]+' does not fit into {bits} bits; read as \d+", found["message"])
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "words"), [("L06", "Type/@ProductCode: '0x1' has a C prefix"), ("L03", "RxPdo/@Fixed: 'yes' is not")]
+)
+def test_the_attribute_that_breaks_the_format_is_named(tmp_path, rule_id, words):
+    text = device(pdo("RxPdo", "#x1600", 8, attributes='Fixed="yes"'), product="0x1")
+    (found,) = linted(tmp_path, rule_id, text)
+    assert found["message"].startswith(words)
+
+
+def test_l17_looks_at_the_names_of_channels(tmp_path):
+    channel = "<ChannelInfo><ProfileNo>402</ProfileNo>{}</ChannelInfo>"
+    twice = channel.format("<DisplayName>A</DisplayName><DisplayName LcId='1033'>B</DisplayName>")
+    once = channel.format("<DisplayName>A</DisplayName><DisplayName LcId='1031'>B</DisplayName>")
+    (found,) = linted(tmp_path, "L17", device(f"<Profile>{once}{twice}</Profile>"))
+    assert found["path"].endswith("Device/Profile/ChannelInfo[1]/DisplayName[1]")
+
+
+@pytest.mark.parametrize(
+    ("restriction", "transitions", "refused"),
+    [
+        ("PreOP", ["IP", "PS"], ""),
+        ("PreOP", ["PS", "SO"], "SO"),
+        ("SafeOP_OP", ["IP", "PS", "SO"], "IP, PS"),
+        ("PreOP", ["OP"], ""),  # leads back: in which state it is sent is not defined
+    ],
+)
+def test_l56_knows_when_an_object_can_be_written(tmp_path, restriction, transitions, refused):
+    written = declared("#x2000", "UINT", 16).replace("<Access>", f'<Access WriteRestrictions="{restriction}">')
+    transition = "".join(f"<Transition>{name}</Transition>" for name in transitions)
+    command = f"<InitCmd>{transition}<Index>#x2000</Index><SubIndex>0</SubIndex><Data>0100</Data></InitCmd>"
+    sent = f"<Mailbox><CoE>{command}</CoE></Mailbox>"
+    found = linted(tmp_path, "L56", device(dictionary(TYPES, written) + sent))
+    said = f"InitCmd for 0x2000:00 is sent at {refused}, when WriteRestrictions forbid to write the object: "
+    assert [item["message"] for item in found] == ([f"{said}correct Transition"] if refused else [])
+
+
+@pytest.mark.parametrize(
+    ("type_name", "bits", "value", "words"),
+    [
+        (
+            "UINT",
+            16,
+            "<DefaultValue>70000</DefaultValue>",
+            "the default 70000, which does not fit into the 16 bits of UINT",
+        ),
+        ("UINT", 16, "<DefaultValue>-1</DefaultValue>", "the default -1, which does not fit into the 16 bits of UINT"),
+        ("UINT", 16, "<DefaultValue>65535</DefaultValue>", None),
+        (
+            "INT",
+            16,
+            "<DefaultValue>32768</DefaultValue>",
+            "the default 32768, which does not fit into the 16 bits of INT",
+        ),
+        ("INT", 16, "<DefaultValue>-32768</DefaultValue>", None),
+        ("INT", 16, "<DefaultValue>#xFFFF</DefaultValue>", None),  # the bits of -1
+        ("BOOL", 1, "<DefaultValue>1</DefaultValue>", None),
+        ("BOOL", 1, "<DefaultValue>2</DefaultValue>", "the default 2, which does not fit into the 1 bits of BOOL"),
+        ("UINT", 16, "<DefaultString>70000</DefaultString>", "the default 70000, which does not fit into the 16 bits"),
+        ("STRING(4)", 32, "<DefaultString>ABCD</DefaultString>", None),
+        ("STRING(4)", 32, "<DefaultString>ABCDE</DefaultString>", "a DefaultString of 5 characters, STRING(4) has 4"),
+        ("STRING(0)", 0, "<DefaultString>ABCDE</DefaultString>", None),  # of any length
+    ],
+)
+def test_l45_knows_what_fits_into_a_type(tmp_path, type_name, bits, value, words):
+    profile = dictionary(
+        f"<DataType><Name>{type_name}</Name><BitSize>{bits}</BitSize></DataType>",
+        declared("#x2000", type_name, bits, content=f"<Info>{value}</Info>"),
+    )
+    found = linted(tmp_path, "L45", device(profile))
+    assert len(found) == (words is not None)
+    assert all(item["message"].startswith(f"0x2000:00 has {words}") for item in found)
+
+
+RECORD = (
+    TYPES + "<DataType><Name>DT1</Name><BitSize>32</BitSize>"
+    "<SubItem><SubIdx>1</SubIdx><Name>A</Name><Type>UINT</Type><BitSize>16</BitSize><BitOffs>0</BitOffs></SubItem>"
+    "<SubItem><SubIdx>2</SubIdx><Name>B</Name><Type>UINT</Type><BitSize>16</BitSize><BitOffs>16</BitOffs></SubItem>"
+    "</DataType>"
+)
+GIVEN = "<SubItem><Name>{}</Name><Info><DefaultData>{}</DefaultData></Info></SubItem>"
+
+
+def test_l45_stands_at_the_sub_item(tmp_path):
+    infos = "<Info>" + GIVEN.format("A", "0100") + "\n" + GIVEN.format("B", "01") + "</Info>"
+    (found,) = linted(tmp_path, "L45", device(dictionary(RECORD, declared("#x2000", "DT1", 32, content=infos))))
+    assert (found["line"], found["path"].rpartition("Object/")[2]) == (2, "Info/SubItem[1]")
+
+
+def test_l46_tells_a_repeated_name_from_an_unknown_one(tmp_path):
+    infos = "<Info>" + "".join(GIVEN.format(name, "0100") for name in ("A", "A", "X")) + "</Info>"
+    found = linted(tmp_path, "L46", device(dictionary(RECORD, declared("#x2000", "DT1", 32, content=infos))))
+    assert [item["message"].partition(";")[0] for item in found] == [
+        "object 0x2000: Info sub-items 'A' occur again",
+        "object 0x2000: Info sub-items 'X' match no sub-item of the data type",
+    ]
+
+
+def test_l58_tells_a_zero_beside_what_is_missing(tmp_path):
+    objects = declared("#x6502", "UDINT", 32, content="<Info><DefaultData>00000000</DefaultData></Info>")
+    found = linted(tmp_path, "L58", device(dictionary(TYPES, objects)))
+    assert ["without 0x6040" in item["message"] for item in found] == [True, False]
+    assert "0x6502 has the default 0" in found[1]["message"]
