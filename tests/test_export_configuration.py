@@ -681,10 +681,10 @@ def test_subjects_of_a_document_are_chosen_by_identity():
     hides = "<HideType RevisionNo='#x3'/>"
     text = esi(device("", revision="#x1") + device(hides, revision="#x2") + device("", revision="#x3") + device("", ""))
     subjects = subjects_of_document(read(text).document, "x.xml")
-    assert [item.revision_no for item in subjects] == [1, 2, 3]
+    assert [item.revision_no for item in subjects] == [1, 2, 3, None]
     assert choose_subject(subjects, Identity(0xE5C, 1, 3), "x.xml").revision_no == 3
     assert choose_subject(subjects, Identity(0xE5C, 1), "x.xml").revision_no == 2, "revision 3 is hidden"
-    with pytest.raises(InputError, match="describes 3 devices; name one of: 0x00000e5c:0x00000001:0x00000001"):
+    with pytest.raises(InputError, match="describes 4 devices; name one of: 0x00000e5c:0x00000001:0x00000001"):
         choose_subject(subjects, None, "x.xml")
     with pytest.raises(InputError, match="does not describe"):
         choose_subject(subjects, Identity(0xE5C, 9), "x.xml")

@@ -271,7 +271,7 @@ def test_a_sub_item_of_a_wrong_size_is_blamed_alone(tmp_path):
     data_type = f"<DataType><Name>DT</Name><BitSize>112</BitSize>{sub_items}</DataType>"
     write(tmp_path, {"a.xml": esi(device(dictionary(TYPES + data_type, "")))})
     told = [item["message"] for item in findings(tmp_path / "a.xml") if item["rule"] in ("L43", "L44")]
-    assert told == ["DataType DT: SubItem 'c' has BitSize 80, its type UDINT 32"]
+    assert told == ["DataType DT: SubItem 'c' has BitSize 80, its type UDINT 32; correct BitSize or Type"]
 
 
 def test_bit_fields_of_an_idn_are_narrower_than_their_type(tmp_path):

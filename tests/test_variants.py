@@ -133,7 +133,8 @@ async def test_a_description_without_revision_is_found_beside_one_with(tmp_path)
             assert catalog.device(found.identity).found == found
             response = await web.get(f"/-/esi/{device_path(found)}")
             assert (response.status_code, f"<h1>{found.type}" in response.text) == (200, True)
-            assert ('id="exports"' in response.text) == (found.type == "numbered")
+            offered = {kind for kind in ("esi", "igh", "sii") if f"/export/{kind}" in response.text}
+            assert offered == ({"esi", "igh", "sii"} if found.type == "numbered" else {"esi"})
         assert catalog.device("0xe5c:5").found.type == "numbered"
         with pytest.raises(NotFound, match="has no variant 3"):
             catalog.device("0xe5c:5:-@3")
