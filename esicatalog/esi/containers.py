@@ -12,6 +12,7 @@ import posixpath
 import stat
 import zipfile
 from collections import Counter
+from collections.abc import Iterable
 from pathlib import Path, PurePosixPath
 from typing import Protocol
 
@@ -209,6 +210,19 @@ class Archive:
     def find(self, member: str) -> str | None:
         """The member with this path in any letter case."""
         return self._by_lower.get(member.lower())
+
+
+def open_container(root: str, in_archive: bool, nested: Iterable[str] = ()) -> Container:
+    """The folder or archive ``root``, or what lies in the archives ``nested`` in it, the outer one first.
+
+    Raises :class:`InputError` and :class:`BrokenDocument` for archives that cannot be used.
+    """
+    if not in_archive:
+        return Folder(Path(root))
+    archive = Archive(Path(root))
+    for name in nested:
+        archive = Archive(archive.read(name))
+    return archive
 
 
 def is_archive(content_head: bytes) -> bool:

@@ -8,14 +8,13 @@ import contextlib
 import os
 import signal
 import sys
-from pathlib import Path
 from typing import IO
 
 import msgspec
 
 from esicatalog.catalog.rows import RowMaker
 from esicatalog.errors import DocumentError, EsiCatalogError, NotAnEsiDocument, UnreadableDocument
-from esicatalog.esi.containers import Archive, Container, Folder, resolve_reference
+from esicatalog.esi.containers import Container, open_container, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.stages import Stages
@@ -100,14 +99,7 @@ class DocumentWorker:
         key = (task.root, task.nested)
         opened = self._opened.pop(key, None)
         if opened is None:
-            container: Container
-            if task.is_archive:
-                archive = Archive(Path(task.root))
-                for name in task.nested:
-                    archive = Archive(archive.read(name))
-                container = archive
-            else:
-                container = Folder(Path(task.root))
+            container = open_container(task.root, task.is_archive, task.nested)
             opened = (container, ReferenceHashes(container))
         self._opened[key] = opened
         if len(self._opened) > _MAX_OPENED:
