@@ -17,44 +17,44 @@ _LIST_NAMES = {"pdos": "direction", "initcmds": "protocol", "device_names": "kin
 _IMAGE_DIRECTIONS = ("RxPdo", "TxPdo")
 
 
-class Rule(NamedTuple):
+class RowRule(NamedTuple):
     """What breaks the rule in words, after their number, and a SELECT of one row for each."""
 
     words: str
     breaking: sa.Select[Any]
 
 
-def rules() -> Iterator[Rule]:
+def rules() -> Iterator[RowRule]:
     """All rules, the plain ones first."""
     for name, breaking in unreferenced_rows():
         if name == "archives":
             continue  # An archive may be empty.
         carried = "that no document carries" if name in ("devices", "modules") else "that nothing refers to"
-        yield Rule(f"rows of {name} {carried}", breaking)
+        yield RowRule(f"rows of {name} {carried}", breaking)
     yield from _owner_rules()
     yield from _count_rules()
     yield from _list_rules()
     yield from _device_rules()
 
 
-def _owner_rules() -> Iterator[Rule]:
+def _owner_rules() -> Iterator[RowRule]:
     for table in schema.metadata.sorted_tables:
         owners = [table.c[name] for name in _OWNERS if name in table.c and table.c[name].nullable]
         if owners:
             held = sum((sa.case((owner.is_not(None), 1), else_=0) for owner in owners), sa.literal(0))
-            yield Rule(f"rows of {table.name} that do not belong to exactly one owner", _numbers(table, held != 1))
+            yield RowRule(f"rows of {table.name} that do not belong to exactly one owner", _numbers(table, held != 1))
 
 
-def _count_rules() -> Iterator[Rule]:
+def _count_rules() -> Iterator[RowRule]:
     for kind in ("device", "module"):
         links = schema.metadata.tables[f"{kind}_sources"]
         held = _amount(links, links.c.source_id == sources.c.id)
-        yield Rule(
+        yield RowRule(
             f"documents whose {kind}_count is not the number of their {kind}s",
             _numbers(sources, sources.c[f"{kind}_count"] != held),
         )
     dictionaries, members = schema.dictionaries, schema.dictionary_objects
-    yield Rule(
+    yield RowRule(
         "dictionaries whose object_count is not the number of their objects",
         _numbers(
             dictionaries, dictionaries.c.object_count != _amount(members, members.c.dictionary_id == dictionaries.c.id)
@@ -69,7 +69,7 @@ def _count_rules() -> Iterator[Rule]:
         .scalar_subquery()
     )
     for table, more in ((devices, of_modules), (modules, sa.literal(0))):
-        yield Rule(
+        yield RowRule(
             f"{table.name} whose element_count is not the number of their objects and PDO entries",
             _numbers(table, table.c.element_count != _own_elements(table) + more),
         )
@@ -96,7 +96,7 @@ def _own_elements(table: sa.Table) -> sa.ColumnElement[int]:
     return objects + mapped
 
 
-def _list_rules() -> Iterator[Rule]:
+def _list_rules() -> Iterator[RowRule]:
     """Lists are complete: positions run from 0 without a gap."""
     for table in schema.metadata.sorted_tables:
         if "position" not in table.c:
@@ -107,7 +107,7 @@ def _list_rules() -> Iterator[Rule]:
             sa.func.max(position) != sa.func.count() - 1,
             sa.func.count(position.distinct()) != sa.func.count(),
         )
-        yield Rule(
+        yield RowRule(
             f"lists in {table.name} whose positions do not run from 0",
             sa.select(sa.func.min(position)).group_by(*within).having(broken),
         )
@@ -123,10 +123,10 @@ def _list_columns(table: sa.Table) -> list[sa.Column[Any]]:
     return [*(owners or parents[:1]), *([table.c[named]] if named else [])]
 
 
-def _device_rules() -> Iterator[Rule]:
+def _device_rules() -> Iterator[RowRule]:
     columns = devices.c
     carried = carried_facts().subquery("carried")
-    yield Rule(
+    yield RowRule(
         "devices whose recovered, file_version or group_type is not what their documents say",
         sa.select(columns.id)
         .join(carried, carried.c.device_id == columns.id)
@@ -154,17 +154,17 @@ def _device_rules() -> Iterator[Rule]:
         ),
     )
     ranked = sa.select(columns.id, columns.variant, preferred.label("preferred")).subquery("ranked")
-    yield Rule(
+    yield RowRule(
         "devices whose variants are not numbered from 1 in the order of preference",
         sa.select(ranked.c.id).where(ranked.c.variant != ranked.c.preferred),
     )
     superseded = superseded_devices()
-    yield Rule(
+    yield RowRule(
         "devices that are hidden although nothing supersedes them, or the other way round",
         _numbers(devices, columns.hidden != columns.id.in_(superseded)),
     )
     facts = schema.device_facts.c
-    yield Rule("devices without device_facts", _numbers(devices, ~sa.exists().where(facts.device_id == columns.id)))
+    yield RowRule("devices without device_facts", _numbers(devices, ~sa.exists().where(facts.device_id == columns.id)))
 
 
 def _numbers(table: sa.Table, condition: sa.ColumnElement[bool]) -> sa.Select[Any]:

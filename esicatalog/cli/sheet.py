@@ -14,7 +14,7 @@ from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
-from esicatalog.model.pdo_facts import pdo_bits
+from esicatalog.model.pdo_facts import pdo_bits, pdos_by_direction
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
@@ -193,7 +193,7 @@ def _entry_index(entry: Entry) -> str:
 def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str) -> Iterator[str]:
     """``sms`` are the SyncManagers of those that are assigned."""
     rows = []
-    for direction, pdos in (("RxPdo", owner.rx_pdos), ("TxPdo", owner.tx_pdos)):
+    for direction, pdos in pdos_by_direction(owner):
         for position, pdo in enumerate(pdos):
             sm = sms.get((direction, position))
             flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]

@@ -12,13 +12,11 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.export.choice import PdoChoice
 from esicatalog.export.entry_types import ObjectTable
-from esicatalog.model.pdo_facts import symmetric_exclusions
+from esicatalog.model.pdo_facts import PDO_FIELDS, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
 from esicatalog.model.process_image import Assignment, SmImage
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sm_facts import sm_role
-
-_FIELDS = {"RxPdo": "rx_pdos", "TxPdo": "tx_pdos"}
 
 Owner = TypeVar("Owner", Device, Module)
 
@@ -79,21 +77,17 @@ def _available(device: Device, plugged: Iterable[PluggedModule]) -> list[_Availa
     of_modules = [
         _Available(direction, position, pdo, item)
         for item in plugged
-        for direction, pdos in _pdos(expand_module(device, item).module)
+        for direction, pdos in pdos_by_direction(expand_module(device, item).module)
         for position, pdo in enumerate(pdos)
     ]
     replaced = {item.pdo.pdo_index for item in of_modules}
     own = [
         _Available(direction, position, pdo, None)
-        for direction, pdos in _pdos(device)
+        for direction, pdos in pdos_by_direction(device)
         for position, pdo in enumerate(pdos)
         if not (pdo.overwritten_by_module and pdo.pdo_index in replaced)
     ]
     return own + of_modules
-
-
-def _pdos(owner: Device | Module) -> tuple[tuple[str, tuple[Pdo, ...]], ...]:
-    return ("RxPdo", owner.rx_pdos), ("TxPdo", owner.tx_pdos)
 
 
 def _find(available: Iterable[_Available], wanted: PdoChoice) -> _Available:
@@ -186,7 +180,7 @@ def _with_entries(
     device: Device, plugged: Sequence[PluggedModule], found: _Available, entries: tuple[Entry, ...]
 ) -> tuple[Device, tuple[PluggedModule, ...]]:
     """Device and modules with other entries in one PDO. Indices of a module are those of its slot already."""
-    field = _FIELDS[found.direction]
+    field = PDO_FIELDS[found.direction]
     if found.plugged is None:
         return _replaced(device, field, found.position, entries), tuple(plugged)
     unshifted = tuple(

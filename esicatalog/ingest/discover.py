@@ -12,7 +12,7 @@ from esicatalog.esi import containers
 from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive, is_unreadable
 
 
-class Found(NamedTuple):
+class FoundDocument(NamedTuple):
     """A document that may be read, or (with ``problem``) an input that cannot be."""
 
     location: str
@@ -37,7 +37,7 @@ class FoundArchive(NamedTuple):
     member: str
 
 
-Item = TypeVar("Item", bound=Found | FoundArchive)
+Item = TypeVar("Item", bound=FoundDocument | FoundArchive)
 
 _EMPTY = "an archive without files"
 _UNUSABLE_NAME = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
@@ -45,7 +45,7 @@ _UNUSABLE_NAME = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
 
 def discover(
     paths: Iterable[str | os.PathLike[str]], own_files: Set[str] = frozenset()
-) -> Iterator[Found | FoundArchive]:
+) -> Iterator[FoundDocument | FoundArchive]:
     """Everything below the paths, each location once, sorted by name; archives are not opened.
 
     ``own_files`` of the catalog that is being filled are left out. Raises :class:`InputError` for a path that does
@@ -68,8 +68,8 @@ def _existing(path: str | os.PathLike[str]) -> Path:
         raise InputError(f"{os.fspath(path)}: no such file or folder") from error
 
 
-def _folder(root: Path) -> Iterator[Found | FoundArchive]:
-    problems: list[Found] = []
+def _folder(root: Path) -> Iterator[FoundDocument | FoundArchive]:
+    problems: list[FoundDocument] = []
 
     def unreadable(error: OSError) -> None:
         path = Path(error.filename)
@@ -88,7 +88,7 @@ def _folder(root: Path) -> Iterator[Found | FoundArchive]:
     yield from problems
 
 
-def _file(path: Path, root: Path, archive_by_content: bool = False) -> Found | FoundArchive:
+def _file(path: Path, root: Path, archive_by_content: bool = False) -> FoundDocument | FoundArchive:
     try:
         status = path.stat()
         if path.is_symlink() and not path.resolve().is_relative_to(root):
@@ -103,29 +103,31 @@ def _file(path: Path, root: Path, archive_by_content: bool = False) -> Found | F
         problem = _problem(path, root, "failed", f"cannot be read: {error.strerror}")
         return problem._replace(is_unreadable=is_unreadable(error))
     member = path.relative_to(root).as_posix()
-    return Found(str(path), member, str(root), False, (), member, status.st_size)
+    return FoundDocument(str(path), member, str(root), False, (), member, status.st_size)
 
 
-def _with_usable_name(item: Item) -> Item | Found:
+def _with_usable_name(item: Item) -> Item | FoundDocument:
     """An input as it is, or the problem that its name can be neither stored nor printed."""
     if _UNUSABLE_NAME.search(item.location) is None:
         return item
     location, member = (_UNUSABLE_NAME.sub(_escaped, text) for text in (item.location, item.member))
     problem = ("failed", "its name holds control characters or is not UTF-8; rename it")
-    if isinstance(item, Found):
+    if isinstance(item, FoundDocument):
         return item._replace(location=location, member=member, problem=problem)
-    return Found(location, member, location, False, (), member, 0, problem)
+    return FoundDocument(location, member, location, False, (), member, 0, problem)
 
 
 def _escaped(match: re.Match[str]) -> str:
     return match[0].encode("unicode_escape").decode("ascii")
 
 
-def _problem(path: Path, root: Path, status: str, words: str) -> Found:
-    return Found(str(path), path.relative_to(root).as_posix(), str(root), False, (), path.name, 0, (status, words))
+def _problem(path: Path, root: Path, status: str, words: str) -> FoundDocument:
+    return FoundDocument(
+        str(path), path.relative_to(root).as_posix(), str(root), False, (), path.name, 0, (status, words)
+    )
 
 
-def archive_members(archive: FoundArchive) -> Iterator[Found]:
+def archive_members(archive: FoundArchive) -> Iterator[FoundDocument]:
     """The documents in an archive and in the archives inside it."""
     try:
         opened = Archive(Path(archive.location))
@@ -138,9 +140,9 @@ def archive_members(archive: FoundArchive) -> Iterator[Found]:
     yield from map(_with_usable_name, _members(archive, opened, (), _Allowance()))
 
 
-def unusable_archive(archive: FoundArchive, status: str, words: str) -> Found:
+def unusable_archive(archive: FoundArchive, status: str, words: str) -> FoundDocument:
     """The line of an archive from which no member comes."""
-    return Found(archive.location, archive.member, archive.location, True, (), "", 0, (status, words))
+    return FoundDocument(archive.location, archive.member, archive.location, True, (), "", 0, (status, words))
 
 
 class _Allowance:
@@ -158,7 +160,9 @@ class _Allowance:
             raise InputError("too much in the archives inside the archive; unpack it and name the folder")
 
 
-def _members(archive: FoundArchive, opened: Archive, nested: tuple[str, ...], allowance: _Allowance) -> Iterator[Found]:
+def _members(
+    archive: FoundArchive, opened: Archive, nested: tuple[str, ...], allowance: _Allowance
+) -> Iterator[FoundDocument]:
     allowance.take(opened)
     for name in opened.repeated:
         found = _member(archive, nested, name, 0)
@@ -181,9 +185,9 @@ def _members(archive: FoundArchive, opened: Archive, nested: tuple[str, ...], al
             yield found._replace(problem=("failed", str(error)))
 
 
-def _member(archive: FoundArchive, nested: tuple[str, ...], name: str, size: int) -> Found:
+def _member(archive: FoundArchive, nested: tuple[str, ...], name: str, size: int) -> FoundDocument:
     inside = NESTED.join((*nested, name))
-    return Found(
+    return FoundDocument(
         f"{archive.location}{NESTED}{inside}",
         f"{archive.member}{NESTED}{inside}",
         archive.location,

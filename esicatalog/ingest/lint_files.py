@@ -12,7 +12,7 @@ from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover
+from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_members, discover
 from esicatalog.lint.library import DeviceFact, device_facts, lint_library
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.registry import Rule
@@ -66,7 +66,7 @@ class FilesRun:
         skipped = f", skipped as no ESI: {self._skipped_count}" if self._skipped_count else ""
         return f"; documents: {self._document_count}{skipped}"
 
-    def _found(self) -> Iterator[Found]:
+    def _found(self) -> Iterator[FoundDocument]:
         for item in discover(self._paths):
             for found in _documents(item):
                 if found.problem is None:
@@ -76,7 +76,7 @@ class FilesRun:
                 else:
                     self.unreadable.append(f"{_shown(found.location)}: {found.problem[1]}")
 
-    def _document(self, found: Found, shown: str) -> list[Finding]:
+    def _document(self, found: FoundDocument, shown: str) -> list[Finding]:
         container = self._container(found)
         pulled = self._reader.pulled(container, found.name)
         if pulled is None:
@@ -97,7 +97,7 @@ class FilesRun:
         keys = [self._digests.module(module, vendor_id) for module in modules]
         return self._digests.device(device, vendor_id, keys)
 
-    def _container(self, found: Found) -> Container:
+    def _container(self, found: FoundDocument) -> Container:
         key = (found.root, found.nested)
         if self._opened is None or self._opened[0] != key:
             self._opened = (key, open_container(found.root, found.is_archive, found.nested))
@@ -112,7 +112,7 @@ class FilesRun:
             self.unreadable.append(f"{shown}: {error}")
 
 
-def _documents(item: Found | FoundArchive) -> Iterable[Found]:
+def _documents(item: FoundDocument | FoundArchive) -> Iterable[FoundDocument]:
     return archive_members(item) if isinstance(item, FoundArchive) else (item,)
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from esicatalog.esi.containers import NESTED, Folder, open_regular
-from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover, unusable_archive
+from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_members, discover, unusable_archive
 from esicatalog.ingest.report import DocumentLine
 from esicatalog.ingest.tasks import Known, Outcome, Task
 from esicatalog.ingest.unchanged import Hashes, ReferenceHashes, is_unchanged
@@ -55,7 +55,7 @@ class Plan(NamedTuple):
     """The work of an ingest. ``todo`` is in reading order; outcomes are numbered by its positions."""
 
     unchanged: list[DocumentLine]
-    todo: list[Found]
+    todo: list[FoundDocument]
     tasks: list[Task]
     problems: list[Outcome]
     """Outcomes of inputs that cannot be read at all."""
@@ -104,7 +104,7 @@ def make_plan(
 class _Below(NamedTuple):
     """What lies below the paths, archives opened where they are not what the catalog has read already."""
 
-    documents: list[Found]
+    documents: list[FoundDocument]
     archives: dict[str, str]
     """Archives that were opened, with their sha256."""
     known_archives: set[str]
@@ -115,7 +115,7 @@ class _Below(NamedTuple):
     """The lines of these."""
 
 
-def _look_below(found: Iterable[Found | FoundArchive], held: Held) -> _Below:
+def _look_below(found: Iterable[FoundDocument | FoundArchive], held: Held) -> _Below:
     below = _Below([], {}, set(), set(), [])
     inside: dict[str | None, list[tuple[str, HeldDocument]]] = {}
     for where, document in held.documents.items():
@@ -141,7 +141,7 @@ def _look_below(found: Iterable[Found | FoundArchive], held: Held) -> _Below:
     return below._replace(documents=list(_one_of_each(below.documents, below.known)))
 
 
-def _one_of_each(documents: Iterable[Found], known: Set[str]) -> Iterator[Found]:
+def _one_of_each(documents: Iterable[FoundDocument], known: Set[str]) -> Iterator[FoundDocument]:
     """A file may be called what a member of an archive beside it is called: it does not take the other's place."""
     met = set(known)
     for item in documents:
@@ -169,10 +169,12 @@ def _gone(below: _Below, held: Held, pruned: list[str], own_files: Set[str]) -> 
     return [where for where in gone if where in own_files or changes.displace(where, held.documents[where])]
 
 
-def _compared(documents: list[Found], held: Held, hashed: Hashes) -> tuple[list[DocumentLine], list[Found]]:
+def _compared(
+    documents: list[FoundDocument], held: Held, hashed: Hashes
+) -> tuple[list[DocumentLine], list[FoundDocument]]:
     """The lines of documents that stay as the catalog has them, and the documents to read."""
     unchanged: list[DocumentLine] = []
-    todo: list[Found] = []
+    todo: list[FoundDocument] = []
     hashes = _PerFolder(hashed)
     for item in documents:
         known = held.documents.get(item.location)
@@ -195,14 +197,14 @@ class _PerFolder(dict[str, ReferenceHashes]):
         return self.setdefault(root, ReferenceHashes(Folder(Path(root)), self._hashed.get(root)))
 
 
-def _reading_order(item: Found) -> tuple[int, int, str]:
+def _reading_order(item: FoundDocument) -> tuple[int, int, str]:
     """Short paths first: a document comes before those it refers to, which lie beside or below it; small ones first,
     because a small document may pull in large ones.
     """
     return (item.member.count("/"), item.size_bytes, item.location)
 
 
-def _task(number: int, item: Found, held: Held) -> Task:
+def _task(number: int, item: FoundDocument, held: Held) -> Task:
     document = held.documents.get(item.location)
     known = document.known if document is not None and document.member == item.member else None
     return Task(number, item.root, item.is_archive, item.nested, item.name, known)
@@ -248,7 +250,7 @@ class _Changes(NamedTuple):
         )
 
 
-def _file_unchanged(item: Found, document: HeldDocument, hashes: ReferenceHashes) -> bool:
+def _file_unchanged(item: FoundDocument, document: HeldDocument, hashes: ReferenceHashes) -> bool:
     """Whether a file on disk is still what the catalog holds; members of archives are compared where they are read."""
     if document.known is None or item.is_archive or item.problem is not None or document.member != item.member:
         return False

@@ -17,6 +17,7 @@ from esicatalog.lint.registry import Place
 from esicatalog.model.derivation import Derivation
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, EntriesBySubindex
+from esicatalog.model.pdo_facts import PDO_FIELDS
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.resolver import TypeSet
 
@@ -25,7 +26,6 @@ InSlots = Callable[[int], Iterable[EntriesBySubindex]]
 FileFinder = Callable[[str], bool]
 """Whether a file that the document names lies beside it."""
 
-DIRECTIONS = {"RxPdo": "rx_pdos", "TxPdo": "tx_pdos"}
 FIRST_OBJECT = 0x1000
 """Below lie the data types; a PDO may map them as fillers."""
 
@@ -97,7 +97,7 @@ def declared_pdos(record: Device | Module | ProcessData) -> list[DeclaredPdo]:
     """PDOs in document order, outputs first."""
     return [
         DeclaredPdo((field, position), direction, pdo)
-        for direction, field in DIRECTIONS.items()
+        for direction, field in PDO_FIELDS.items()
         for position, pdo in enumerate(getattr(record, field))
     ]
 

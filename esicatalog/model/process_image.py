@@ -18,7 +18,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
-from esicatalog.model.pdo_facts import pdo_bits, symmetric_exclusions
+from esicatalog.model.pdo_facts import pdo_bits, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.slots import MAX_INDEX, PluggedModule, default_modules, expand_module
 from esicatalog.model.sm_facts import may_transport, sm_role
 from esicatalog.model.sync import default_op_mode
@@ -152,7 +152,7 @@ def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> tuple[list[
     for item in plugged:
         expanded = expand_module(device, item)
         problems.extend(expanded.problems)
-        for direction, pdos in (("RxPdo", expanded.module.rx_pdos), ("TxPdo", expanded.module.tx_pdos)):
+        for direction, pdos in pdos_by_direction(expanded.module):
             of_modules += [
                 _Candidate(direction, position, pdo, item.slot_number, item.module, item.module.module_pdo_group)
                 for position, pdo in enumerate(pdos)
@@ -160,7 +160,7 @@ def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> tuple[list[
     overwritten = {candidate.pdo.pdo_index for candidate in of_modules}
     own = [
         _Candidate(direction, position, pdo, None, None, device.module_pdo_group)
-        for direction, pdos in (("RxPdo", device.rx_pdos), ("TxPdo", device.tx_pdos))
+        for direction, pdos in pdos_by_direction(device)
         for position, pdo in enumerate(pdos)
         if not (pdo.overwritten_by_module and pdo.pdo_index in overwritten)
     ]
@@ -349,7 +349,7 @@ def module_sms(module: Module) -> dict[tuple[str, int], int]:
     """SyncManagers that PDOs of a module go to with it, by direction and position, whatever it is plugged into."""
     return {
         (direction, position): pdo.sm
-        for direction, pdos in (("RxPdo", module.rx_pdos), ("TxPdo", module.tx_pdos))
+        for direction, pdos in pdos_by_direction(module)
         for position, pdo in enumerate(pdos)
         if pdo.sm is not None and not pdo.virtual
     }

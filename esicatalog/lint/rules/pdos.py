@@ -5,8 +5,8 @@ from collections.abc import Iterable, Iterator
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.pdo import Exclude, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
-from esicatalog.lint.subjects import DIRECTIONS, DeclaredPdo, DeviceSubject, ModuleSubject, ProcessSubject, is_absent
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, entry_facts, symmetric_exclusions
+from esicatalog.lint.subjects import DeclaredPdo, DeviceSubject, ModuleSubject, ProcessSubject, is_absent
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_FIELDS, PDO_MAPPINGS, entry_facts, symmetric_exclusions
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
@@ -61,7 +61,7 @@ def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
     mailbox = subject.record.mailbox
     if mailbox is not None and mailbox.soe and not mailbox.coe:
         return  # the PDOs of a SoE drive are the IDNs of its telegrams
-    for direction, field in DIRECTIONS.items():
+    for direction, field in PDO_FIELDS.items():
         allowed = PDO_MAPPINGS[direction]
         for position, pdo in enumerate(getattr(subject.record, field)):
             index = pdo.pdo_index
@@ -219,7 +219,7 @@ def not_whole_bytes(subject: ProcessSubject) -> Iterator[Found]:
 
 
 def _place(direction: str, position: int) -> tuple[str, int]:
-    return ("rx_pdos" if direction == "RxPdo" else "tx_pdos", position)
+    return (PDO_FIELDS[direction], position)
 
 
 @rule("L40", WARNING, "ETG.2010: an entry of the EEPROM's PDO categories has one byte for its length in bits")

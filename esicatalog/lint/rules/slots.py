@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from esicatalog.esi.records.module import Module
 from esicatalog.lint.registry import ERROR, WARNING, Found, Place, listed, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject
+from esicatalog.model.pdo_facts import pdos_by_direction
 from esicatalog.model.slots import accepts, default_modules, expand_module, leaving_indices, preset_idents, slot_runs
 
 
@@ -101,8 +102,7 @@ def _collisions(subject: DeviceSubject) -> Iterator[Found]:
 
 def _indices(module: Module) -> Iterator[tuple[str, int | None]]:
     """The indices of PDOs and objects, each with what it is of."""
-    yield from (("RxPdo", pdo.pdo_index) for pdo in module.rx_pdos)
-    yield from (("TxPdo", pdo.pdo_index) for pdo in module.tx_pdos)
+    yield from ((direction, pdo.pdo_index) for direction, pdos in pdos_by_direction(module) for pdo in pdos)
     for profile in module.profiles:
         if profile.dictionary is not None:
             yield from (("object", declared.object_index) for declared in profile.dictionary.objects)

@@ -19,7 +19,7 @@ from esicatalog.export.sii_remarks import WHY_MERGE, image_remarks
 from esicatalog.identity import Identity, parse_plugged
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
-from esicatalog.model.pdo_facts import pdo_bits, symmetric_exclusions
+from esicatalog.model.pdo_facts import pdo_bits, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import chosen_modules, fitting_modules, numbered_slots
@@ -253,7 +253,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
                 for entry in pdo.entries
             ],
         }
-        for direction, pdos in (("RxPdo", owner.rx_pdos), ("TxPdo", owner.tx_pdos))
+        for direction, pdos in pdos_by_direction(owner)
         for position, pdo in enumerate(pdos)
     ]
 
