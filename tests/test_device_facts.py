@@ -44,6 +44,23 @@ def test_a_sync_manager_that_exchanges_nothing_is_no_other_layout():
     assert sampled.image_signature != plain.image_signature
 
 
+@pytest.mark.parametrize(
+    ("sync_managers", "sizes"),
+    [
+        ('<Sm ControlByte="#x64"/><Sm ControlByte="#x20"/>', (2, 1)),
+        ("<Sm/><Sm/>", (2, 1)),
+        ("<Sm>OrbitaOut</Sm><Sm>OrbitaIn</Sm>", (2, 1)),
+        ("<Sm>OUTPUTS</Sm><Sm>inputs</Sm>", (2, 1)),
+        ("<Sm>DynamicOutputs</Sm><Sm>DynamicInputs</Sm>", (2, 1)),
+    ],
+)
+def test_sizes_do_not_depend_on_the_word_for_a_sync_manager(sync_managers, sizes):
+    """``ethercat xml`` writes none."""
+    content = pdo("RxPdo", "#x1600", 9, attributes="Sm='0'") + pdo("TxPdo", "#x1A00", 8, attributes="Sm='1'")
+    found = facts(sync_managers + content)
+    assert (found.output_bytes, found.input_bytes) == sizes
+
+
 def test_a_virtual_sync_manager_does_not_count():
     virtual = OUTPUTS + "<Sm Virtual='1'>Outputs</Sm>"
     content = pdo("RxPdo", "#x1600", 16, attributes="Sm='0'") + pdo("RxPdo", "#x1610", 32, attributes="Sm='1'")

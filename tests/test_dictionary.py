@@ -193,6 +193,27 @@ def test_default_values_and_strings():
     assert simple("UINT", "<DefaultString>ten</DefaultString>").default_text == "ten"
 
 
+@pytest.mark.parametrize(
+    "empty", ["<DefaultValue/>", "<DefaultValue> </DefaultValue>", "<DefaultValue><![CDATA[ ]]></DefaultValue>"]
+)
+def test_an_empty_default_value_is_none(empty):
+    entry = simple("UINT", empty)
+    assert (entry.default_raw, entry.default_kind, entry.default_int) == (None, None, None)
+    entry = simple("UINT", f"{empty}<DefaultString>7</DefaultString>")
+    assert (entry.default_raw, entry.default_kind, entry.default_int) == ("7", "string", 7)
+    value = "<DefaultValue>7</DefaultValue>"
+    typed = ARRAY_B.replace("</BitOffs></SubItem>", f"</BitOffs>{value}</SubItem>", 1)
+    (count, _) = resolve(
+        typed, "DT2000", 80, f"<Info><SubItem><Name>SubIndex 000</Name><Info>{empty}</Info></SubItem></Info>"
+    ).entries
+    assert (count.default_raw, count.default_int) == ("7", 7)
+
+
+def test_access_is_written_in_one_way():
+    (entry,) = resolve("", "UINT", 16, "<Flags><Access>RW</Access></Flags>").entries
+    assert (entry.access, entry.access_word) == ("rw", 0b111_111)
+
+
 @pytest.mark.parametrize(("text", "number"), [("10", 10.0), (" -1.5", -1.5), ("2e3", 2000.0), ("ten", None)])
 def test_a_default_string_of_a_real(text, number):
     entry = simple("REAL", f"<DefaultString>{text}</DefaultString>")

@@ -12,6 +12,7 @@ from test_drive_modes import all_devices
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.model.process_image import PlacedEntry, PlacedPdo, SmImage, default_process_image
+from esicatalog.model.sm_facts import OUTPUT
 from esicatalog.web.drawings import (
     DRAWING_CSS,
     dc_timing_svg,
@@ -55,7 +56,7 @@ def image(*pdos: list[Entry], usage: str | None = "Outputs", repeat: int = 1) ->
             offset += item.bit_length or 0
         described = Pdo(pdo_index=0x1600 + at, names=(Name(text=f"P{at}"),), entries=tuple(entries))
         placed.append(PlacedPdo("RxPdo", at, described, repeat, None, None, tuple(of_pdo)))
-    return SmImage(2, usage, tuple(placed), offset, ())
+    return SmImage(2, usage, OUTPUT, tuple(placed), offset, ())
 
 
 def corners(group) -> list[tuple[float, float]]:
@@ -218,14 +219,14 @@ def test_wide_characters_need_more_room():
 def test_hostile_names_are_text(name):
     pdo_of_it = Pdo(pdo_index=0x1600, names=(Name(text=name),))
     placed = PlacedPdo("RxPdo", 0, pdo_of_it, 1, 3, None, (PlacedEntry(0, entry(64, name, data_type=name)),))
-    svg = process_image_svg(SmImage(2, name, (placed,), 64, ()))
+    svg = process_image_svg(SmImage(2, name, OUTPUT, (placed,), 64, ()))
     root = drawn(svg)
     shown = name.replace("\x00", "\ufffd").replace("\ufffe", "\ufffd")
     title = groups(root, "entry")[0].find(f"{SVG}title").text
     assert title == f"0x7000:01 {shown}\n{shown}, 64 bits at 0.0\nPDO 0x1600 {shown} (slot 3)"
     assert root.get("aria-label").startswith(f"{shown}, SM2")
     assert_only_drawn(html.fragment_fromstring(svg))
-    legend = html.fragment_fromstring(process_image_legend(SmImage(2, name, (placed,), 64, ())))
+    legend = html.fragment_fromstring(process_image_legend(SmImage(2, name, OUTPUT, (placed,), 64, ())))
     assert_only_drawn(legend)
     assert legend.text_content() == f"0x1600 {shown} (slot 3)"
 

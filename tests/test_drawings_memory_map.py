@@ -6,6 +6,7 @@ from test_drawings import HOSTILE, SIZE_LIMIT, SVG, assert_only_drawn, drawn, gr
 
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.model.process_image import SmImage
+from esicatalog.model.sm_facts import OUTPUT
 from esicatalog.web.drawings import memory_map_svg
 
 BUFFERED_OUT, BUFFERED_IN, MAILBOX_OUT, MAILBOX_IN = 0x64, 0x20, 0x26, 0x22
@@ -18,7 +19,7 @@ def sm(usage: str | None, start: int | None, size: int | None, control: int | No
 
 
 def memory_map(*sync_managers: SyncManager, sizes: dict[int, int] | None = None):
-    images = [SmImage(number, None, (), size * 8, ()) for number, size in (sizes or {}).items()]
+    images = [SmImage(number, None, OUTPUT, (), size * 8, ()) for number, size in (sizes or {}).items()]
     return drawn(memory_map_svg(Device(sync_managers=sync_managers), images))
 
 

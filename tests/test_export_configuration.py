@@ -6,10 +6,11 @@ from snippets import device, dictionary, esi, pdo, read
 from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.export.choice import Choice, PdoChoice, parse_pdo_choice
-from esicatalog.export.configuration import INPUT, OUTPUT, Configuration, configure
+from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.headings import choice_lines
 from esicatalog.export.subject import Subject, choose_subject, subjects_of_document
 from esicatalog.identity import Identity
+from esicatalog.model.sm_facts import INPUT, OUTPUT
 
 SMS = (
     '<Sm ControlByte="#x26">MBoxOut</Sm><Sm ControlByte="#x22">MBoxIn</Sm><Sm ControlByte="#x64">Outputs</Sm>'

@@ -10,8 +10,9 @@ from test_export_configuration import COE, FACTOR_1, SMS, configured, dc, entry,
 from test_export_igh import HOSTILE, ODD, as_little_endian, l6n
 
 from esicatalog.export.choice import parse_pdo_choice
-from esicatalog.export.configuration import INPUT, OUTPUT, Configuration
+from esicatalog.export.configuration import Configuration
 from esicatalog.export.pysoem import pysoem_module
+from esicatalog.model.sm_facts import INPUT, OUTPUT
 
 
 class FakeSlave:

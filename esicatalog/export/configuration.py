@@ -21,10 +21,8 @@ from esicatalog.export.subject import Subject
 from esicatalog.model.pdo_facts import has_length
 from esicatalog.model.process_image import PlacedPdo, SmImage, process_image
 from esicatalog.model.slots import PluggedModule, chosen_modules, expand_module
-from esicatalog.model.sm_facts import sm_facts, sm_role
+from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_direction
 
-OUTPUT, INPUT = "output", "input"
-_DIRECTION_OF_PDO = {"RxPdo": OUTPUT, "TxPdo": INPUT}
 _CONTROL_BYTES = range(0x100)
 _MAX_INDEX, _MAX_SUBINDEX, _UINT32_MAX = 0xFFFF, 0xFF, 0xFFFF_FFFF
 
@@ -288,13 +286,11 @@ def _not_described(number: int, pdos: Sequence[AssignedPdo]) -> Iterator[str]:
 
 
 def _direction(number: int, described: SyncManager | None, pdos: Sequence[AssignedPdo], remarks: list[str]) -> str:
-    """Direction of a SyncManager: by its ControlByte, else by its usage, else by its PDOs."""
-    by_control = sm_facts(described).transfer_direction if described is not None else None
+    """Direction of a SyncManager, with a remark where what describes it differs."""
+    direction = transfer_direction(described, [pdo.direction for pdo in pdos])
     role = sm_role(described) if described is not None else None
-    by_usage = role.transfer_direction if role is not None else None
-    by_pdos = {_DIRECTION_OF_PDO[pdo.direction] for pdo in pdos}
-    direction = by_control or by_usage or next(iter(sorted(by_pdos)), INPUT)
-    if (by_pdos | {by_usage or direction}) != {direction}:
+    others = {TRANSFER_DIRECTIONS[pdo.direction] for pdo in pdos} | ({role.transfer_direction} if role else set())
+    if others - {direction}:
         remarks.append(
             f"SM{number} is described in both directions (usage, ControlByte and PDOs differ); "
             f"{direction} is taken, check it on the device"

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from esicatalog.export.c_access import byte_count
 from esicatalog.export.c_text import comment_text, wrapped
 from esicatalog.export.clocks import Clocks, Condition
-from esicatalog.export.configuration import INPUT, OUTPUT, Configuration, MappedEntry
+from esicatalog.export.configuration import Configuration, MappedEntry
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.image_layout import ImageLayout, Member, image_layout
 from esicatalog.export.init_cmds import TRANSITIONS, StartCommand
@@ -21,6 +21,7 @@ from esicatalog.export.soem_startup import (
     register_remarks,
     soem_clocks,
 )
+from esicatalog.model.sm_facts import INPUT, OUTPUT
 
 _USED_BY_CLASS = frozenset(("property", "from_address", "from_buffer", "from_buffer_copy", "from_param", "in_dll"))
 """What the body of the generated class uses, and what is called on the class: ctypes keeps that in its metaclass, where

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from esicatalog.export.c_text import c_bytes, comment_text, wrapped
 from esicatalog.export.clocks import Condition
-from esicatalog.export.configuration import INPUT, OUTPUT, Configuration
+from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.init_cmds import TRANSITIONS, StartCommand
 from esicatalog.export.rendering import render
@@ -17,6 +17,7 @@ from esicatalog.export.soem_startup import (
     register_remarks,
     soem_clocks,
 )
+from esicatalog.model.sm_facts import INPUT, OUTPUT
 
 
 class Api(NamedTuple):

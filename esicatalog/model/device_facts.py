@@ -13,6 +13,7 @@ from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.safety import FsoeEvidence
+from esicatalog.model.sm_facts import INPUT, OUTPUT
 
 SYNC_PARAMETERS = (0x1C32, 0x1C33)
 _SYNC_TYPES, MINIMUM_CYCLE = 4, 5
@@ -67,8 +68,8 @@ def device_facts(
     signals, valid = data.signals, data.valid_signals
     sync = {index: _sync_parameter(device, index, views) for index in SYNC_PARAMETERS}
     return DeviceFacts(
-        output_bytes=data.byte_size("Outputs"),
-        input_bytes=data.byte_size("Inputs"),
+        output_bytes=data.byte_size(OUTPUT),
+        input_bytes=data.byte_size(INPUT),
         dc_supported=any(signal.dc_active for signal in signals) or bool(device.dc_time_loop_control_only),
         dc_needed=bool(valid) and all(signal.dc_active for signal in valid),
         runs_without_dc=not valid or any(not signal.dc_active for signal in valid),

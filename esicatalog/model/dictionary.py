@@ -213,7 +213,7 @@ def _traits(declared: Flags | None) -> _Traits:
     flags = declared or _FLAG_DEFAULTS
     mapping = normalised_pdo_mapping(flags.pdo_mapping)
     return _Traits(
-        flags.access or "ro",
+        (flags.access or "ro").lower(),
         access_word(flags, mapping),
         flags.category,
         mapping,
@@ -279,7 +279,7 @@ def _with_obsolete(declared: _Values, sub_item: SubItem, base: BaseType | None, 
 def _default(source: DeclaredValues | SubItem, base: BaseType | None, bit_size: int | None) -> Value:
     if source.default_data:
         return decode_data(source.default_data, base, bit_size)
-    if source.default_value is not None or (source.spelling and "default_value" in source.spelling):
+    if source.default_value is not None or (source.spelling and source.spelling.get("default_value", "").strip()):
         return decode_value(source.default_value, _raw(source, "default_value"), base)
     if source.default_string is not None:
         return decode_string(source.default_string, base)

@@ -71,12 +71,12 @@ class ProcessData:
         modes = zip(self.op_modes, self.signals, strict=True)
         return [signals for mode, signals in modes if not is_superseded(mode)] or self.signals
 
-    def byte_size(self, usage: str) -> int | None:
-        """Length of the default process image of all SyncManagers of one usage.
+    def byte_size(self, transfer_direction: str) -> int | None:
+        """Length of the default process image of all SyncManagers of one direction.
 
         None for PDOs without SyncManagers, and where the PDOs are longer than a SyncManager can be.
         """
-        images = [image for image in self.images if image.usage == usage]
+        images = [image for image in self.images if image.transfer_direction == transfer_direction]
         pdos = (self.rx_pdos, self.tx_pdos, *(module.rx_pdos or module.tx_pdos for module in self.modules))
         if any(image.overflow for image in images) or (any(pdos) and not self.sync_managers):
             return None

@@ -20,7 +20,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.model.pdo_facts import pdo_bits, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.slots import MAX_INDEX, PluggedModule, default_modules, expand_module
-from esicatalog.model.sm_facts import may_transport, sm_role
+from esicatalog.model.sm_facts import may_transport, sm_role, transfer_direction
 from esicatalog.model.sync import default_op_mode
 
 MAX_SM_BYTES = 0xFFFF
@@ -66,6 +66,8 @@ class SmImage(NamedTuple):
 
     sm: int
     usage: str | None
+    transfer_direction: str
+    """output or input, see :func:`~esicatalog.model.sm_facts.transfer_direction`."""
     pdos: tuple[PlacedPdo, ...]
     bit_size: int
     remarks: tuple[str, ...]
@@ -247,7 +249,8 @@ def _image(
             builder.place(candidate)
     builder.align(None)
     usage = sm.usage if sm is not None else None
-    return SmImage(number, usage, tuple(builder.placed), builder.bit_size, tuple(remarks), builder.overflow)
+    direction = transfer_direction(sm, [placed.direction for placed in builder.placed])
+    return SmImage(number, usage, direction, tuple(builder.placed), builder.bit_size, tuple(remarks), builder.overflow)
 
 
 class _ImageBuilder:

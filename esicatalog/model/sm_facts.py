@@ -1,13 +1,18 @@
 """What a SyncManager is for, and its ControlByte in words (ESC register 0x0804, ESI-FACTS section 8)."""
 
 import functools
+from collections.abc import Iterable
 from typing import Annotated, NamedTuple
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.device import SyncManager
 
+OUTPUT, INPUT = "output", "input"
+"""Transfer directions: the master writes, the master reads."""
+TRANSFER_DIRECTIONS = {"RxPdo": OUTPUT, "TxPdo": INPUT}
+"""By the direction of a PDO, which is named from the device's side."""
 _MODES = {0b00: "buffered", 0b10: "mailbox"}
-_DIRECTIONS = {0b00: "input", 0b01: "output"}
+_DIRECTIONS = {0b00: INPUT, 0b01: OUTPUT}
 _WATCHDOG = 0x40
 _PDI_INTERRUPT = 0x20
 _ECAT_INTERRUPT = 0x10
@@ -17,7 +22,7 @@ class SmRole(NamedTuple):
     """What the text of an Sm element means."""
 
     transfer_direction: str
-    """output (the master writes) or input (the master reads)."""
+    """:data:`OUTPUT` or :data:`INPUT`."""
     pdo_direction: str | None
     """RxPdo or TxPdo, what it transports; None for a mailbox."""
     is_dynamic: bool = False
@@ -30,12 +35,12 @@ class SmRole(NamedTuple):
 
 
 SM_ROLES = {
-    "MBoxOut": SmRole("output", None),
-    "MBoxIn": SmRole("input", None),
-    "Outputs": SmRole("output", "RxPdo"),
-    "Inputs": SmRole("input", "TxPdo"),
-    "DynamicOutputs": SmRole("output", "RxPdo", is_dynamic=True),
-    "DynamicInputs": SmRole("input", "TxPdo", is_dynamic=True),
+    "MBoxOut": SmRole(OUTPUT, None),
+    "MBoxIn": SmRole(INPUT, None),
+    "Outputs": SmRole(OUTPUT, "RxPdo"),
+    "Inputs": SmRole(INPUT, "TxPdo"),
+    "DynamicOutputs": SmRole(OUTPUT, "RxPdo", is_dynamic=True),
+    "DynamicInputs": SmRole(INPUT, "TxPdo", is_dynamic=True),
 }
 """The roles that tools know; others are words of the vendor's and say nothing."""
 
@@ -49,6 +54,17 @@ def may_transport(sync_manager: SyncManager, direction: str) -> bool:
     """Whether a SyncManager can have a RxPdo or TxPdo: as its role says, any where nobody knows that."""
     role = sm_role(sync_manager)
     return role is None or role.pdo_direction == direction
+
+
+def transfer_direction(sync_manager: SyncManager | None, pdo_directions: Iterable[str]) -> str:
+    """:data:`OUTPUT` or :data:`INPUT`: by the ControlByte, else by the role, else by the PDOs that it has.
+
+    ``ethercat xml`` writes no role, and some vendors one of their own.
+    """
+    role = sm_role(sync_manager) if sync_manager is not None else None
+    by_control = sm_facts(sync_manager).transfer_direction if sync_manager is not None else None
+    by_pdos = min((TRANSFER_DIRECTIONS[direction] for direction in pdo_directions), default=INPUT)
+    return by_control or (role.transfer_direction if role is not None else by_pdos)
 
 
 class SmFacts(Record):
