@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from snippets import device, esi, pdo, rows
+from snippets import REPEATED_ATTRIBUTE, UNDECLARED_PREFIX, device, esi, faulty_vendor_texts, pdo, rows
 
 GOOD = "io_terminal_8di_8do.xml"
 SECRET = "words that only the file outside holds"
@@ -132,6 +132,12 @@ DOCUMENTS = {
     ),
     "odd-namespace.xml": Case(
         lambda: vendor_specific('<a xmlns="http://no uri"><b>kept</b></a>'), "recovered", "not a valid URI"
+    ),
+    "undeclared-prefix.xml": Case(
+        lambda: esi(device(faulty_vendor_texts(UNDECLARED_PREFIX))), "recovered", "is not defined"
+    ),
+    "repeated-attribute.xml": Case(
+        lambda: esi(device(faulty_vendor_texts(REPEATED_ATTRIBUTE))), "recovered", "b redefined"
     ),
     "utf-7.xml": Case(
         lambda: ('<?xml version="1.0" encoding="UTF-7"?>' + esi(device(name=NAME))).encode("utf-7"),
