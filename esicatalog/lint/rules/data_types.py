@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from esicatalog.esi.records.dictionary import DataType, SubItem
 from esicatalog.lint.areas import Area, overlaps
-from esicatalog.lint.dictionaries import ObjectSubject
+from esicatalog.lint.dictionaries import DataTypeSubject, ObjectSubject
 from esicatalog.lint.registry import ERROR, WARNING, Found, listed, rule
 from esicatalog.model.base_types import base_type
 from esicatalog.model.dictionary_views import DictionaryView
@@ -46,11 +46,11 @@ def _known(name: str) -> str:
 
 
 @rule("L42", ERROR, "EtherCATBase.xsd keys: DataType name, SubItem name; ETG.1000.6: subindex, object index")
-def declared_twice(record: DictionaryView | TypeSet | DataType) -> Iterator[Found]:
+def declared_twice(record: DictionaryView | TypeSet | DataTypeSubject) -> Iterator[Found]:
     """A data type name, SubItem name, SubIdx or object index is declared twice."""
-    if isinstance(record, DataType):
-        if record.sub_items:
-            yield from _sub_items_twice(record)
+    if isinstance(record, DataTypeSubject):
+        if record.of_sub_items:
+            yield from _sub_items_twice(record.data_type)
         return
     if isinstance(record, TypeSet):
         names = [data_type.name for data_type in record.data_types]
@@ -90,9 +90,9 @@ def _repeated(keys: list[str | None] | list[int | None]) -> list[tuple[int, obje
 
 
 @rule("L43", WARNING, "ETG.2000 Object/BitSize, SubItem/BitSize are those of the type")
-def size_differs(subject: ObjectSubject | DataType) -> Iterator[Found]:
-    """BitSize of an object, or of a SubItem of a base type, differs from that of its type."""
-    if isinstance(subject, DataType):
+def size_differs(subject: ObjectSubject | DataTypeSubject) -> Iterator[Found]:
+    """BitSize of an object or SubItem differs from that of its type."""
+    if isinstance(subject, DataTypeSubject):
         yield from _sizes_of_sub_items(subject)
         return
     declared, data_type = subject.declared, subject.data_type
@@ -112,13 +112,14 @@ def _is_dynamic(index: int) -> bool:
     return is_pdo_mapping(index) or index in PDO_ASSIGNMENTS
 
 
-def _sizes_of_sub_items(data_type: DataType) -> Iterator[Found]:
+def _sizes_of_sub_items(subject: DataTypeSubject) -> Iterator[Found]:
+    data_type = subject.data_type
     if _is_of_idn(data_type):
         return
     misfits = [
         (number, f"SubItem {sub_item.name!r} has BitSize {sub_item.bit_size}, its type {sub_item.type} {size}")
-        for number, sub_item in enumerate(data_type.sub_items)
-        if (size := _other_size(sub_item)) is not None
+        for number, (sub_item, declared) in enumerate(zip(data_type.sub_items, subject.of_sub_items, strict=True))
+        if (size := _other_size(sub_item, declared)) is not None
     ]
     if misfits:
         first, _ = misfits[0]
@@ -131,19 +132,24 @@ def _is_of_idn(data_type: DataType) -> bool:
     return all(sub_item.subindex is None for sub_item in data_type.sub_items)
 
 
-def _other_size(sub_item: SubItem) -> int | None:
-    """The size of its base type, None where it is that of the SubItem or one of them is not known."""
-    base = base_type(sub_item.type)
-    size = base.bit_size if base is not None else None
-    return size if sub_item.bit_size not in (None, size) else None
+def _other_size(sub_item: SubItem, declared: DataType | None) -> int | None:
+    """The size of a SubItem's type, None where it is that of the SubItem or one of them is not known.
+
+    What the dictionary declares counts, the base type of that name only where it does not. A type of no bits, as
+    STRING(0), is of any length.
+    """
+    of_type = declared if declared is not None else base_type(sub_item.type)
+    size = of_type.bit_size if of_type is not None else None
+    return size if size and sub_item.bit_size not in (None, size) else None
 
 
 @rule("L44", WARNING, "ETG.2000 SubItem/BitOffs, BitSize: the complete-access image; SubIndex 0 lies at its start")
-def sub_item_overlap(data_type: DataType) -> Iterator[Found]:
+def sub_item_overlap(subject: DataTypeSubject) -> Iterator[Found]:
     """SubItems overlap or exceed their type, or SubIndex 0 does not lie at BitOffs 0.
 
     One whose own BitSize is wrong (L43) is left out: how far it reaches is not known.
     """
+    data_type = subject.data_type
     sub_items = data_type.sub_items
     if not sub_items or _is_of_idn(data_type):
         return
@@ -155,8 +161,8 @@ def sub_item_overlap(data_type: DataType) -> Iterator[Found]:
         )
     areas = [
         Area(sub_item.bit_offset, sub_item.bit_offset + sub_item.bit_size, number)
-        for number, sub_item in enumerate(sub_items)
-        if sub_item.bit_offset is not None and sub_item.bit_size and _other_size(sub_item) is None
+        for number, (sub_item, declared) in enumerate(zip(sub_items, subject.of_sub_items, strict=True))
+        if sub_item.bit_offset is not None and sub_item.bit_size and _other_size(sub_item, declared) is None
     ]
     for (_, end, number), (start, _, next_number) in overlaps(areas):
         yield Found(
