@@ -320,6 +320,13 @@ def test_l43_tells_dictionaries_apart_that_share_a_data_type(tmp_path):
     assert only["path"].startswith("EtherCATInfo/Descriptions/Devices/Device[1]/")
 
 
+@pytest.mark.parametrize(("declared", "count"), [(0, 0), (160, 0), (80, 1)])
+def test_an_object_of_a_type_without_bits_is_of_any_length(tmp_path, declared, count):
+    data_type = f"<DataType><Name>STRING(0)</Name><BitSize>{declared}</BitSize></DataType>"
+    text = "<Object><Index>#x2000</Index><Name>O</Name><Type>STRING(0)</Type><BitSize>160</BitSize></Object>"
+    assert len(linted(tmp_path, "L43", device(dictionary(data_type, text)))) == count
+
+
 def test_bit_fields_of_an_idn_are_narrower_than_their_type(tmp_path):
     sub_item = "<SubItem><Name>reserved</Name><Type>UINT</Type><BitSize>14</BitSize><BitOffs>2</BitOffs></SubItem>"
     data_type = f"<DataType><Name>DT_IDN</Name><BitSize>16</BitSize>{sub_item}</DataType>"

@@ -6,7 +6,7 @@ from esicatalog.esi.records.dictionary import DataType, SubItem
 from esicatalog.lint.areas import Area, overlaps
 from esicatalog.lint.dictionaries import DataTypeSubject, ObjectSubject
 from esicatalog.lint.registry import ERROR, WARNING, Found, listed, rule
-from esicatalog.model.base_types import base_type
+from esicatalog.model.base_types import BaseType, base_type
 from esicatalog.model.dictionary_views import DictionaryView
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.resolver import TypeSet
@@ -95,14 +95,12 @@ def size_differs(subject: ObjectSubject | DataTypeSubject) -> Iterator[Found]:
     if isinstance(subject, DataTypeSubject):
         yield from _sizes_of_sub_items(subject)
         return
-    declared, data_type = subject.declared, subject.data_type
-    if data_type is None or declared.bit_size is None or data_type.bit_size is None:
-        return
-    index = declared.object_index or 0
-    if declared.bit_size != data_type.bit_size and not _is_dynamic(index):
+    declared = subject.declared
+    index, size = declared.object_index or 0, _other_size(declared.bit_size, subject.data_type)
+    if size is not None and not _is_dynamic(index):
         yield Found(
             f"object 0x{index:04X} has BitSize {declared.bit_size}, "
-            f"its type {declared.type} {data_type.bit_size}: correct one of them",
+            f"its type {declared.type} {size}: correct one of them",
             ("bit_size",),
         )
 
@@ -118,8 +116,8 @@ def _sizes_of_sub_items(subject: DataTypeSubject) -> Iterator[Found]:
         return
     misfits = [
         (number, f"SubItem {sub_item.name!r} has BitSize {sub_item.bit_size}, its type {sub_item.type} {size}")
-        for number, (sub_item, declared) in enumerate(zip(data_type.sub_items, subject.of_sub_items, strict=True))
-        if (size := _other_size(sub_item, declared)) is not None
+        for number, sub_item, of_type in _typed(subject)
+        if (size := _other_size(sub_item.bit_size, of_type)) is not None
     ]
     if misfits:
         first, _ = misfits[0]
@@ -127,20 +125,24 @@ def _sizes_of_sub_items(subject: DataTypeSubject) -> Iterator[Found]:
         yield Found(f"DataType {data_type.name}: {words}; correct BitSize or Type", ("sub_items", first, "bit_size"))
 
 
+def _typed(subject: DataTypeSubject) -> Iterator[tuple[int, SubItem, DataType | BaseType | None]]:
+    """SubItems with position and type: as the dictionary declares it, else the base type of that name."""
+    for number, (sub_item, declared) in enumerate(zip(subject.data_type.sub_items, subject.of_sub_items, strict=True)):
+        yield number, sub_item, declared if declared is not None else base_type(sub_item.type)
+
+
 def _is_of_idn(data_type: DataType) -> bool:
     """Whether it is the structure of an IDN, where members may be a union or bit fields narrower than their type."""
     return all(sub_item.subindex is None for sub_item in data_type.sub_items)
 
 
-def _other_size(sub_item: SubItem, declared: DataType | None) -> int | None:
-    """The size of a SubItem's type, None where it is that of the SubItem or one of them is not known.
+def _other_size(bit_size: int | None, of_type: DataType | BaseType | None) -> int | None:
+    """The size of a type, None where what has the type is of that size or one of them is not known.
 
-    What the dictionary declares counts, the base type of that name only where it does not. A type of no bits, as
-    STRING(0), is of any length.
+    A type of no bits, as STRING(0), is of any length.
     """
-    of_type = declared if declared is not None else base_type(sub_item.type)
     size = of_type.bit_size if of_type is not None else None
-    return size if size and sub_item.bit_size not in (None, size) else None
+    return size if size and bit_size not in (None, size) else None
 
 
 @rule("L44", WARNING, "ETG.2000 SubItem/BitOffs, BitSize: the complete-access image; SubIndex 0 lies at its start")
@@ -161,8 +163,8 @@ def sub_item_overlap(subject: DataTypeSubject) -> Iterator[Found]:
         )
     areas = [
         Area(sub_item.bit_offset, sub_item.bit_offset + sub_item.bit_size, number)
-        for number, (sub_item, declared) in enumerate(zip(sub_items, subject.of_sub_items, strict=True))
-        if sub_item.bit_offset is not None and sub_item.bit_size and _other_size(sub_item, declared) is None
+        for number, sub_item, of_type in _typed(subject)
+        if sub_item.bit_offset is not None and sub_item.bit_size and _other_size(sub_item.bit_size, of_type) is None
     ]
     for (_, end, number), (start, _, next_number) in overlaps(areas):
         yield Found(
