@@ -4,7 +4,7 @@ Rules of ESI-FACTS sections 12 and 16: axes by their controlword, objects that y
 RxPDOs that map a mode's setpoint.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
@@ -34,12 +34,8 @@ _CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES
 class Part(NamedTuple):
     """What is looked at together: the device's own description or one module, for one axis."""
 
-    axis: int
-    slot_number: int | None
-    """Slot that a module is in."""
-    module_ident: int | None
-    name: str
-    """Names of a module: type and name."""
+    axis_shift: int
+    """How far the axis's objects lie above those of the first axis."""
     views: tuple[DictionaryView, ...]
     """Its dictionaries."""
     rx_pdos: tuple[Pdo, ...]
@@ -50,12 +46,20 @@ class Part(NamedTuple):
     """Those that speak for this axis."""
     sync0: bool
     """Whether an OpMode that it can run in generates SYNC0."""
-    axis_shift: int
-    """How far the axis's objects lie above those of the first axis."""
+    slot_number: int | None = None
+    """Slot that a module is in."""
+    module_ident: int | None = None
+    name: str = ""
+    """Names of a module: type and name."""
     dc_op_mode_name: str | None = None
     """OpMode that a module asks for."""
     replaced: frozenset[int] = frozenset()
     """Objects of the device in whose place those of modules count."""
+
+    @property
+    def axis(self) -> int:
+        """The number of the axis, from 0."""
+        return self.axis_shift // AXIS_STEP
 
     def at(self, index: int) -> int:
         """Where an object of the first axis lies in this part."""
@@ -134,16 +138,21 @@ def marked_objects(part: Part) -> list[int]:
     return [index for index, item in declared if item is not None and item.overwritten_by_module]
 
 
-Contents = Mapping[int | None, Sequence[tuple[DictionaryView, ...]]]
-"""What slots hold, by number: the dictionaries of each of the alternatives."""
+SlotsDeclaring = Mapping[int, Collection[int]]
+"""The slots that declare an object whatever they hold, by its index."""
 
 
-def yielding(part: Part, contents: Contents) -> Part:
-    """A part of the device beside what its slots hold: its marked objects yield to theirs (ESI-FACTS section 12)."""
+def yielding(part: Part, declaring: SlotsDeclaring, plugged: Part | None = None) -> Part:
+    """A part of the device beside what its slots hold, be it with a certain module in one of them.
+
+    Its marked objects yield to those of modules (ESI-FACTS section 12).
+    """
+    slot_number = plugged.slot_number if plugged is not None else None
     replaced = frozenset(
         index
         for index in marked_objects(part)
-        if any(all(_declares(views, index) for views in alternatives) for alternatives in contents.values())
+        if any(number != slot_number for number in declaring.get(index, ()))
+        or (plugged is not None and _declares(plugged.views, index))
     )
     return part._replace(replaced=replaced) if replaced != part.replaced else part
 
