@@ -5,6 +5,7 @@ RxPDOs that map a mode's setpoint.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import combinations, product
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
@@ -25,6 +26,7 @@ from esicatalog.model.cia402 import (
 )
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
+from esicatalog.model.pdo_facts import symmetric_exclusions
 from esicatalog.model.pdo_mapping import is_mappable
 
 _CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES)}
@@ -170,24 +172,32 @@ def maps_setpoint(part: Part, pdo: Pdo, setpoints: Sequence[int]) -> bool:
     return bool(wanted) and not pdo.virtual and wanted.issubset([entry.entry_index for entry in pdo.entries])
 
 
-def mapping_pdos(part: Part, mode: DriveMode) -> list[Pdo]:
+def mapping_pdos(part: Part, mode: DriveMode) -> Sequence[Pdo]:
     """The RxPDOs that map the setpoint of a mode: one with all of it, else one for each object.
 
     Drives with one object a PDO assign several, which must not exclude each other. None where an object is not mapped.
     """
-    whole = _mapping_pdo(part, mode.setpoints)
-    if whole is not None:
-        return [whole]
-    each = [_mapping_pdo(part, (index,)) for index in mode.setpoints] if len(mode.setpoints) > 1 else []
-    found = [pdo for pdo in each if pdo is not None]
-    excluded = {item.pdo_index for pdo in found for item in pdo.excludes}
-    return found if len(found) == len(each) and excluded.isdisjoint([pdo.pdo_index for pdo in found]) else []
+    whole = _fitting_pdos(part, mode.setpoints)
+    if whole or len(mode.setpoints) < 2:
+        return whole[:1]
+    each = [_fitting_pdos(part, (index,)) for index in mode.setpoints]
+    if not all(each):
+        return ()
+    rivals = {index: frozenset(others) for index, others in symmetric_exclusions(part.rx_pdos).items()}
+    return next((pdos for pdos in product(*each) if _go_together(pdos, rivals)), ())
 
 
-def _mapping_pdo(part: Part, setpoints: Sequence[int]) -> Pdo | None:
-    """The RxPDO that maps setpoints: one that is assigned by default before others."""
+def _fitting_pdos(part: Part, setpoints: Sequence[int]) -> list[Pdo]:
+    """The RxPDOs that map setpoints: those assigned by default before others, of one index the first."""
     fitting = [pdo for pdo in part.rx_pdos if maps_setpoint(part, pdo, setpoints)]
-    return next((pdo for pdo in fitting if pdo in part.assigned), fitting[0] if fitting else None)
+    by_index: dict[int | None, Pdo] = {}
+    for pdo in sorted(fitting, key=lambda pdo: pdo not in part.assigned):
+        by_index.setdefault(pdo.pdo_index, pdo)
+    return list(by_index.values())
+
+
+def _go_together(pdos: Iterable[Pdo], rivals: Mapping[int | None, Collection[int]]) -> bool:
+    return not any(other.pdo_index in rivals.get(pdo.pdo_index, ()) for pdo, other in combinations(pdos, 2))
 
 
 def mapping_pdo(index: int, pdos: Iterable[Pdo]) -> Pdo | None:
