@@ -18,6 +18,23 @@ def esi(devices: str = "", modules: str = "", vendor: str = "<Id>#x00000E5C</Id>
     )
 
 
+def faulty_vendor_texts(fault: str) -> str:
+    """What goes into a Device and is looked for in VendorSpecific, each beside an element that only recovery reads."""
+
+    def vendor_specific(said: str) -> str:
+        return f"<VendorSpecific>{fault}<TwinCAT>{said}</TwinCAT></VendorSpecific>"
+
+    alternative = '<AlternativeSmMapping><Name>A</Name><Sm No="0"><Pdo>#x1600</Pdo></Sm></AlternativeSmMapping>'
+    modes = [
+        f"<OpMode><Name>{name}</Name><AssignActivate>0</AssignActivate>{vendor_specific(said)}</OpMode>"
+        for name, said in (("old", '<A IgnoreFromBuildNo="1"/>'), ("new", '<Oversampling MinCycleTime="5000"/>'))
+    ]
+    return f"<Info>{vendor_specific(alternative)}</Info><Dc>{''.join(modes)}</Dc>"
+
+
+UNDECLARED_PREFIX, REPEATED_ATTRIBUTE = "<b:a c:d='1'/>", "<a b='1' b='2'/>"
+
+
 def device(content: str = "", product: str = "#x1", revision: str = "#x1", type_text: str = "T1", name: str = "N"):
     """A Device element with an identity around further content."""
     codes = f'ProductCode="{product}" RevisionNo="{revision}"' if product else ""

@@ -1,10 +1,21 @@
 """Derived facts of a device: sizes, SYNC support, cycle, layout signatures, FSoE evidence."""
 
 import pytest
-from snippets import device, dictionary, esi, only_device, pdo
+from snippets import (
+    REPEATED_ATTRIBUTE,
+    UNDECLARED_PREFIX,
+    device,
+    dictionary,
+    esi,
+    faulty_vendor_texts,
+    only_device,
+    pdo,
+)
 
 from esicatalog.model.derivation import derive
 from esicatalog.model.pdo_facts import pdo_facts
+from esicatalog.model.process_image import NamedAssignment, alternative_assignments
+from esicatalog.model.sync import default_position
 
 OUTPUTS = "<Sm>Outputs</Sm>"
 
@@ -187,6 +198,14 @@ def oversampling(*attributes: str) -> str:
 )
 def test_a_sample_interval_is_no_cycle_without_the_number_of_samples(attributes, smallest):
     assert facts(oversampling(*attributes)).min_cycle_ns == smallest
+
+
+@pytest.mark.parametrize("fault", [UNDECLARED_PREFIX, REPEATED_ATTRIBUTE])
+def test_a_fault_in_the_text_of_a_vendor_hides_nothing_beside_it(fault):
+    found = only_device(esi(device(faulty_vendor_texts(fault))))
+    assert derive(found).facts.min_cycle_ns == 5_000
+    assert default_position(found.op_modes) == 1
+    assert alternative_assignments(found) == [NamedAssignment("A", False, {0: (0x1600,)})]
 
 
 def test_a_declared_cycle_counts_before_that_of_samples():

@@ -256,6 +256,41 @@ def test_objects_of_the_setpoint_may_lie_in_two_pdos(excluded, rank):
     assert (in_two in cstca.recipe) == (rank == "B1")
 
 
+def excluding(pdo: str, *excluded: str) -> str:
+    return pdo.replace("</Name>", "</Name>" + "".join(f"<Exclude>#x{index}</Exclude>" for index in excluded))
+
+
+def unassigned(index: str, entry: str, *excluded: str) -> str:
+    """A RxPDO of one object that is not assigned by default."""
+    return excluding(rx_pdo((entry, 16)).replace(' Sm="2"', "").replace("1600", index), *excluded)
+
+
+@pytest.mark.parametrize(
+    ("pdos", "together"),
+    [
+        # A PDO that excludes itself excludes nothing.
+        ((excluding(rx_pdo(("6071", 16)), "1600"), unassigned("1601", "60EA")), (0x1600, 0x1601)),
+        # Another PDO has the torque too, or another one the angle; either side may say what goes not together.
+        (
+            (excluding(rx_pdo(("6071", 16)), "1601"), unassigned("1601", "60EA"), unassigned("1602", "6071")),
+            (0x1602, 0x1601),
+        ),
+        (
+            (rx_pdo(("6071", 16)), unassigned("1601", "60EA", "1600"), unassigned("1602", "60EA")),
+            (0x1600, 0x1602),
+        ),
+        ((rx_pdo(("6071", 16)), unassigned("1601", "60EA", "1600", "1602"), unassigned("1602", "6071")), ()),
+    ],
+    ids=["itself", "another torque", "another angle", "none left"],
+)
+def test_of_several_pdos_with_a_setpoint_those_count_that_go_together(pdos, together):
+    found = one_drive("</Profile>" + rx_pdo(("6040", 16)).replace("1600", "1610") + "".join(pdos) + init_cmd(11))
+    (cstca,) = [item for item in found.verdicts if item.mode == "CSTCA"]
+    assert [item.rank for item in found.evidence if item.mode == "CSTCA"] == ["B1" if together else "C2"]
+    words = [f"RxPDO 0x{index:04X}" for index in together]
+    assert (" and ".join(words) + " map the setpoint" in cstca.recipe) == bool(together)
+
+
 def test_the_recipe_names_all_objects_of_the_setpoint():
     angle = "<Object><Index>#x60EA</Index><Name>m</Name><Type>UINT</Type><BitSize>16</BitSize><Flags>"
     angle += "<PdoMapping>R</PdoMapping></Flags></Object>"

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from snippets import device, esi
+from snippets import REPEATED_ATTRIBUTE, UNDECLARED_PREFIX, device, esi, faulty_vendor_texts, write
 
 from esicatalog.cli.main import cli
 
@@ -79,6 +79,17 @@ def test_a_file_that_is_of_no_use(folder, data_db, data, words, name):
     lines = lines_of_failure(command)
     assert len(lines) in (1, 2), lines
     assert max(map(len, lines)) < 500
+
+
+@pytest.mark.parametrize("fault", [UNDECLARED_PREFIX, REPEATED_ATTRIBUTE])
+@pytest.mark.parametrize(
+    ("command", "exit_code"), [(["lint"], 1), (["export", "igh", "--esi"], 0), (["export", "esi", "--esi"], 0)]
+)
+def test_texts_of_vendors_are_read_as_leniently_as_their_documents(tmp_path, fault, command, exit_code):
+    write(tmp_path, {"a.xml": esi(device(faulty_vendor_texts(fault)))})
+    result = CliRunner().invoke(cli, [*command, str(tmp_path / "a.xml")])
+    assert result.exit_code == exit_code
+    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
 
 
 @pytest.mark.parametrize("words", COMMANDS.values(), ids=COMMANDS)

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from snippets import device, esi, pdo, rows
+from snippets import REPEATED_ATTRIBUTE, UNDECLARED_PREFIX, device, dictionary, esi, faulty_vendor_texts, pdo, rows
 
 GOOD = "io_terminal_8di_8do.xml"
 SECRET = "words that only the file outside holds"
@@ -49,6 +49,27 @@ def vendor_specific(content: str) -> str:
 
 def attributes(count: int, name: str = "a") -> str:
     return " ".join(f'{name}{n}="1"' for n in range(count))
+
+
+def modular_drive(count: int) -> str:
+    """255 slots that each take any of so many modules, and what the modules say of 0x6502 counts before the device."""
+
+    def profile(attribute: str) -> str:
+        modes = f"<Index {attribute}='1'>#x6502</Index><Name>S</Name><Type>UDINT</Type><BitSize>32</BitSize>"
+        modes += "<Info><DefaultValue>128</DefaultValue></Info>"
+        return dictionary("", f"<Object>{modes}</Object>")
+
+    modules = "".join(
+        f'<Module><Type ModuleIdent="{ident}">M{ident} (csp, csv)</Type><Name>M</Name>'
+        '<RxPdo><Index DependOnSlot="1">#x1600</Index><Name>R</Name>'
+        '<Entry><Index DependOnSlot="1">#x607A</Index><SubIndex>0</SubIndex><BitLen>32</BitLen></Entry>'
+        f"</RxPdo>{profile('DependOnSlot')}</Module>"
+        for ident in range(1, count + 1)
+    )
+    idents = "".join(f"<ModuleIdent>{ident}</ModuleIdent>" for ident in range(1, count + 1))
+    slots = f'<Slot MinInstances="255" MaxInstances="255"><Name>S</Name>{idents}</Slot>'
+    slots = f'<Slots MaxSlotCount="255" SlotIndexIncrement="#x800" SlotPdoIncrement="1">{slots}</Slots>'
+    return esi(device(profile("OverwrittenByModule") + slots), modules)
 
 
 OUTSIDE = ("../outside.xml", "/etc/passwd", r"C:\outside.xml", "way-out/outside.xml", "pipe.xml")
@@ -133,6 +154,13 @@ DOCUMENTS = {
     "odd-namespace.xml": Case(
         lambda: vendor_specific('<a xmlns="http://no uri"><b>kept</b></a>'), "recovered", "not a valid URI"
     ),
+    "undeclared-prefix.xml": Case(
+        lambda: esi(device(faulty_vendor_texts(UNDECLARED_PREFIX))), "recovered", "is not defined"
+    ),
+    "repeated-attribute.xml": Case(
+        lambda: esi(device(faulty_vendor_texts(REPEATED_ATTRIBUTE))), "recovered", "b redefined"
+    ),
+    "modular-drive.xml": Case(lambda: modular_drive(400), "stored"),
     "utf-7.xml": Case(
         lambda: ('<?xml version="1.0" encoding="UTF-7"?>' + esi(device(name=NAME))).encode("utf-7"),
         "failed",

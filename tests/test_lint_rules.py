@@ -274,6 +274,59 @@ def test_a_sub_item_of_a_wrong_size_is_blamed_alone(tmp_path):
     assert told == ["DataType DT: SubItem 'c' has BitSize 80, its type UDINT 32; correct BitSize or Type"]
 
 
+def sub_item_of(type_name: str, bits: int) -> str:
+    """A data type whose second SubItem is of this type and size."""
+    return (
+        "<DataType><Name>DT</Name><BitSize>176</BitSize>"
+        "<SubItem><SubIdx>0</SubIdx><Name>n</Name><Type>USINT</Type><BitSize>8</BitSize><BitOffs>0</BitOffs></SubItem>"
+        f"<SubItem><SubIdx>1</SubIdx><Name>a</Name><Type>{type_name}</Type><BitSize>{bits}</BitSize>"
+        "<BitOffs>16</BitOffs></SubItem></DataType>"
+    )
+
+
+@pytest.mark.parametrize(
+    ("type_name", "declared", "bits", "size"),
+    [
+        ("BOOL", 8, 8, None),
+        ("BOOL", 8, 1, 8),
+        ("BOOL", 1, 8, 1),
+        ("BOOL", None, 8, 1),  # the base type, where the dictionary does not declare it
+        ("STRING(0)", 160, 160, None),
+        ("STRING(0)", 0, 160, None),  # of any length
+        ("STRING(0)", None, 160, None),
+        ("DTENUM", 16, 8, 16),
+        ("DTENUM", None, 8, None),
+    ],
+)
+def test_l43_compares_sub_items_with_their_own_dictionary(tmp_path, type_name, declared, bits, size):
+    own = "" if declared is None else f"<DataType><Name>{type_name}</Name><BitSize>{declared}</BitSize></DataType>"
+    profile = dictionary(TYPES + own + sub_item_of(type_name, bits), "")
+    write(tmp_path, {"a.xml": esi(device(profile))})
+    told = [item["message"] for item in findings(tmp_path / "a.xml") if item["rule"] in ("L43", "L44")]
+    words = f"DataType DT: SubItem 'a' has BitSize {bits}, its type {type_name} {size}; correct BitSize or Type"
+    assert told == ([] if size is None else [words])
+
+
+def test_l43_tells_dictionaries_apart_that_share_a_data_type(tmp_path):
+    """The same words for DT, but BOOL is of 1 bit in one dictionary and of 8 in the other."""
+    profiles = [
+        dictionary(
+            f"{TYPES}<DataType><Name>BOOL</Name><BitSize>{bits}</BitSize></DataType>{sub_item_of('BOOL', 8)}", ""
+        )
+        for bits in (8, 1)
+    ]
+    found = linted(tmp_path, "L43", device(profiles[0]) + device(profiles[1], product="#x2"))
+    (only,) = found
+    assert only["path"].startswith("EtherCATInfo/Descriptions/Devices/Device[1]/")
+
+
+@pytest.mark.parametrize(("declared", "count"), [(0, 0), (160, 0), (80, 1)])
+def test_an_object_of_a_type_without_bits_is_of_any_length(tmp_path, declared, count):
+    data_type = f"<DataType><Name>STRING(0)</Name><BitSize>{declared}</BitSize></DataType>"
+    text = "<Object><Index>#x2000</Index><Name>O</Name><Type>STRING(0)</Type><BitSize>160</BitSize></Object>"
+    assert len(linted(tmp_path, "L43", device(dictionary(data_type, text)))) == count
+
+
 def test_bit_fields_of_an_idn_are_narrower_than_their_type(tmp_path):
     sub_item = "<SubItem><Name>reserved</Name><Type>UINT</Type><BitSize>14</BitSize><BitOffs>2</BitOffs></SubItem>"
     data_type = f"<DataType><Name>DT_IDN</Name><BitSize>16</BitSize>{sub_item}</DataType>"

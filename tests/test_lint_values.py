@@ -112,6 +112,12 @@ def test_l45_knows_what_fits_into_a_type(tmp_path, type_name, bits, value, words
     assert all(item["message"].startswith(f"0x2000:00 has {words}") for item in found)
 
 
+def test_l45_asks_for_one_correction(tmp_path):
+    limits = "<Info><MinValue>5</MinValue><MaxValue>4</MaxValue><DefaultValue>5</DefaultValue></Info>"
+    (found,) = linted(tmp_path, "L45", device(dictionary(TYPES, declared("#x2000", "UINT", 16, content=limits))))
+    assert found["message"] == "0x2000:00 has the minimum 5 above the maximum 4, if UINT is the right type: correct it"
+
+
 RECORD = (
     TYPES + "<DataType><Name>DT1</Name><BitSize>32</BitSize>"
     "<SubItem><SubIdx>1</SubIdx><Name>A</Name><Type>UINT</Type><BitSize>16</BitSize><BitOffs>0</BitOffs></SubItem>"

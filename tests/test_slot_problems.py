@@ -13,7 +13,9 @@ from esicatalog.esi.records.slots import Slot, SlotModuleIdent
 from esicatalog.model.slot_indices import IndicesInSlots
 from esicatalog.model.slots import (
     PluggedModule,
+    SlotShift,
     accepts,
+    declared_indices,
     expand_module,
     leaving_indices,
     numbered_slots,
@@ -126,6 +128,17 @@ def test_the_indices_in_slots_are_those_of_the_expanded_modules(device, module):
     unmoved = {pdo.pdo_index for pdo in pdos_of(module)}
     reachable = {index for index in range(-0x100, 0x200) if in_slots.has_pdo(index)}
     assert reachable <= moved_pdos | unmoved
+
+
+@given(DEVICE, MODULE)
+def test_the_sources_of_an_index_tell_whether_the_expanded_module_declares_it(device, module):
+    declared = declared_indices(module)
+    for item in plugged(device, module):
+        shift = SlotShift(device, item.slot, item.slot_number)
+        there = {found.object_index for found in objects_of(expand_module(device, item).module)}
+        asked = {index for found in declared for index in range(found.unshifted - 0x100, found.unshifted + 0x100, 3)}
+        for index in (there | asked) - {None, 0}:
+            assert shift.sources(index).isdisjoint(declared) == (index not in there)
 
 
 def pdos_of(module):

@@ -11,12 +11,13 @@ from typing import Any, NamedTuple
 from lxml import etree
 
 from esicatalog.esi.binding import PRESENT, RAW, Field, Record, fields_in_order
+from esicatalog.esi.canonical import canonical_element, xml_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Dictionary, InfoSubItem
 from esicatalog.esi.records.document import DiagInfo, DictInfo, EsiInfo, InfoList, ModuleInfo
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.write_unmapped import add_unmapped
-from esicatalog.esi.write_xml import canonical_element, document_bytes, xml_text
+from esicatalog.esi.write_xml import document_bytes
 
 _ROOTS: dict[type[Record], str] = {
     EsiInfo: "EtherCATInfo",

@@ -5,8 +5,8 @@ from collections.abc import Iterable
 
 from lxml import etree
 
+from esicatalog.esi.canonical import xml_text
 from esicatalog.esi.notes import Unmapped
-from esicatalog.esi.write_xml import xml_text
 
 _FOLLOWING_TEXT = "following-text"
 _NAME = r"(?:\{[^{}]*\})?[^\W\d][\w.\-]*"

@@ -24,6 +24,13 @@ class ObjectSubject(NamedTuple):
     data_type: DataType | None
 
 
+class DataTypeSubject(NamedTuple):
+    """A data type with those of its SubItems; None stands for one that the dictionary does not declare."""
+
+    data_type: DataType
+    of_sub_items: tuple[DataType | None, ...]
+
+
 class ValuesOfType:
     """What the values of all objects of a data type with SubItems are held against."""
 

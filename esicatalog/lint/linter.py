@@ -9,10 +9,10 @@ from esicatalog.esi.binding import Record
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import ReadDocument
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.dictionary import DataType, Dictionary, Object
+from esicatalog.esi.records.dictionary import Dictionary, Object
 from esicatalog.esi.records.document import Document, EsiInfo
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.lint.dictionaries import ObjectSubject, ObjectValues, ValuesOfType
+from esicatalog.lint.dictionaries import DataTypeSubject, ObjectSubject, ObjectValues, ValuesOfType
 from esicatalog.lint.locator import Locator, Tree
 from esicatalog.lint.registry import Check, Found, Place, Rule
 from esicatalog.lint.rules import ALL_RULES
@@ -74,6 +74,7 @@ class Linter:
         self._of_pdos: IdentityMemo[_Hits] = IdentityMemo(_MAX_OWNERS)
         self._of_record: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._of_object: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
+        self._of_data_type: IdentityMemo[_Hits] = IdentityMemo(_MAX_RECORDS)
         self._foreign_types: IdentityMemo[Sequence[tuple[int, str]]] = IdentityMemo(_MAX_RECORDS)
         self._values_of_type: IdentityMemo[ValuesOfType] = IdentityMemo(_MAX_TYPES)
         self._of_types: IdentityMemo[_Hits] = IdentityMemo(_MAX_DICTIONARIES)
@@ -221,11 +222,17 @@ class Linter:
         return hits or ()
 
     def _check_types(self, types: TypeSet) -> _Hits:
-        found = self._of_record.of_all(types.data_types, self._check_data_type)
+        declared = types.by_name.get
+        subjects = [
+            DataTypeSubject(data_type, tuple([declared(item.type or "") for item in data_type.sub_items]))
+            for data_type in types.data_types
+        ]
+        keys = [identities((data_type, *of_sub_items)) for data_type, of_sub_items in subjects]
+        found = self._of_data_type.get_all(keys, subjects, self._check_data_type)
         return self._check(types, TypeSet) + _below_each("data_types", found)
 
-    def _check_data_type(self, data_type: DataType) -> _Hits:
-        return self._check(data_type, Record) + self._check(data_type, DataType) or ()
+    def _check_data_type(self, subject: DataTypeSubject, key: tuple[int, ...]) -> _Hits:
+        return self._check(subject.data_type, Record) + self._check(subject, DataTypeSubject) or ()
 
 
 def _slots(owner: Owner) -> tuple[Sequence[Any], Sequence[Any]]:

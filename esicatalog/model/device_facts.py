@@ -4,9 +4,8 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Annotated
 
-from lxml import etree
-
 from esicatalog.esi.binding import Doc, Record
+from esicatalog.esi.canonical import elements_naming
 from esicatalog.esi.numbers import MAX_STORED
 from esicatalog.esi.records.device import Device
 from esicatalog.model.dictionary_views import DictionaryViews
@@ -103,17 +102,17 @@ def _min_cycle_ns(device: Device, sync: Iterable[dict[int, int]]) -> int | None:
     if declared:
         return max(declared)
     texts = (device.info_vendor_specific, device.dc_vendor_specific, *(m.vendor_specific for m in device.op_modes))
-    sampled = [cycle for text in texts if text and "MinCycleTime" in text for cycle in _sampled_cycles(text)]
+    sampled = [cycle for text in texts for cycle in _sampled_cycles(text)]
     return min(sampled, default=None)
 
 
-def _sampled_cycles(text: str) -> Iterator[int]:
+def _sampled_cycles(text: str | None) -> Iterator[int]:
     """Bus cycles in TwinCAT's words: MinCycleTime on Oversampling is the smallest interval between two samples.
 
     EL1262: 1000 ns, and one million samples a second in its data sheet; a cycle has DefaultFactor samples unless
     another factor is chosen.
     """
-    for element in etree.fromstring(text).iter():
+    for element in elements_naming("MinCycleTime", text):
         interval, samples = _count(element.get("MinCycleTime")), _count(element.get("DefaultFactor")) or 1
         if interval and interval * samples <= MAX_STORED:
             yield interval * samples

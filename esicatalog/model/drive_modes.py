@@ -4,8 +4,8 @@ Modules that are alternatives in one slot are judged one by one, each with the d
 what any of them can, and the recipe names which one to plug.
 """
 
-from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterable, Sequence
+from itertools import chain
 from typing import Annotated, NamedTuple
 
 import msgspec
@@ -15,42 +15,14 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import DataType
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.cia402 import (
-    AXIS_STEP,
-    CIA402,
-    DRIVE_MODES,
-    PROFILE_AREA,
-    DriveMode,
-    denies,
-    named_modes,
-)
+from esicatalog.model.cia402 import CIA402, DRIVE_MODES, DriveMode, denies, named_modes
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
-from esicatalog.model.drive_evidence import NO, RANKS, YES, ModeEvidence, find_evidence, module_names
-from esicatalog.model.drive_parts import (
-    Contents,
-    Part,
-    axes_of,
-    has_cia402,
-    mapping_pdos,
-    marked_objects,
-    may_be_drive,
-    yielding,
-)
+from esicatalog.model.drive_configurations import configurations, device_parts, module_parts, slots_declaring
+from esicatalog.model.drive_evidence import NO, RANKS, YES, ModeEvidence, find_evidence
+from esicatalog.model.drive_parts import Part, has_cia402, mapping_pdos, marked_objects, may_be_drive, yielding
 from esicatalog.model.drive_recipe import mode_recipe
-from esicatalog.model.process_image import SmImage, default_process_image, process_image
-from esicatalog.model.slots import (
-    PluggedModule,
-    SlotDependence,
-    accepts,
-    default_modules,
-    expand_module,
-    fitting_modules,
-    furthest_move,
-    numbered_slots,
-    slot_dependences,
-)
-from esicatalog.model.sync import default_op_mode, op_modes_with_sync0
+from esicatalog.model.process_image import SmImage, default_process_image
+from esicatalog.model.slots import default_modules
 
 YES_FROM, LIKELY_FROM, POSSIBLE_FROM = 0.8, 0.5, 0.2
 _CAP_AGAINST_DECLARATION = 0.2
@@ -97,28 +69,23 @@ def drive_modes(
     drives = [module for module in modules if may_be_drive(module, views)]
     if not drives and not may_be_drive(device, views):
         return DriveModes(verdicts=tuple(_other_systems(device, views)))
-    own = _device_parts(device, views, default_process_image(device, modules) if images is None else images)
+    own = device_parts(device, views, default_process_image(device, modules) if images is None else images)
     own_axes = {part.axis for part in own if has_cia402(part)}
-    is_marked = any(map(marked_objects, own))
-    contents = _slot_contents(device, modules, views) if is_marked else {}
-    own = [yielding(part, contents) for part in own]
-    plugged = _module_parts(device, modules if own_axes else drives, views)
+    marked = {index for part in own for index in marked_objects(part)}
+    declaring = slots_declaring(device, modules, marked) if marked else {}
+    own = [yielding(part, declaring) for part in own]
+    plugged = module_parts(device, modules if own_axes else drives, views)
+    groups = configurations(own, plugged, declaring)
+    in_groups = [part for sets in groups.values() for parts in sets for part in parts]
+    by_part = _findings([*own, *chain.from_iterable(plugged.values()), *in_groups], own_axes)
+    evidence = list(dict.fromkeys(chain.from_iterable(by_part.values())))
     defaults = {(item.slot_number, item.module.module_ident) for item in default_modules(device, modules)}
-    evidence: list[ModeEvidence] = []
-    verdicts: list[DriveModeVerdict] = []
-    by_part = {}
-    groups = _configurations(own, plugged, contents)
-    in_groups = [part for configurations in groups.values() for parts in configurations for part in parts]
-    for part in [*own, *(part for parts in plugged.values() for part in parts), *in_groups]:
-        if id(part) not in by_part:
-            is_drive = part.axis in own_axes or has_cia402(part)
-            by_part[id(part)] = list(find_evidence(part)) if is_drive else []
-            evidence += [item for item in by_part[id(part)] if not is_marked or item not in evidence]
-    for axis, configurations in sorted(groups.items()):
-        for mode in DRIVE_MODES.values():
-            verdict = _best(device, axis, mode, configurations, by_part, defaults)
-            if verdict is not None:
-                verdicts.append(verdict)
+    judged = [
+        _best(device, axis, mode, sets, by_part, defaults)
+        for axis, sets in sorted(groups.items())
+        for mode in DRIVE_MODES.values()
+    ]
+    verdicts = [verdict for verdict in judged if verdict is not None]
     if not verdicts:
         verdicts = _other_systems(device, views)
     if not verdicts and own_axes:
@@ -128,116 +95,12 @@ def drive_modes(
     return DriveModes(evidence=tuple(evidence), verdicts=tuple(verdicts))
 
 
-def _device_parts(device: Device, known: DictionaryViews, images: Sequence[SmImage]) -> list[Part]:
-    views = known.of(device.profiles)
-    assigned = _assigned(images, None)
-    sync0 = bool(op_modes_with_sync0(device))
-    commands = device.mailbox.coe_init_cmds if device.mailbox is not None else ()
-    return [
-        Part(
-            axis,
-            None,
-            None,
-            "",
-            views,
-            device.rx_pdos,
-            assigned,
-            commands,
-            device.profiles if axis == 0 else (),
-            sync0,
-            axis * AXIS_STEP,
-        )
-        for axis in (0, *axes_of(views, device.rx_pdos))
-    ]
-
-
-def _module_parts(device: Device, modules: Sequence[Module], known: DictionaryViews) -> dict[int, list[Part]]:
-    """Parts of the modules by the axis that their objects belong to in the slot.
-
-    That is not the number of the slot: I/O may come before the drive, and objects that do not depend on the slot are
-    those of the same axis in each. Of several slots in which a module drives an axis the first one counts.
-    """
-    parts: dict[int, dict[int, Part]] = defaultdict(dict)
-    axes = {id(module): _declared_axes(module, known) for module in modules}
-    for plugged in _plugged(device, modules):
-        for first, dependences in axes[id(plugged.module)]:
-            shift = first + furthest_move(device, plugged, dependences)
-            of_axis = parts[shift // AXIS_STEP]
-            if id(plugged.module) not in of_axis:
-                of_axis[id(plugged.module)] = _module_part(device, plugged, first, shift, known)
-    return {axis: list(of_axis.values()) for axis, of_axis in parts.items()}
-
-
-def _declared_axes(module: Module, known: DictionaryViews) -> list[tuple[int, list[SlotDependence]]]:
-    """Where axes of a module begin outside of any slot, and how their objects follow it."""
-    begins = [axis * AXIS_STEP for axis in (0, *axes_of(known.of(module.profiles), module.rx_pdos))]
-    return [
-        (begin, slot_dependences(module, range(PROFILE_AREA + begin, PROFILE_AREA + begin + AXIS_STEP)))
-        for begin in begins
-    ]
-
-
-def _plugged(device: Device, modules: Sequence[Module]) -> Iterator[PluggedModule]:
-    """Every module in every slot that it fits, those that are there by default first."""
-    yield from default_modules(device, modules)
-    for number, slot, fitting in fitting_modules(device, modules):
-        for module in fitting:
-            yield PluggedModule(number, slot, module)
-
-
-def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int, known: DictionaryViews) -> Part:
-    module = expand_module(device, plugged).module
-    op_mode = default_op_mode(device.op_modes, [plugged.module])
-    return Part(
-        shift // AXIS_STEP,
-        plugged.slot_number,
-        module.module_ident,
-        module_names(module),
-        known.of(module.profiles),
-        module.rx_pdos,
-        _assigned(process_image(device, [plugged], op_mode), plugged.slot_number),
-        module.mailbox.coe_init_cmds if module.mailbox is not None else (),
-        module.profiles if first == 0 else (),
-        any(module.dc_op_mode_name in (None, mode.name) for mode in op_modes_with_sync0(device)),
-        shift,
-        module.dc_op_mode_name,
-    )
-
-
-def _assigned(images: Sequence[SmImage], slot_number: int | None) -> tuple[Pdo, ...]:
-    """RxPDOs of the device itself or of what is in a slot, as far as they are in its process image."""
-    return tuple(
-        placed.pdo
-        for image in images
-        for placed in image.pdos
-        if placed.direction == "RxPdo" and placed.slot_number == slot_number
-    )
-
-
-def _slot_contents(device: Device, modules: Sequence[Module], known: DictionaryViews) -> Contents:
-    """What is in slots that are not left empty: the default module, else any that fits."""
-    held = {item.slot_number: [item] for item in default_modules(device, modules)}
-    for number, slot, instance in numbered_slots(device):
-        if number not in held and instance < (slot.min_instances or 0):
-            held[number] = [PluggedModule(number, slot, module) for module in modules if accepts(slot, module)]
+def _findings(parts: Iterable[Part], own_axes: Container[int]) -> dict[int, list[ModeEvidence]]:
+    """Findings of the parts that are drives, by the part's identity."""
     return {
-        number: [known.of(expand_module(device, plugged).module.profiles) for plugged in alternatives]
-        for number, alternatives in held.items()
-        if alternatives
+        number: list(find_evidence(part)) if part.axis in own_axes or has_cia402(part) else []
+        for number, part in {id(part): part for part in parts}.items()
     }
-
-
-def _configurations(own: list[Part], plugged: dict[int, list[Part]], contents: Contents) -> dict[int, list[list[Part]]]:
-    """Per axis the sets of parts that act together: the device's own, and with it each alternative module."""
-    axes = {part.axis for part in own} | plugged.keys()
-    found = {}
-    for axis in axes:
-        base = [part for part in own if part.axis == axis]
-        found[axis] = [base]
-        for module in plugged.get(axis, ()):
-            with_module = {**contents, module.slot_number: [module.views]}
-            found[axis].append([*(yielding(part, with_module) for part in base), module])
-    return found
 
 
 class _Judged(NamedTuple):

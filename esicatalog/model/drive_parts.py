@@ -4,7 +4,8 @@ Rules of ESI-FACTS sections 12 and 16: axes by their controlword, objects that y
 RxPDOs that map a mode's setpoint.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from itertools import combinations, product
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
@@ -25,6 +26,7 @@ from esicatalog.model.cia402 import (
 )
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
+from esicatalog.model.pdo_facts import symmetric_exclusions
 from esicatalog.model.pdo_mapping import is_mappable
 
 _CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES)}
@@ -34,12 +36,8 @@ _CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES
 class Part(NamedTuple):
     """What is looked at together: the device's own description or one module, for one axis."""
 
-    axis: int
-    slot_number: int | None
-    """Slot that a module is in."""
-    module_ident: int | None
-    name: str
-    """Names of a module: type and name."""
+    axis_shift: int
+    """How far the axis's objects lie above those of the first axis."""
     views: tuple[DictionaryView, ...]
     """Its dictionaries."""
     rx_pdos: tuple[Pdo, ...]
@@ -50,12 +48,20 @@ class Part(NamedTuple):
     """Those that speak for this axis."""
     sync0: bool
     """Whether an OpMode that it can run in generates SYNC0."""
-    axis_shift: int
-    """How far the axis's objects lie above those of the first axis."""
+    slot_number: int | None = None
+    """Slot that a module is in."""
+    module_ident: int | None = None
+    name: str = ""
+    """Names of a module: type and name."""
     dc_op_mode_name: str | None = None
     """OpMode that a module asks for."""
     replaced: frozenset[int] = frozenset()
     """Objects of the device in whose place those of modules count."""
+
+    @property
+    def axis(self) -> int:
+        """The number of the axis, from 0."""
+        return self.axis_shift // AXIS_STEP
 
     def at(self, index: int) -> int:
         """Where an object of the first axis lies in this part."""
@@ -134,16 +140,21 @@ def marked_objects(part: Part) -> list[int]:
     return [index for index, item in declared if item is not None and item.overwritten_by_module]
 
 
-Contents = Mapping[int | None, Sequence[tuple[DictionaryView, ...]]]
-"""What slots hold, by number: the dictionaries of each of the alternatives."""
+SlotsDeclaring = Mapping[int, Collection[int]]
+"""The slots that declare an object whatever they hold, by its index."""
 
 
-def yielding(part: Part, contents: Contents) -> Part:
-    """A part of the device beside what its slots hold: its marked objects yield to theirs (ESI-FACTS section 12)."""
+def yielding(part: Part, declaring: SlotsDeclaring, plugged: Part | None = None) -> Part:
+    """A part of the device beside what its slots hold, be it with a certain module in one of them.
+
+    Its marked objects yield to those of modules (ESI-FACTS section 12).
+    """
+    slot_number = plugged.slot_number if plugged is not None else None
     replaced = frozenset(
         index
         for index in marked_objects(part)
-        if any(all(_declares(views, index) for views in alternatives) for alternatives in contents.values())
+        if any(number != slot_number for number in declaring.get(index, ()))
+        or (plugged is not None and _declares(plugged.views, index))
     )
     return part._replace(replaced=replaced) if replaced != part.replaced else part
 
@@ -161,24 +172,32 @@ def maps_setpoint(part: Part, pdo: Pdo, setpoints: Sequence[int]) -> bool:
     return bool(wanted) and not pdo.virtual and wanted.issubset([entry.entry_index for entry in pdo.entries])
 
 
-def mapping_pdos(part: Part, mode: DriveMode) -> list[Pdo]:
+def mapping_pdos(part: Part, mode: DriveMode) -> Sequence[Pdo]:
     """The RxPDOs that map the setpoint of a mode: one with all of it, else one for each object.
 
     Drives with one object a PDO assign several, which must not exclude each other. None where an object is not mapped.
     """
-    whole = _mapping_pdo(part, mode.setpoints)
-    if whole is not None:
-        return [whole]
-    each = [_mapping_pdo(part, (index,)) for index in mode.setpoints] if len(mode.setpoints) > 1 else []
-    found = [pdo for pdo in each if pdo is not None]
-    excluded = {item.pdo_index for pdo in found for item in pdo.excludes}
-    return found if len(found) == len(each) and excluded.isdisjoint([pdo.pdo_index for pdo in found]) else []
+    whole = _fitting_pdos(part, mode.setpoints)
+    if whole or len(mode.setpoints) < 2:
+        return whole[:1]
+    each = [_fitting_pdos(part, (index,)) for index in mode.setpoints]
+    if not all(each):
+        return ()
+    rivals = {index: frozenset(others) for index, others in symmetric_exclusions(part.rx_pdos).items()}
+    return next((pdos for pdos in product(*each) if _go_together(pdos, rivals)), ())
 
 
-def _mapping_pdo(part: Part, setpoints: Sequence[int]) -> Pdo | None:
-    """The RxPDO that maps setpoints: one that is assigned by default before others."""
+def _fitting_pdos(part: Part, setpoints: Sequence[int]) -> list[Pdo]:
+    """The RxPDOs that map setpoints: those assigned by default before others, of one index the first."""
     fitting = [pdo for pdo in part.rx_pdos if maps_setpoint(part, pdo, setpoints)]
-    return next((pdo for pdo in fitting if pdo in part.assigned), fitting[0] if fitting else None)
+    by_index: dict[int | None, Pdo] = {}
+    for pdo in sorted(fitting, key=lambda pdo: pdo not in part.assigned):
+        by_index.setdefault(pdo.pdo_index, pdo)
+    return list(by_index.values())
+
+
+def _go_together(pdos: Iterable[Pdo], rivals: Mapping[int | None, Collection[int]]) -> bool:
+    return not any(other.pdo_index in rivals.get(pdo.pdo_index, ()) for pdo, other in combinations(pdos, 2))
 
 
 def mapping_pdo(index: int, pdos: Iterable[Pdo]) -> Pdo | None:

@@ -11,8 +11,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import msgspec
-from lxml import etree
 
+from esicatalog.esi.canonical import elements_naming
 from esicatalog.esi.numbers import parse_hex_dec
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
@@ -381,10 +381,9 @@ def _sampled(pdo: Pdo, repeat: int, remarks: list[str]) -> Iterator[Entry]:
 
 def alternative_assignments(device: Device) -> list[NamedAssignment]:
     """The predefined PDO assignments of TwinCAT: Info/VendorSpecific/TwinCAT/AlternativeSmMapping."""
-    if device.info_vendor_specific is None or "AlternativeSmMapping" not in device.info_vendor_specific:
-        return []
+    tag = "AlternativeSmMapping"
     found = []
-    for element in etree.fromstring(device.info_vendor_specific).iter("AlternativeSmMapping"):
+    for element in [item for item in elements_naming(tag, device.info_vendor_specific) if item.tag == tag]:
         indices: dict[int, tuple[int, ...]] = {}
         for sm in element.iterchildren("Sm"):
             number = parse_hex_dec(sm.get("No") or "")

@@ -3,24 +3,15 @@
 from collections import defaultdict
 from collections.abc import Container, Hashable, Mapping, Sequence
 from functools import cached_property
-from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Object
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.slots import MAX_INDEX, Step, accepts, slot_runs, slot_steps
+from esicatalog.model.slots import MAX_INDEX, ModuleIndex, Step, accepts, slot_runs, slot_steps
 
 
-class _Moving(NamedTuple):
-    """An index and what it follows."""
-
-    unshifted: int
-    by_slot: bool
-    by_group: bool
-
-
-def _reaches(wanted: int, moving: _Moving, step: Step, numbers: Container[int]) -> bool:
+def _reaches(wanted: int, moving: ModuleIndex, step: Step, numbers: Container[int]) -> bool:
     """Whether an index comes to lie at ``wanted`` in one of the slots."""
     distance = wanted - moving.unshifted - (step.by_group if moving.by_group else 0)
     if not step.by_slot or not moving.by_slot:
@@ -38,15 +29,15 @@ class _AlikeSlots:
         self._modules = modules
 
     @cached_property
-    def pdos(self) -> set[_Moving]:
+    def pdos(self) -> set[ModuleIndex]:
         """Indices of the PDOs of all modules that move."""
         pdos = [pdo for module in self._modules for pdo in (*module.rx_pdos, *module.tx_pdos)]
         return {moving for pdo in pdos if (moving := _moving(pdo.pdo_index, pdo)) is not None}
 
     @cached_property
-    def objects(self) -> Mapping[_Moving, list[Module]]:
+    def objects(self) -> Mapping[ModuleIndex, list[Module]]:
         """Indices of the objects that move, with the modules that have them."""
-        found: dict[_Moving, list[Module]] = defaultdict(list)
+        found: dict[ModuleIndex, list[Module]] = defaultdict(list)
         for module in self._modules:
             for profile in module.profiles:
                 for declared in profile.dictionary.objects if profile.dictionary is not None else ():
@@ -55,10 +46,10 @@ class _AlikeSlots:
         return found
 
 
-def _moving(index: int | None, item: Pdo | Object) -> _Moving | None:
+def _moving(index: int | None, item: Pdo | Object) -> ModuleIndex | None:
     if index is None or not (item.depend_on_slot or item.depend_on_slot_group):
         return None
-    return _Moving(index, bool(item.depend_on_slot), bool(item.depend_on_slot_group))
+    return ModuleIndex(index, bool(item.depend_on_slot), bool(item.depend_on_slot_group))
 
 
 class IndicesInSlots:

@@ -6,6 +6,7 @@ the slot number (counted from 0 over all instances) and only where DependOnSlot 
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import product
 from typing import Any, NamedTuple, TypeVar
 
 import msgspec
@@ -39,6 +40,14 @@ class ExpandedModule(NamedTuple):
     slot_number: int
     module: Module
     problems: tuple[str, ...]
+
+
+class ModuleIndex(NamedTuple):
+    """An index as a module gives it, and what it follows."""
+
+    unshifted: int
+    by_slot: bool
+    by_group: bool
 
 
 class ModuleVendor(NamedTuple):
@@ -215,6 +224,16 @@ def _object_places(module: Module) -> list[tuple[int | None, Entry | InitCmd | O
     return found
 
 
+def declared_indices(module: Module) -> set[ModuleIndex]:
+    """The indices of the objects in a module's dictionaries."""
+    return {
+        ModuleIndex(declared.object_index, bool(declared.depend_on_slot), bool(declared.depend_on_slot_group))
+        for profile in module.profiles
+        for declared in (profile.dictionary.objects if profile.dictionary is not None else ())
+        if declared.object_index is not None
+    }
+
+
 class SlotDependence(NamedTuple):
     """How some objects of a module follow the slot: by its number, by its group; and the highest of their indices."""
 
@@ -306,8 +325,20 @@ class SlotShift:
 
     def object_index(self, index: int, by_slot: bool | None, by_group: bool | None) -> int:
         """Shifted index of an object."""
-        shift = (self._objects if by_slot else 0) + (self._objects_of_group if by_group else 0)
-        return self._checked("object", index, index + shift)
+        return self._checked("object", index, index + self._object_move(by_slot, by_group))
+
+    def sources(self, index: int) -> set[ModuleIndex]:
+        """What an object is in the module that comes to lie at an index in the slot: all that it can be.
+
+        Index 0 stays where it is, as what would leave 16 bits does.
+        """
+        ways = product((False, True), repeat=2)
+        found = {ModuleIndex(index - self._object_move(*way), *way) for way in ways}
+        found |= {item._replace(unshifted=index) for item in found}
+        return {item for item in found if item.unshifted and self.object_index(*item) == index}
+
+    def _object_move(self, by_slot: bool | None, by_group: bool | None) -> int:
+        return (self._objects if by_slot else 0) + (self._objects_of_group if by_group else 0)
 
     def pdo_index(self, index: int, by_slot: bool | None, by_group: bool | None) -> int:
         """Shifted index of a PDO."""

@@ -8,9 +8,8 @@ from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import Annotated
 
-from lxml import etree
-
 from esicatalog.esi.binding import Doc, Record
+from esicatalog.esi.canonical import elements_naming
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -79,10 +78,8 @@ def listed_pdos(op_modes: Iterable[OpMode]) -> set[int]:
 
 def is_superseded(op_mode: OpMode) -> bool:
     """Whether newer tools ignore the OpMode: VendorSpecific/TwinCAT/@IgnoreFromBuildNo."""
-    text = op_mode.vendor_specific
-    if text is None or "IgnoreFromBuildNo" not in text:
-        return False
-    return any(element.get("IgnoreFromBuildNo") for element in etree.fromstring(text).iter())
+    attribute = "IgnoreFromBuildNo"
+    return any(element.get(attribute) for element in elements_naming(attribute, op_mode.vendor_specific))
 
 
 def op_modes_with_sync0(device: Device) -> list[OpMode]:

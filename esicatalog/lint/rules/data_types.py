@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 from esicatalog.esi.records.dictionary import DataType, SubItem
 from esicatalog.lint.areas import Area, overlaps
-from esicatalog.lint.dictionaries import ObjectSubject
+from esicatalog.lint.dictionaries import DataTypeSubject, ObjectSubject
 from esicatalog.lint.registry import ERROR, WARNING, Found, listed, rule
-from esicatalog.model.base_types import base_type
+from esicatalog.model.base_types import BaseType, base_type
 from esicatalog.model.dictionary_views import DictionaryView
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.resolver import TypeSet
@@ -46,11 +46,11 @@ def _known(name: str) -> str:
 
 
 @rule("L42", ERROR, "EtherCATBase.xsd keys: DataType name, SubItem name; ETG.1000.6: subindex, object index")
-def declared_twice(record: DictionaryView | TypeSet | DataType) -> Iterator[Found]:
+def declared_twice(record: DictionaryView | TypeSet | DataTypeSubject) -> Iterator[Found]:
     """A data type name, SubItem name, SubIdx or object index is declared twice."""
-    if isinstance(record, DataType):
-        if record.sub_items:
-            yield from _sub_items_twice(record)
+    if isinstance(record, DataTypeSubject):
+        if record.of_sub_items:
+            yield from _sub_items_twice(record.data_type)
         return
     if isinstance(record, TypeSet):
         names = [data_type.name for data_type in record.data_types]
@@ -90,19 +90,17 @@ def _repeated(keys: list[str | None] | list[int | None]) -> list[tuple[int, obje
 
 
 @rule("L43", WARNING, "ETG.2000 Object/BitSize, SubItem/BitSize are those of the type")
-def size_differs(subject: ObjectSubject | DataType) -> Iterator[Found]:
-    """BitSize of an object, or of a SubItem of a base type, differs from that of its type."""
-    if isinstance(subject, DataType):
+def size_differs(subject: ObjectSubject | DataTypeSubject) -> Iterator[Found]:
+    """BitSize of an object or SubItem differs from that of its type."""
+    if isinstance(subject, DataTypeSubject):
         yield from _sizes_of_sub_items(subject)
         return
-    declared, data_type = subject.declared, subject.data_type
-    if data_type is None or declared.bit_size is None or data_type.bit_size is None:
-        return
-    index = declared.object_index or 0
-    if declared.bit_size != data_type.bit_size and not _is_dynamic(index):
+    declared = subject.declared
+    index, size = declared.object_index or 0, _other_size(declared.bit_size, subject.data_type)
+    if size is not None and not _is_dynamic(index):
         yield Found(
             f"object 0x{index:04X} has BitSize {declared.bit_size}, "
-            f"its type {declared.type} {data_type.bit_size}: correct one of them",
+            f"its type {declared.type} {size}: correct one of them",
             ("bit_size",),
         )
 
@@ -112,13 +110,14 @@ def _is_dynamic(index: int) -> bool:
     return is_pdo_mapping(index) or index in PDO_ASSIGNMENTS
 
 
-def _sizes_of_sub_items(data_type: DataType) -> Iterator[Found]:
+def _sizes_of_sub_items(subject: DataTypeSubject) -> Iterator[Found]:
+    data_type = subject.data_type
     if _is_of_idn(data_type):
         return
     misfits = [
         (number, f"SubItem {sub_item.name!r} has BitSize {sub_item.bit_size}, its type {sub_item.type} {size}")
-        for number, sub_item in enumerate(data_type.sub_items)
-        if (size := _other_size(sub_item)) is not None
+        for number, sub_item, of_type in _typed(subject)
+        if (size := _other_size(sub_item.bit_size, of_type)) is not None
     ]
     if misfits:
         first, _ = misfits[0]
@@ -126,24 +125,33 @@ def _sizes_of_sub_items(data_type: DataType) -> Iterator[Found]:
         yield Found(f"DataType {data_type.name}: {words}; correct BitSize or Type", ("sub_items", first, "bit_size"))
 
 
+def _typed(subject: DataTypeSubject) -> Iterator[tuple[int, SubItem, DataType | BaseType | None]]:
+    """SubItems with position and type: as the dictionary declares it, else the base type of that name."""
+    for number, (sub_item, declared) in enumerate(zip(subject.data_type.sub_items, subject.of_sub_items, strict=True)):
+        yield number, sub_item, declared if declared is not None else base_type(sub_item.type)
+
+
 def _is_of_idn(data_type: DataType) -> bool:
     """Whether it is the structure of an IDN, where members may be a union or bit fields narrower than their type."""
     return all(sub_item.subindex is None for sub_item in data_type.sub_items)
 
 
-def _other_size(sub_item: SubItem) -> int | None:
-    """The size of its base type, None where it is that of the SubItem or one of them is not known."""
-    base = base_type(sub_item.type)
-    size = base.bit_size if base is not None else None
-    return size if sub_item.bit_size not in (None, size) else None
+def _other_size(bit_size: int | None, of_type: DataType | BaseType | None) -> int | None:
+    """The size of a type, None where what has the type is of that size or one of them is not known.
+
+    A type of no bits, as STRING(0), is of any length.
+    """
+    size = of_type.bit_size if of_type is not None else None
+    return size if size and bit_size not in (None, size) else None
 
 
 @rule("L44", WARNING, "ETG.2000 SubItem/BitOffs, BitSize: the complete-access image; SubIndex 0 lies at its start")
-def sub_item_overlap(data_type: DataType) -> Iterator[Found]:
+def sub_item_overlap(subject: DataTypeSubject) -> Iterator[Found]:
     """SubItems overlap or exceed their type, or SubIndex 0 does not lie at BitOffs 0.
 
     One whose own BitSize is wrong (L43) is left out: how far it reaches is not known.
     """
+    data_type = subject.data_type
     sub_items = data_type.sub_items
     if not sub_items or _is_of_idn(data_type):
         return
@@ -155,8 +163,8 @@ def sub_item_overlap(data_type: DataType) -> Iterator[Found]:
         )
     areas = [
         Area(sub_item.bit_offset, sub_item.bit_offset + sub_item.bit_size, number)
-        for number, sub_item in enumerate(sub_items)
-        if sub_item.bit_offset is not None and sub_item.bit_size and _other_size(sub_item) is None
+        for number, sub_item, of_type in _typed(subject)
+        if sub_item.bit_offset is not None and sub_item.bit_size and _other_size(sub_item.bit_size, of_type) is None
     ]
     for (_, end, number), (start, _, next_number) in overlaps(areas):
         yield Found(

@@ -138,14 +138,14 @@ def _processes(subject: ProcessSubject | ModuleSubject) -> list[ProcessData]:
     return [host.derivation.process_data for host in subject.hosts]
 
 
-def _listed_sms(mode: OpMode | None) -> set[int | None]:
-    """The SyncManagers to which an OpMode assigns PDOs itself."""
-    return {item.no for item in mode.sm_assignments if item.pdos} if mode is not None else set()
+def _listing(mode: OpMode | None) -> dict[int | None, OpMode]:
+    """An OpMode by each SyncManager to which it assigns PDOs itself."""
+    return {item.no: mode for item in mode.sm_assignments if item.pdos} if mode is not None else {}
 
 
 def _assigned_by_default(subject: ProcessSubject | ModuleSubject) -> list[DeclaredPdo]:
     """PDOs with Sm, but not those whose SyncManager the default OpMode assigns itself."""
-    of_modes = [_listed_sms(data.default_op_mode) for data in _processes(subject)]
+    of_modes = [set(_listing(data.default_op_mode)) for data in _processes(subject)]
     listed = set.intersection(*of_modes) if of_modes else set()
     return [
         placed
@@ -243,9 +243,8 @@ def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
     """The defaults of 0x1C12 or 0x1C13 name other PDOs than those assigned by Sm or the default OpMode."""
     if subject.is_modular:
         return
-    mode = subject.derivation.process_data.default_op_mode
+    listing = _listing(subject.derivation.process_data.default_op_mode)
     for image in subject.derivation.images:
-        lists = image.sm in _listed_sms(mode)
         entries = subject.own.entries(PDO_ASSIGNMENTS.start + image.sm)
         if not entries:
             continue
@@ -257,10 +256,11 @@ def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
         }
         assigned = {placed.pdo.pdo_index for placed in image.pdos}
         if defaults and defaults != assigned:
-            assigns = f"the OpMode {mode.name!r} assigns" if mode is not None and lists else f"Sm={image.sm} assigns"
+            mode = listing.get(image.sm)
+            what = f"the OpMode {mode.name!r}" if mode is not None else f"Sm={image.sm}"
             yield Found(
                 f"0x{PDO_ASSIGNMENTS.start + image.sm:04X} assigns {_indices(defaults)} by default, "
-                f"{assigns} {_indices(assigned)}: which of them counts depends on the master",
+                f"{what} assigns {_indices(assigned)}: which of them counts depends on the master",
                 subject.object_place(PDO_ASSIGNMENTS.start + image.sm),
             )
 

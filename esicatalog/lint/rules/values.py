@@ -91,7 +91,7 @@ def _beyond(entry: ObjectEntry, value: float | None, lowest: float | None, highe
     if value is None or lowest == highest == 0:  # two zeros are no limits
         return None
     if lowest is not None and highest is not None and lowest > highest:
-        return f"has the minimum {lowest} above the maximum {highest} as {entry.data_type}: is the type right?"
+        return f"has the minimum {lowest} above the maximum {highest}, if {entry.data_type} is the right type"
     if lowest is not None and value < lowest:
         return f"has the default {value}, less than its minimum {lowest}"
     if highest is not None and value > highest:

@@ -1,0 +1,144 @@
+"""Which parts of a drive act together: its own ones, and with them each of the modules that its slots take."""
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.slots import Slot
+from esicatalog.model.cia402 import AXIS_STEP, PROFILE_AREA
+from esicatalog.model.dictionary_views import DictionaryViews
+from esicatalog.model.drive_evidence import module_names
+from esicatalog.model.drive_parts import Part, SlotsDeclaring, axes_of, yielding
+from esicatalog.model.process_image import SmImage, process_image
+from esicatalog.model.slots import (
+    PluggedModule,
+    SlotDependence,
+    SlotShift,
+    declared_indices,
+    default_modules,
+    expand_module,
+    fitting_modules,
+    furthest_move,
+    numbered_slots,
+    slot_dependences,
+)
+from esicatalog.model.sync import default_op_mode, op_modes_with_sync0
+
+
+def device_parts(device: Device, known: DictionaryViews, images: Sequence[SmImage]) -> list[Part]:
+    """Parts of the device itself, one for each axis; ``images`` is its default process image."""
+    views = known.of(device.profiles)
+    assigned = _assigned(images, None)
+    sync0 = bool(op_modes_with_sync0(device))
+    return [
+        Part(
+            axis_shift=axis * AXIS_STEP,
+            views=views,
+            rx_pdos=device.rx_pdos,
+            assigned=assigned,
+            init_cmds=device.mailbox.coe_init_cmds if device.mailbox is not None else (),
+            profiles=device.profiles if axis == 0 else (),
+            sync0=sync0,
+        )
+        for axis in (0, *axes_of(views, device.rx_pdos))
+    ]
+
+
+def module_parts(device: Device, modules: Sequence[Module], known: DictionaryViews) -> dict[int, list[Part]]:
+    """Parts of the modules by the axis that their objects belong to in the slot.
+
+    That is not the number of the slot: I/O may come before the drive, and objects that do not depend on the slot are
+    those of the same axis in each. Of several slots in which a module drives an axis the first one counts.
+    """
+    parts: dict[int, dict[int, Part]] = defaultdict(dict)
+    axes = {id(module): _declared_axes(module, known) for module in modules}
+    for plugged in _plugged(device, modules):
+        for first, dependences in axes[id(plugged.module)]:
+            shift = first + furthest_move(device, plugged, dependences)
+            of_axis = parts[shift // AXIS_STEP]
+            if id(plugged.module) not in of_axis:
+                of_axis[id(plugged.module)] = _module_part(device, plugged, first, shift, known)
+    return {axis: list(of_axis.values()) for axis, of_axis in parts.items()}
+
+
+def _declared_axes(module: Module, known: DictionaryViews) -> list[tuple[int, list[SlotDependence]]]:
+    """Where axes of a module begin outside of any slot, and how their objects follow it."""
+    begins = [axis * AXIS_STEP for axis in (0, *axes_of(known.of(module.profiles), module.rx_pdos))]
+    return [
+        (begin, slot_dependences(module, range(PROFILE_AREA + begin, PROFILE_AREA + begin + AXIS_STEP)))
+        for begin in begins
+    ]
+
+
+def _plugged(device: Device, modules: Sequence[Module]) -> Iterator[PluggedModule]:
+    """Every module in every slot that it fits, those that are there by default first."""
+    yield from default_modules(device, modules)
+    for number, slot, fitting in fitting_modules(device, modules):
+        for module in fitting:
+            yield PluggedModule(number, slot, module)
+
+
+def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int, known: DictionaryViews) -> Part:
+    module = expand_module(device, plugged).module
+    op_mode = default_op_mode(device.op_modes, [plugged.module])
+    return Part(
+        axis_shift=shift,
+        views=known.of(module.profiles),
+        rx_pdos=module.rx_pdos,
+        assigned=_assigned(process_image(device, [plugged], op_mode), plugged.slot_number),
+        init_cmds=module.mailbox.coe_init_cmds if module.mailbox is not None else (),
+        profiles=module.profiles if first == 0 else (),
+        sync0=any(module.dc_op_mode_name in (None, mode.name) for mode in op_modes_with_sync0(device)),
+        slot_number=plugged.slot_number,
+        module_ident=module.module_ident,
+        name=module_names(module),
+        dc_op_mode_name=module.dc_op_mode_name,
+    )
+
+
+def _assigned(images: Sequence[SmImage], slot_number: int | None) -> tuple[Pdo, ...]:
+    """RxPDOs of the device itself or of what is in a slot, as far as they are in its process image."""
+    return tuple(
+        placed.pdo
+        for image in images
+        for placed in image.pdos
+        if placed.direction == "RxPdo" and placed.slot_number == slot_number
+    )
+
+
+def slots_declaring(device: Device, modules: Sequence[Module], indices: Iterable[int]) -> SlotsDeclaring:
+    """For each object the slots that declare it whatever they hold."""
+    declared = {id(module): declared_indices(module) for module in modules}
+    found: dict[int, set[int]] = {index: set() for index in indices}
+    for number, slot, held in _held(device, modules):
+        shift = SlotShift(device, slot, number)
+        for index, numbers in found.items():
+            sources = shift.sources(index)
+            if not any(sources.isdisjoint(declared[id(module)]) for module in held):
+                numbers.add(number)
+    return found
+
+
+def _held(device: Device, modules: Sequence[Module]) -> Iterator[tuple[int, Slot, list[Module]]]:
+    """What is in slots that are not left empty: the default module, else any that fits."""
+    defaults = {item.slot_number: [item.module] for item in default_modules(device, modules)}
+    needed = {number for number, slot, instance in numbered_slots(device) if instance < (slot.min_instances or 0)}
+    for number, slot, fitting in fitting_modules(device, modules):
+        held = defaults.get(number, fitting if number in needed else [])
+        if held:
+            yield number, slot, held
+
+
+def configurations(
+    own: Sequence[Part], plugged: Mapping[int, Sequence[Part]], declaring: SlotsDeclaring
+) -> dict[int, list[list[Part]]]:
+    """Per axis the sets of parts that act together: the device's own, and with it each alternative module."""
+    found = {}
+    for axis in {part.axis for part in own} | plugged.keys():
+        base = [part for part in own if part.axis == axis]
+        found[axis] = [base]
+        for module in plugged.get(axis, ()):
+            found[axis].append([*(yielding(part, declaring, module) for part in base), module])
+    return found
