@@ -6,6 +6,7 @@ import socket
 from contextlib import ExitStack
 from pathlib import Path
 
+import msgspec
 import pytest
 import schemathesis
 from hypothesis import HealthCheck, assume, given, settings
@@ -20,7 +21,8 @@ from esicatalog import Catalog, CatalogError, InputError, parse_identity
 from esicatalog.catalog.filter_texts import SHARPENS
 from esicatalog.catalog.results import json_bytes
 from esicatalog.cli.serve import _listen
-from esicatalog.scan.front import read_scan
+from esicatalog.scan.front import read_pdos, read_scan
+from esicatalog.identity import Identity
 from esicatalog.web.app import datasette_app
 from esicatalog.web.http import MAX_BODY_BYTES
 from esicatalog.web.openapi import openapi_document
@@ -520,6 +522,33 @@ def test_the_variant_that_fits_the_printed_pdos_is_named(tmp_path):
         ).stdout
     )
     assert (neither["device"]["variant"], neither["slave"]["notes"]) == (1, ["all 2 variants fit its PDOs alike"])
+
+
+def test_variants_that_fit_best_alike_are_all_named(tmp_path):
+    """The first assigns another PDO than the printed one and lacks that, the others have it with other entries."""
+    pdos = (("#x1601", 8, 8), ("#x1600", 16), ("#x1600", 32))
+    variants = [esi(device("<Sm>Outputs</Sm>" + pdo("RxPdo", *of_one, attributes='Sm="0"'))) for of_one in pdos]
+    db = catalog_of(tmp_path, *variants)
+    printed = f'{PDOS}    PDO entry 0x7000:01, 24 bit, "a"\n'
+    (found,) = json.loads(compared(db, tmp_path, "vendor,product,revision\n0xe5c,1,1\n", printed).stdout)
+    assert [item["variant"] for item in found["variants"]] == [1, 2, 3]
+    assert found["slave"]["notes"] == ["variants 2 and 3 of 3 fit its PDOs best and alike; 2 is taken"]
+    assert found["device"]["variant"] == 2
+
+
+def test_a_description_is_read_once_for_all_slaves_that_have_it(tmp_path, monkeypatch):
+    content = "<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0"')
+    db = catalog_of(tmp_path, esi(device(content)), esi(device(content, type_text="B")))
+    scan = read_scan("vendor,product,revision\n" + "0xe5c,1,1\n" * 3)
+    (one_slave,) = read_pdos(f'{PDOS}    PDO entry 0x7000:01, 8 bit, "a"\n').slaves
+    printed = [msgspec.structs.replace(one_slave, position=position) for position in range(3)]
+    read: list[Identity] = []
+    with Catalog.open(db) as catalog:
+        ask = catalog.device
+        monkeypatch.setattr(catalog, "device", lambda identity: read.append(identity) or ask(identity))
+        (bus,) = catalog.identify_scan(scan, printed)
+    assert len(bus.slaves) == 3
+    assert sorted(identity.variant for identity in read) == [1, 2]
 
 
 def test_lists_of_a_slave_without_description_are_not_dropped_silently(data_db, tmp_path):

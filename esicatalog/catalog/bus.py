@@ -1,5 +1,6 @@
 """Scans against the catalog: who the slaves are, and what is to be known of their bus."""
 
+import functools
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -105,12 +106,14 @@ def bus_reports(
     lists: list[ScannedPdos | ScannedDictionary] = [*pdos, *dictionaries]
     for item in lists:
         _check_place(item, scan)
+    # Slaves of a bus are often alike: each description is read once.
+    read = functools.cache(records)
     buses: dict[int, list[ScannedSlave]] = defaultdict(list)
     for slave in scan.slaves:
         buses[slave.bus].append(slave)
     found = []
     for number, slaves in sorted(buses.items()):
-        fits = [_fitting(lookup, slave, records, pdos, dictionaries) for slave in slaves]
+        fits = [_fitting(lookup, slave, read, pdos, dictionaries) for slave in slaves]
         devices = [lookup.at_bus(fit.answer.device.device) if fit.answer.device else None for fit in fits]
         reports, summary = look_at_bus(list(zip(slaves, devices, strict=True)))
         together = zip(slaves, fits, reports, strict=True)
@@ -152,15 +155,22 @@ def _fitting(
     compared = [
         tuple(_differences(*records(variant.device), own_pdos, own_dictionaries)) for variant in answer.variants
     ]
-    counts = [len(found) for found in compared]
-    best = counts.index(min(counts))
-    device = answer.variants[best]
-    notes: list[str] = []
-    if min(counts) < max(counts):
-        notes.append(f"variant {device.device.variant} of {len(counts)} fits its {lists} best")
-    elif len(counts) > 1:
-        notes.append(f"all {len(counts)} variants fit its {lists} alike")
-    return _Fit(msgspec.structs.replace(answer, device=device), compared[best], tuple(notes))
+    fewest = min(map(len, compared))
+    best = [place for place, found in enumerate(compared) if len(found) == fewest]
+    device = answer.variants[best[0]]
+    numbers = [answer.variants[place].device.variant for place in best]
+    notes = (_best_words(numbers, len(compared), lists),) if len(compared) > 1 else ()
+    return _Fit(msgspec.structs.replace(answer, device=device), compared[best[0]], notes)
+
+
+def _best_words(best: Sequence[int], count: int, lists: str) -> str:
+    """Which variants fit what was printed; ``best`` are their numbers, the one that is taken first."""
+    if len(best) == count:
+        return f"all {count} variants fit its {lists} alike"
+    if len(best) == 1:
+        return f"variant {best[0]} of {count} fits its {lists} best"
+    named = f"{', '.join(map(str, best[:-1]))} and {best[-1]}"
+    return f"variants {named} of {count} fit its {lists} best and alike; {best[0]} is taken"
 
 
 def _differences(
