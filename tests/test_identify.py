@@ -1,5 +1,6 @@
 """Who is on this bus: the same answer from Python, from the shell and over HTTP."""
 
+import asyncio
 import json
 import re
 import socket
@@ -10,6 +11,7 @@ import msgspec
 import pytest
 import schemathesis
 from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import strategies as st
 from lxml import html
 from schemathesis import GenerationMode
 from snippets import device, esi, one, pdo, rows
@@ -18,11 +20,11 @@ from test_search import catalog_of
 from web_client import client, new_client
 
 from esicatalog import Catalog, CatalogError, InputError, parse_identity
-from esicatalog.catalog.filter_texts import SHARPENS
+from esicatalog.catalog.filter_texts import SHARPENS, filter_of_texts
 from esicatalog.catalog.results import json_bytes
 from esicatalog.cli.serve import _listen
-from esicatalog.scan.front import read_pdos, read_scan
 from esicatalog.identity import Identity
+from esicatalog.scan.front import read_pdos, read_scan
 from esicatalog.web.app import datasette_app
 from esicatalog.web.http import MAX_BODY_BYTES
 from esicatalog.web.openapi import openapi_document
@@ -367,6 +369,95 @@ def test_openapi_says_what_the_routes_do(data_db):
                 case.call_and_validate()
 
             answered_as_promised()
+
+
+@pytest.mark.parametrize(
+    ("path", "words"),
+    [
+        ("0xe5c/0x1/-", "0x00000e5c:0x00000001:- is not in the catalog"),
+        ("0xe5c/0x1/0x1@9", "0x00000e5c:0x00000001:0x00000001@9 has no variant 9"),
+        ("0xe5c/0x1/latest@9", "0x00000e5c:0x00000001@9 has no variant 9"),
+        ("0xe5c/0x1/0x2", {"match": "older", "revision_no": 2}),
+        ("0xe5c/0x7/-", {"match": "vendor", "revision_no": None}),
+        ("0xe5d/0x1/0x1@2", {"match": "none", "revision_no": 1}),
+    ],
+)
+async def test_a_device_that_is_not_described(tmp_path, path, words):
+    """identify.json knows neither variants nor descriptions without revision: its answer would be to something else."""
+    db = catalog_of(tmp_path, esi(device()))
+    response = await (await client(db)).get(f"/-/esi/device/{path}.json")
+    found = response.json()
+    assert response.status_code == 404
+    if isinstance(words, str):
+        assert found["error"].startswith(words)
+    else:
+        assert {"match": found["match"], "revision_no": found["query"]["revision_no"]} == words
+    vendor, product, revision = path.split("/")
+    api = schemathesis.openapi.from_asgi("/-/esi/openapi.json", datasette_app(db).app())
+    operation = api["/-/esi/device/{vendor}/{product}/{revision}.json"]["GET"]
+    asked = operation.Case(path_parameters={"vendor": vendor, "product": product, "revision": revision})
+    await asyncio.to_thread(asked.call_and_validate)
+
+
+PATTERNS = {
+    parameter["name"]: parameter["schema"].get("items", parameter["schema"]).get("pattern", "")
+    for parameter in openapi_document("/")["paths"]["/-/esi/devices.json"]["get"]["parameters"]
+}
+NUMBER = r"(|0x|0X|#x|#X|x)[0-9a-fA-F]{0,3}|[0-9]{1,6}|0{0,3}42949672[0-9]{2,3}|0x0?[0-9a-f]{8}|1[0-9][0-9]|[0-9][0-9]"
+SPELLINGS = (
+    st.text("0129afAFxX#:@-<=> ", max_size=12)
+    | st.from_regex(f"({NUMBER})(:({NUMBER}))?", fullmatch=True)
+    | st.from_regex(f"({NUMBER}):({NUMBER})(:({NUMBER}|-))?(@({NUMBER}))?", fullmatch=True)
+    | st.from_regex(f"(<=|>=|=|<)? ?(-)? ?({NUMBER})", fullmatch=True)
+)
+
+
+def is_taken(name: str, text: str) -> bool:
+    try:
+        filter_of_texts({**({"maps": ["0x6040"]} if name == "bits" else {}), name: [text]})
+    except InputError:
+        return False
+    return True
+
+
+@pytest.mark.parametrize("name", ["product", "bits", "maps", "not-maps", "object", "bytes-in", "axes", "like"])
+def test_the_patterns_of_openapi_are_what_the_filters_take(name):
+    """In both directions: made from the pattern it is taken, and what is taken has the pattern."""
+    # Without the ends: in Python $ also stands before a line end.
+    pattern = PATTERNS[name].removeprefix("^").removesuffix("$")
+
+    @given(st.from_regex(pattern, fullmatch=True))
+    @settings(max_examples=200, deadline=None)
+    def is_taken_when_made_from_it(text):
+        assert is_taken(name, text)
+
+    @given(SPELLINGS)
+    @settings(max_examples=400, deadline=None)
+    def is_taken_if_it_has_it(text):
+        assert is_taken(name, text) == bool(re.fullmatch(pattern, text))
+
+    is_taken_when_made_from_it()
+    is_taken_if_it_has_it()
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [("maps", text) for text in ("0x6000:AF", "0x6000:e1", "0x6000:255", "#x6000:1", "24576:1", "0x006000:09")]
+    + [("bytes-in", ">=0x10"), ("product", "0000000000000001"), ("like", "#x1:2:-"), ("like", "1:2@1")],
+)
+def test_every_notation_has_the_pattern(name, text):
+    assert is_taken(name, text)
+    assert re.search(PATTERNS[name], text)
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [("maps", text) for text in ("0x10000", "65536", "0x6000:10", "0x6000:99", "0x6000:256", "0x6000:A", "0x6000:")]
+    + [("product", "4294967296"), ("product", "0x100000000"), ("like", "1:2@0"), ("bytes-in", "<8")],
+)
+def test_what_is_refused_has_not_the_pattern(name, text):
+    assert not is_taken(name, text)
+    assert not re.search(PATTERNS[name], text)
 
 
 def test_openapi_lists_the_modules_that_the_route_of_a_device_reads(data_db):

@@ -4,18 +4,31 @@ from collections.abc import Callable
 from typing import Any
 
 from esicatalog.catalog.filter_texts import FALSE_WORDS, PARAMETERS, SHARPENS, TRUE_WORDS, Parameter, parse_flag
-from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_number
+from esicatalog.identity import UINT32_MAX, parse_bounds, parse_identity, parse_mapped, parse_number
 from esicatalog.version import __version__
 
-_DECIMAL_UINT32 = (
-    "[0-9]{1,9}|[1-3][0-9]{9}|4[01][0-9]{8}|42[0-8][0-9]{7}|429[0-3][0-9]{6}|4294[0-8][0-9]{5}|42949[0-5][0-9]{4}|"
-    "429496[0-6][0-9]{3}|4294967[01][0-9]{2}|42949672[0-8][0-9]|429496729[0-5]"
-)
-_NUMBER = {
-    "type": "string",
-    "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32})$",
-    "examples": ["0x1097", "#x1097", "4247"],
-}
+
+def _decimals(limit: int) -> str:
+    """A pattern of the numbers from 1 to ``limit``, which has at least two digits, without zeros before them."""
+    digits = str(limit)
+    parts = [f"[1-9][0-9]{{0,{len(digits) - 2}}}"]
+    for place, digit in enumerate(digits):
+        lowest = 1 if place == 0 else 0
+        if int(digit) > lowest:
+            parts.append(f"{digits[:place]}[{lowest}-{int(digit) - 1}][0-9]{{{len(digits) - place - 1}}}")
+    return "|".join((*parts, digits))
+
+
+def _number(hex_digits: int) -> str:
+    """A pattern of what ``parse_number`` takes of so many hexadecimal digits."""
+    return f"[0#][xX]0*[0-9a-fA-F]{{1,{hex_digits}}}|0+|0*({_decimals(16**hex_digits - 1)})"
+
+
+_UINT32_NUMBER = _number(8)
+_VARIANT_NUMBER = f"[0#][xX]0*[1-9a-fA-F][0-9a-fA-F]{{0,7}}|0*({_decimals(UINT32_MAX)})"
+_SUBINDEX = "[0-9][a-fA-F]|[a-fA-F][0-9a-fA-F]|[0#][xX]0*[0-9a-fA-F]{1,2}|0*([0-9]|1[0-9]{2}|2[0-4][0-9]|25[0-5])"
+"""What ``parse_subindex`` takes: two hexadecimal digits of which one is a letter, or a number, but not 10 to 99."""
+_NUMBER = {"type": "string", "pattern": f"^({_UINT32_NUMBER})$", "examples": ["0x1097", "#x1097", "4247"]}
 _UINT32 = {"type": ["integer", "null"], "minimum": 0, "maximum": 0xFFFF_FFFF}
 _TEXT = {"type": ["string", "null"]}
 _HEX = {"type": ["string", "null"], "pattern": "^0x[0-9a-f]{8}$"}
@@ -24,16 +37,24 @@ _MATCHES = ["exact", "accepted", "older", "newer", "product", "vendor", "none"]
 
 _MAPPED = {
     "type": "string",
-    "pattern": "^(0x[0-9a-fA-F]{1,4}(:(0x[0-9a-fA-F]{1,2}|0?[0-9]|[0-9][a-fA-F]))?)?$",
+    "pattern": f"^(({_number(4)})(\\s*:\\s*({_SUBINDEX}))?)?$",
     "examples": ["0x60FF", "0x6040:0", "0x6000:0A"],
 }
-_BOUNDS = {"type": "string", "pattern": "^((<=|>=|=)?-?[0-9]{1,9})?$", "examples": ["<=8", ">=4", "100"]}
+_BOUNDS = {
+    "type": "string",
+    "pattern": f"^(((<=|>=|=)\\s*)?(-\\s*)?({_UINT32_NUMBER}))?$",
+    "examples": ["<=8", ">=4", "100"],
+}
 _FLAG = {"type": "string", "enum": ["", *TRUE_WORDS, *FALSE_WORDS]}
-_IDENTITY_TEXT = {"type": "string", "pattern": "^(0x[0-9a-f]{1,8}:0x[0-9a-f]{1,8}(:0x[0-9a-f]{1,8})?)?$"}
-_OPTIONAL_NUMBER = {**_NUMBER, "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32})?$"}
+_IDENTITY_TEXT = {
+    "type": "string",
+    "pattern": f"^(({_UINT32_NUMBER})\\s*:\\s*({_UINT32_NUMBER})"
+    f"((\\s*:\\s*({_UINT32_NUMBER}))?(\\s*@\\s*({_VARIANT_NUMBER}))?|\\s*:-(@\\s*({_VARIANT_NUMBER}))?))?$",
+    "examples": ["0x1097:0x2406", "0x1097:0x2406:0x8f", "0x1097:0x2406:-@2"],
+}
+_OPTIONAL_NUMBER = {**_NUMBER, "pattern": f"^({_UINT32_NUMBER})?$"}
 _VENDOR_NAME = "([1-9][0-9]*)?[^0-9#\\s][\\s\\S]*"
-_VENDOR = {"type": "string", "pattern": f"^([0#][xX][0-9a-fA-F]{{1,8}}|{_DECIMAL_UINT32}|{_VENDOR_NAME})?$"}
-_SMALL = {"type": "string", "pattern": "^[0-9]{0,4}$"}
+_VENDOR = {"type": "string", "pattern": f"^({_UINT32_NUMBER}|{_VENDOR_NAME})?$"}
 _LIMIT = {"type": "string", "pattern": "^[0-9]{0,5}$"}
 _BY_PARSER: dict[Callable[[str], Any], dict[str, Any]] = {
     parse_number: _OPTIONAL_NUMBER,
@@ -132,7 +153,7 @@ def _filter_schema(parameter: Parameter) -> dict[str, Any]:
         return {"type": "string", "enum": ["", *parameter.choices]}
     if parameter.field == "limit":
         return _LIMIT
-    return _BY_PARSER.get(parameter.parse, _SMALL)
+    return _BY_PARSER[parameter.parse]
 
 
 def _filters() -> list[dict[str, Any]]:
@@ -153,7 +174,7 @@ _IN_PATH = [
     for name, pattern in (
         ("vendor", "^0x[0-9a-f]{1,8}$"),
         ("product", "^0x[0-9a-f]{1,8}$"),
-        ("revision", "^(0x[0-9a-f]{1,8}|latest|-)$"),
+        ("revision", "^(0x[0-9a-f]{1,8}|latest|-)(@[1-9][0-9]{0,3})?$"),
     )
 ]
 
@@ -234,7 +255,11 @@ def openapi_document(base_url: str) -> dict[str, Any]:
                     "parameters": [*_IN_PATH, _MODULE],
                     "responses": {
                         "200": _answers("The device", {"type": "object", "required": ["identity", "device"]}),
-                        "404": _answers("There is no such device: what identify.json answers", _ref("Identification")),
+                        "404": _answers(
+                            "There is no such device: what identify.json answers, or an error where the product is "
+                            "described, but not in this variant or not without revision",
+                            {"oneOf": [_ref("Identification"), _ref("Error")]},
+                        ),
                         **_ERRORS,
                     },
                 },

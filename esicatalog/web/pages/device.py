@@ -62,14 +62,16 @@ async def device_page(request: Any, catalog: Catalog) -> Page:
 async def device_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
     """``/-/esi/device/V/P/R.json``: the JSON of ``esicatalog show --format json``.
 
-    404 with the answer of ``identify.json`` for an identity that is not described.
+    404 for an identity that is not described: with the answer of ``identify.json``, which names the nearest one, or
+    with an error where the product is described, yet not in this variant or not without revision: that route knows
+    neither.
     """
     identity, choice = _asked(request)
     try:
         description = await asyncio.to_thread(catalog.device, identity)
     except NotFound:
-        answer = catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no)
-        if identity.variant is not None and answer.device is not None:
+        answer = await asyncio.to_thread(catalog.identify, *identity[:3])
+        if answer.device is not None and (identity.variant is not None or identity.without_revision):
             raise
         return answer.as_json(), 404
     return await asyncio.to_thread(description_json, description, choice), 200
