@@ -211,7 +211,7 @@ def test_a_slave_that_cannot_be_configured_is_left_out_of_the_header_of_its_bus_
     assert "#define FIXED_1_POSITION 1\n" in result.stdout
     none = error_line(run("igh", "--scan", "-", "--cycle-ns", 700_000, db=db, stdin=listing), 2)
     assert none.startswith("esicatalog: no slave of the bus can be configured; position 0: OLD")
-    assert "position 1: FIXED (0x00000e5c:0x00000002:0x00000001) is left out: OpMode 'm' fixes SYNC0" in none
+    assert "position 1: FIXED (0x00000e5c:0x00000002:0x00000001) is left out: OpMode 'm' fixes the SYNC0 cycle" in none
 
 
 def test_choices_for_one_device_do_not_fit_a_bus(data_db):

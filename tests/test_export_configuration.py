@@ -1,5 +1,7 @@
 """What is chosen and what follows: PDOs, entries, modules, OpModes, clocks, start-up commands, names."""
 
+import re
+
 import pytest
 from snippets import device, dictionary, esi, pdo, read
 
@@ -495,21 +497,79 @@ def test_a_cycle_that_cannot_be_divided_is_refused():
     ("cycle_ns", "remark"),
     [
         (250_000, None),
-        (1_000_000, "with a bus cycle of 1000000 ns it comes 4 times in a cycle"),
-        (125_000, "with a bus cycle of 125000 ns it comes once in 2 cycles"),
+        (1_000_000, "a bus cycle of 1000000 ns holds 4"),
+        (125_000, "with a bus cycle of 125000 ns it takes 2"),
     ],
 )
 def test_a_fixed_cycle_of_sync0_other_than_the_bus_cycle_is_told(cycle_ns, remark):
     found = configured(SMS + dc(("m", times("#x300", ">250000"))), cycle_ns=cycle_ns)
     assert found.clocks is not None
     assert found.clocks.sync0_cycle.in_ns(cycle_ns) == 250_000
-    assert found.remarks == ((f"the OpMode fixes SYNC0 at 250000 ns: {remark}",) if remark else ())
+    assert found.remarks == ((f"the OpMode fixes the SYNC0 cycle at 250000 ns: {remark}",) if remark else ())
+
+
+def conditions(content: str, cycle_ns: int) -> list[str]:
+    found = configured(content, cycle_ns=cycle_ns)
+    assert found.clocks is not None
+    return [condition.expression for condition in found.clocks.conditions("C", cycle_ns, "or")]
+
+
+@pytest.mark.parametrize(
+    ("mode", "cycle_ns", "delay_ns", "made"),
+    [
+        # SYNC1 once in a bus cycle: until that is as long as the SYNC0 cycle, SYNC1 comes with SYNC0.
+        (times("#x700", ">3000000", 'Factor="-1">0'), 1_000_000, 0, ["C <= 3000000"]),
+        (times("#x700", ">3000000", 'Factor="-1">0'), 3_000_000, 0, ["C >= 3000000"]),
+        (times("#x700", ">3000000", 'Factor="-1">0'), 6_000_000, 3_000_000, ["C >= 3000000"]),
+        # With a shift the delay alone does not tell: at 1.5 ms it would be 0.5 ms, and is 2 ms.
+        (times("#x700", ">3000000", 'Factor="-1">0', shift1="2000000"), 6_000_000, 5_000_000, ["C >= 3000000"]),
+        (times("#x700", ">3000000", 'Factor="-1">0', shift1="2000000"), 1_500_000, 2_000_000, ["C <= 3000000"]),
+        # Both from the bus cycle or both fixed: one is longer at every bus cycle.
+        (times("#x700", FACTOR_1, 'Factor="2">0'), 1_000_000, 1_000_000, []),
+        (times("#x700", 'Factor="2">0', 'Factor="-1">0'), 1_000_000, 0, []),
+        (times("#x700", ">1000000", 'Factor="2">0'), 1_000_000, 1_000_000, []),
+        # The other way round: a fixed SYNC1 and SYNC0 once in a bus cycle.
+        (times("#x700", FACTOR_1, ">3000000"), 1_000_000, 2_000_000, ["3000000 >= C"]),
+        (times("#x700", FACTOR_1, ">3000000"), 4_000_000, 0, ["3000000 <= C"]),
+    ],
+)
+def test_a_header_is_for_bus_cycles_at_which_sync1_is_longer_or_shorter_alike(mode, cycle_ns, delay_ns, made):
+    content = SMS + dc(("m", mode))
+    found = configured(content, cycle_ns=cycle_ns).clocks
+    assert found is not None
+    assert found.sync1_delay.in_ns(cycle_ns) == delay_ns
+    assert [
+        condition for condition in conditions(content, cycle_ns) if "%" not in condition and "-" not in condition
+    ] == made
+
+
+def test_a_shift_that_may_bring_sync1_before_sync0_is_a_condition_of_its_own():
+    """At 1 ms the delay is 0.75 ms - 0.5 ms; at 0.5 ms SYNC1 would lie 0.25 ms before SYNC0."""
+    content = SMS + dc(("m", times("#x700", ">250000", 'Factor="-1">0', shift1="-500000")))
+    assert conditions(content, 1_000_000)[1:] == ["C >= 250000", "(C - 750000) >= 0"]
+
+
+@pytest.mark.parametrize("word", ["#x300", "#x500", "#x700"])
+def test_no_words_name_a_pulse_that_is_not_generated(word):
+    """With SYNC1 alone the SYNC0 cycle counts all the same, without a pulse."""
+    fixed = SMS + dc(("m", times(word, ">700000")))
+    divided = SMS + dc(("m", times(word, 'Factor="-4">0')))
+    for content in (fixed, divided):
+        found = configured(content)
+        assert found.clocks is not None
+        told = [*found.remarks, *(item.words for item in found.clocks.conditions("C", found.cycle_ns, "or"))]
+        assert told
+        for words in told:
+            assert not re.search("SYNC0(?! cycle)", words)
+            assert not re.search("SYNC1(?! is given)", words)
 
 
 @pytest.mark.parametrize("word", ["#x300", "#x500", "#x700"])
 def test_a_fixed_cycle_that_drifts_against_the_bus_cycle_is_refused(word):
     """SYNC1 too counts from SYNC0, with or without its pulse."""
-    with pytest.raises(InputError, match="fixes SYNC0 at 250000 ns, which drifts against a bus cycle of 700000 ns"):
+    with pytest.raises(
+        InputError, match="fixes the SYNC0 cycle at 250000 ns, which drifts against a bus cycle of 700000 ns"
+    ):
         configured(SMS + dc(("m", times(word, ">250000"))), cycle_ns=700_000)
 
 
@@ -524,7 +584,7 @@ def test_without_a_choice_the_bus_cycle_is_the_usual_one_or_that_of_a_sync0_that
     found = configured(SMS + dc(("m", times("#x300", ">700000"))))
     assert found.cycle_ns == 700_000
     assert found.remarks == (
-        "the bus cycle is that of SYNC0, 700000 ns: the OpMode fixes it, and it drifts against 1000000 ns",
+        "the bus cycle is the SYNC0 cycle, 700000 ns: the OpMode fixes it, and it drifts against 1000000 ns",
     )
 
 

@@ -325,6 +325,18 @@ def test_a_cycle_that_drifts_against_a_fixed_sync0_does_not_compile(tmp_path):
         check_syntax(tmp_path, [header], IGH_16, "-DCYCLE_NS=700000")
 
 
+@needs_gcc
+def test_a_cycle_at_which_a_slower_sync1_does_not_follow_sync0_does_not_compile(tmp_path):
+    """At 1 ms SYNC1, once in a bus cycle, is faster than SYNC0 and follows it; at 6 ms it would come 3 ms later."""
+    content = SMS + dc(("m", times("#x700", ">3000000", 'Factor="-1">0')))
+    usual, longer = header_of(content), header_of(content, cycle_ns=6_000_000)
+    for header, fits_not in ((usual, 6_000_000), (longer, 1_500_000)):
+        # Where both are as long, both headers say 0.
+        check_syntax(tmp_path, [header], IGH_16, "-DCYCLE_NS=3000000")
+        with pytest.raises(AssertionError, match="than the SYNC0 cycle at this CYCLE_NS"):
+            check_syntax(tmp_path, [header], IGH_16, f"-DCYCLE_NS={fits_not}")
+
+
 def test_the_cycle_of_the_option_is_the_default_of_the_header():
     text = header_of(SMS + dc(("m", times("#x300", FACTOR_1))), cycle_ns=500_000)
     assert "#ifndef CYCLE_NS\n#define CYCLE_NS 500000\n" in text

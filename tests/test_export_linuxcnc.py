@@ -256,7 +256,7 @@ def test_the_period_is_that_of_a_fixed_sync0_where_the_usual_one_would_drift():
     text = linuxcnc_configuration(configured(content))
     assert 'appTimePeriod="700000"' in text
     assert 'sync0Cycle="700000"' in text
-    assert "the bus cycle is that of SYNC0, 700000 ns" in text
+    assert "the bus cycle is the SYNC0 cycle, 700000 ns" in text
 
 
 def test_a_device_that_uses_the_time_only_has_synchronized_clocks_and_no_dc_conf():

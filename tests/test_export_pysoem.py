@@ -171,6 +171,16 @@ def test_a_cycle_that_does_not_fit_a_fixed_sync0_is_refused(cycle_ns, made):
     assert slave.calls == ([made] if made else [])
 
 
+def test_a_cycle_at_which_a_slower_sync1_does_not_follow_sync0_is_refused():
+    """At 1 ms SYNC1, once in a bus cycle, is faster than SYNC0 and follows it; at 6 ms it would come 3 ms later."""
+    module = module_of(SMS + dc(("m", times("#x700", ">3000000", 'Factor="-1">0'))))
+    slave = FakeSlave(1, 1)
+    module.config_dc(slave, 1_500_000)
+    with pytest.raises(ValueError, match="SYNC1 is described slower than the SYNC0 cycle at this cycle_ns"):
+        module.config_dc(slave, 6_000_000)
+    assert slave.calls == ["dc True 3000000 0 0"]
+
+
 def test_other_commands():
     coe = init_cmd("IP", "#x2001", "01") + init_cmd("SO", "#x2002", "0200", 'CompleteAccess="1"')
     soe = "<SoE><InitCmd Chn='1'><Transition>PS</Transition><IDN>32</IDN><Data>0B00</Data></InitCmd></SoE>"

@@ -46,6 +46,11 @@ class Time(NamedTuple):
         """Its length for a bus cycle."""
         return self.cycles * cycle_ns + self.ns
 
+    @property
+    def may_change_sign(self) -> bool:
+        """Whether it is negative for some bus cycles and positive for others."""
+        return bool(self.cycles) and self.ns * self.cycles < 0
+
     def expression(self, cycle: str, divide: str = "/") -> str:
         """It as an expression in whole nanoseconds; ``cycle`` is the name of the bus cycle."""
         parts = []
@@ -75,6 +80,8 @@ class Clocks(NamedTuple):
     sync0_shift_ns: int
     sync1_delay: Time
     """Register 0x09A4; zero when SYNC1 is not generated."""
+    sync1_period: Time
+    """As described, whether or not it is shorter than the SYNC0 cycle; zero when SYNC1 is not generated."""
     remarks: tuple[str, ...] = ()
 
     @property
@@ -84,7 +91,7 @@ class Clocks(NamedTuple):
 
     @property
     def fixed_ns(self) -> int:
-        """Period of pulses that come whatever the bus cycle is, else 0."""
+        """SYNC0 cycle that is the same whatever the bus cycle is, where there are pulses of SYNC0 or SYNC1, else 0."""
         has_pulses = self.signals.sync0 or self.signals.sync1
         return self.sync0_cycle.ns if has_pulses else 0
 
@@ -92,16 +99,34 @@ class Clocks(NamedTuple):
         """Whether pulses of a fixed period move against the bus cycle: neither is a multiple of the other."""
         return bool(self.fixed_ns and self.fixed_ns % cycle_ns and cycle_ns % self.fixed_ns)
 
-    def conditions(self, cycle: str, either: str) -> Iterator[Condition]:
-        """What must hold of a bus cycle that is known later; ``cycle`` is its name, ``either`` the operator "or"."""
+    def conditions(self, cycle: str, cycle_ns: int, either: str, divide: str = "/") -> Iterator[Condition]:
+        """What must hold of a bus cycle that is known later, for what was made for ``cycle_ns`` to be right then, too.
+
+        ``cycle`` is its name, ``either`` and ``divide`` are the operators of the language.
+        """
         if self.divisor > 1:
             yield Condition(
-                f"{cycle} % {self.divisor} == 0", f"{cycle} must be a multiple of {self.divisor} ns, or SYNC0 drifts"
+                f"{cycle} % {self.divisor} == 0",
+                f"{cycle} must be a multiple of {self.divisor} ns: the OpMode divides it",
             )
         if fixed := self.fixed_ns:
             yield Condition(
                 f"{cycle} % {fixed} == 0 {either} {fixed} % {cycle} == 0",
-                f"{cycle} must be a multiple or a divisor of {fixed} ns, or SYNC0 drifts",
+                f"{cycle} must be a multiple or a divisor of {fixed} ns, the SYNC0 cycle, or the pulses drift",
+            )
+        # Where both are as long, SYNC1 comes with SYNC0 either way.
+        longer = self.sync1_period.minus(self.sync0_cycle)
+        if longer.may_change_sign:
+            is_shorter = self.sync1_period.in_ns(cycle_ns) < self.sync0_cycle.in_ns(cycle_ns)
+            period, sync0_cycle = (time.expression(cycle, divide) for time in (self.sync1_period, self.sync0_cycle))
+            sign, otherwise = ("<=", "slower") if is_shorter else (">=", "faster")
+            yield Condition(
+                f"{period} {sign} {sync0_cycle}",
+                f"SYNC1 is described {otherwise} than the SYNC0 cycle at this {cycle}: generate anew",
+            )
+        if self.sync1_delay.may_change_sign and self.sync1_delay != longer:
+            yield Condition(
+                f"{self.sync1_delay.expression(cycle, divide)} >= 0", f"SYNC1 lies before SYNC0 at this {cycle}"
             )
 
 
@@ -163,11 +188,12 @@ def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int | No
         return Programmed(usual_ns, found, (*found.remarks, *_fixed_remarks(found, usual_ns)))
     if cycle_ns is not None:
         raise InputError(
-            f"OpMode {op_mode.name!r} fixes SYNC0 at {found.fixed_ns} ns, which drifts against a bus cycle of "
-            f"{cycle_ns} ns: choose a multiple or a divisor of it, or another OpMode"
+            f"OpMode {op_mode.name!r} fixes the SYNC0 cycle at {found.fixed_ns} ns, which drifts against a bus cycle "
+            f"of {cycle_ns} ns: choose a multiple or a divisor of it, or another OpMode"
         )
     open_remark = (
-        f"the bus cycle is that of SYNC0, {found.fixed_ns} ns: the OpMode fixes it, and it drifts against {usual_ns} ns"
+        f"the bus cycle is the SYNC0 cycle, {found.fixed_ns} ns: the OpMode fixes it, and it drifts against "
+        f"{usual_ns} ns"
     )
     programmed = programmed_clocks(device, op_mode, found.fixed_ns)
     return programmed._replace(remarks=(open_remark, *programmed.remarks))
@@ -176,8 +202,13 @@ def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int | No
 def _fixed_remarks(found: Clocks, cycle_ns: int) -> Iterator[str]:
     fixed = found.fixed_ns
     if fixed and fixed != cycle_ns:
-        often = f"{cycle_ns // fixed} times in a cycle" if fixed < cycle_ns else f"once in {fixed // cycle_ns} cycles"
-        yield f"the OpMode fixes SYNC0 at {fixed} ns: with a bus cycle of {cycle_ns} ns it comes {often}"
+        bus_cycle = f"bus cycle of {cycle_ns} ns"
+        held = (
+            f"a {bus_cycle} holds {cycle_ns // fixed}"
+            if fixed < cycle_ns
+            else f"with a {bus_cycle} it takes {fixed // cycle_ns}"
+        )
+        yield f"the OpMode fixes the SYNC0 cycle at {fixed} ns: {held}"
 
 
 def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
@@ -192,7 +223,8 @@ def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
     remarks: list[str] = []
     sync0 = _sync0_cycle(op_mode, signals, remarks) if signals.dc_active else Time()
     shift_ns = (op_mode.shift_time_sync0_ns or 0) if signals.dc_active else 0
-    delay = _sync1_delay(op_mode, sync0, cycle_ns, remarks) if signals.sync1 else Time()
+    period = _sync1_period(op_mode, sync0) if signals.sync1 else Time()
+    delay = _sync1_delay(op_mode, sync0, period, cycle_ns, remarks) if signals.sync1 else Time()
     if signals.dc_active and op_mode.shift_time_sync0_input:
         remarks.append(
             "ShiftTimeSync0 counts from the input reference (Input=1): the shift is given as written; a master that "
@@ -203,7 +235,7 @@ def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
             f"ShiftTimeSync0 has Factor {op_mode.shift_time_sync0_factor}, which is left out: its rule is not public; "
             "compare with a known configuration of the device"
         )
-    found = Clocks(op_mode.assign_activate, signals, sync0, shift_ns, delay, tuple(remarks))
+    found = Clocks(op_mode.assign_activate, signals, sync0, shift_ns, delay, period, tuple(remarks))
     if cycle_ns % found.divisor:
         raise InputError(
             f"OpMode {op_mode.name!r} divides the bus cycle by {found.divisor}; {cycle_ns} ns is no multiple of that: "
@@ -225,14 +257,16 @@ def _sync0_cycle(op_mode: OpMode, signals: SyncSignals, remarks: list[str]) -> T
     return Time(Fraction(1))
 
 
-def _sync1_delay(op_mode: OpMode, sync0: Time, cycle_ns: int, remarks: list[str]) -> Time:
-    factor = op_mode.cycle_time_sync1_factor or 0
+def _sync1_period(op_mode: OpMode, sync0: Time) -> Time:
     if op_mode.cycle_time_sync1_ns:
-        period = Time(ns=op_mode.cycle_time_sync1_ns)
-    elif factor:
-        period = sync0.times(factor) if factor > 0 else Time(Fraction(-factor))
-    else:
-        period = sync0
+        return Time(ns=op_mode.cycle_time_sync1_ns)
+    factor = op_mode.cycle_time_sync1_factor or 0
+    if factor:
+        return sync0.times(factor) if factor > 0 else Time(Fraction(-factor))
+    return sync0
+
+
+def _sync1_delay(op_mode: OpMode, sync0: Time, period: Time, cycle_ns: int, remarks: list[str]) -> Time:
     if period.in_ns(cycle_ns) < sync0.in_ns(cycle_ns):
         remarks.append("SYNC1 is described faster than SYNC0, which no slave controller generates: it follows SYNC0")
         period = sync0

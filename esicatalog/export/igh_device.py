@@ -86,8 +86,8 @@ class DeviceCode(NamedTuple):
     @property
     def needs_cycle(self) -> bool:
         """Whether a time depends on the bus cycle, or the bus cycle on a time."""
-        dc = self.startup.dc
-        return dc is not None and bool(dc.conditions or "CYCLE_NS" in dc.sync0_cycle + dc.sync1_delay)
+        clocks = self.startup.clocks
+        return clocks is not None and clocks.needs_cycle
 
 
 def device_code(configuration: Configuration) -> DeviceCode:

@@ -4,8 +4,9 @@ from collections.abc import Callable, Container, Iterator
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
+from esicatalog.export.c_clocks import ClockCode, clock_code
 from esicatalog.export.c_text import c_bytes, comment_text
-from esicatalog.export.clocks import Clocks, Condition
+from esicatalog.export.clocks import Clocks
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import (
     PROCESS_DATA_WATCHDOG,
@@ -14,9 +15,8 @@ from esicatalog.export.esc_registers import (
     left_out,
     settable,
 )
-from esicatalog.export.headings import op_mode_words
 from esicatalog.export.igh_limits import master_written
-from esicatalog.export.init_cmds import TRANSITIONS, StartCommand
+from esicatalog.export.init_cmds import LaterCommands, StartCommand, by_transition
 
 _SDO_TRANSITIONS = ("IP", "PS")
 _IDN_STATES = {"IP": "EC_AL_STATE_PREOP", "PS": "EC_AL_STATE_PREOP", "SO": "EC_AL_STATE_SAFEOP"}
@@ -49,26 +49,6 @@ class StateTimeout(NamedTuple):
     timeout_ms: int
 
 
-class LaterCommands(NamedTuple):
-    """Commands of one transition that the application sends at run time."""
-
-    transition: str
-    commands: tuple[SentCommand, ...]
-
-
-class DcCode(NamedTuple):
-    """Parameters of ecrt_slave_config_dc(), as C expressions."""
-
-    words: str
-    assign_activate: str
-    sync0_cycle: str
-    sync0_shift: str
-    sync1_delay: str
-    conditions: tuple[Condition, ...]
-    """Of CYCLE_NS."""
-    note: str = ""
-
-
 class Startup(NamedTuple):
     """What is configured beside the PDOs."""
 
@@ -76,25 +56,24 @@ class Startup(NamedTuple):
     """Divider (register 0x0400) and intervals (0x0420), 0 = not written."""
     timeouts: tuple[StateTimeout, ...]
     commands: tuple[SentCommand, ...]
-    later: tuple[LaterCommands, ...]
-    dc: DcCode | None
+    later: tuple[LaterCommands[SentCommand], ...]
+    clocks: ClockCode | None
+    off_beat: str
+    """A warning about the clocks, empty without reason for one."""
 
 
 def startup(configuration: Configuration) -> Startup:
     """The start-up of a device: its own commands and those of its modules, clocks, timeouts, watchdog."""
     at_start = [command for command in configuration.commands if _is_sent_by_master(command)]
-    later = [command for command in configuration.commands if not _is_sent_by_master(command)]
+    later = (command for command in configuration.commands if not _is_sent_by_master(command))
     written = master_written(configuration)
     return Startup(
         watchdog(configuration.subject.device),
         tuple(_timeouts(configuration.subject.device)),
         tuple(_sent(command, _config_call, written) for command in at_start),
-        tuple(
-            LaterCommands(transition, tuple(_sent(command, _run_time_call, written) for command in commands))
-            for transition in TRANSITIONS
-            if (commands := [command for command in later if command.transition == transition])
-        ),
-        _dc(configuration),
+        by_transition(later, lambda command: _sent(command, _run_time_call, written)),
+        clock_code(configuration),
+        off_beat(configuration.clocks, configuration.cycle_ns) if configuration.clocks is not None else "",
     )
 
 
@@ -158,21 +137,6 @@ def _run_time_call(command: StartCommand) -> str:
     if command.complete_access:
         return f"ecrt_master_sdo_download_complete({where}, {index}, {what}, &abort_code)"
     return f"ecrt_master_sdo_download({where}, {index}, 0x{command.subindex:02x}, {what}, &abort_code)"
-
-
-def _dc(configuration: Configuration) -> DcCode | None:
-    found = configuration.clocks
-    if found is None:
-        return None
-    return DcCode(
-        comment_text(op_mode_words(configuration)),
-        f"0x{found.assign_activate:04x}",
-        found.sync0_cycle.expression("CYCLE_NS"),
-        f"({found.sync0_shift_ns})" if found.sync0_shift_ns < 0 else str(found.sync0_shift_ns),
-        found.sync1_delay.expression("CYCLE_NS"),
-        tuple(found.conditions("CYCLE_NS", "||")),
-        off_beat(found, configuration.cycle_ns),
-    )
 
 
 def off_beat(found: Clocks, cycle_ns: int) -> str:

@@ -1,8 +1,10 @@
 """Start-up commands of a device and its plugged modules, in the order in which they are due."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
-from typing import NamedTuple
+from itertools import groupby
+from operator import attrgetter
+from typing import Generic, NamedTuple, TypeVar
 
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device
@@ -58,6 +60,26 @@ class StartCommand(NamedTuple):
         return (
             f"0x{self.object_index:04X}" if self.complete_access else f"0x{self.object_index:04X}:{self.subindex:02X}"
         )
+
+
+Sent = TypeVar("Sent")
+
+
+class LaterCommands(NamedTuple, Generic[Sent]):
+    """Commands of one transition that the application sends itself, as a target sends them."""
+
+    transition: str
+    commands: tuple[Sent, ...]
+
+
+def by_transition(
+    commands: Iterable[StartCommand], sent: Callable[[StartCommand], Sent]
+) -> tuple[LaterCommands[Sent], ...]:
+    """Commands in the order of :func:`start_commands`, each as ``sent`` makes it, transition by transition."""
+    return tuple(
+        LaterCommands(transition, tuple(map(sent, found)))
+        for transition, found in groupby(commands, key=attrgetter("transition"))
+    )
 
 
 def start_commands(

@@ -1,16 +1,16 @@
 """Python module for pysoem: configuration functions and the process image as ctypes structures."""
 
 import keyword
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from esicatalog.export.c_access import byte_count
 from esicatalog.export.c_text import comment_text, wrapped
-from esicatalog.export.clocks import Clocks, Condition
+from esicatalog.export.clocks import Condition
 from esicatalog.export.configuration import Configuration, MappedEntry
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.image_layout import ImageLayout, Member, image_layout
-from esicatalog.export.init_cmds import TRANSITIONS, StartCommand
+from esicatalog.export.init_cmds import StartCommand, by_transition
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.export.soem_startup import (
@@ -66,13 +66,6 @@ class SentCommand(NamedTuple):
     statement: str | None
 
 
-class LaterCommands(NamedTuple):
-    """Commands of one transition that the application sends when it requests the state."""
-
-    transition: str
-    commands: tuple[SentCommand, ...]
-
-
 class DcCode(NamedTuple):
     """Statements that set the clocks."""
 
@@ -100,12 +93,8 @@ def pysoem_module(configuration: Configuration) -> str:
         configuration=configuration,
         heading=[comment_text(line) for line in wrapped(heading)],
         images=images,
-        setup=_sent_commands(hook_commands(configuration)),
-        later=[
-            LaterCommands(transition, commands)
-            for transition in TRANSITIONS
-            if (commands := _sent_commands(later_commands(configuration, transition)))
-        ],
+        setup=[_sent(command) for command in hook_commands(configuration)],
+        later=by_transition(later_commands(configuration), _sent),
         dc=_dc(configuration),
         needs_bits=any(image.properties for image in images),
         needs_sign=any("_signed(" in item.reading for image in images for item in image.properties),
@@ -170,8 +159,8 @@ def _property(name: str, entry: MappedEntry) -> BitProperty:
     return BitProperty(name, _entry_words(entry), reading, writing, entry.bit_offset, entry.bit_length)
 
 
-def _sent_commands(commands: Iterable[StartCommand | RegisterWrite]) -> tuple[SentCommand, ...]:
-    return tuple(SentCommand(comment_text(command_words(command)), _statement(command)) for command in commands)
+def _sent(command: StartCommand | RegisterWrite) -> SentCommand:
+    return SentCommand(comment_text(command_words(command)), _statement(command))
 
 
 def _statement(command: StartCommand | RegisterWrite) -> str | None:
@@ -195,15 +184,7 @@ def _dc(configuration: Configuration) -> DcCode | None:
     has_call = calls.has_sync0_call or calls.has_sync01_call
     return DcCode(
         comment_text(op_mode_words(configuration)),
-        tuple(_conditions(found)),
+        tuple(found.conditions(_CYCLE, configuration.cycle_ns, "or", "//")),
         f"slave.dc_sync({', '.join(arguments)})" if has_call else None,
         _statement(calls.written) if calls.written is not None else None,
     )
-
-
-def _conditions(found: Clocks) -> Iterator[Condition]:
-    """Those of the clocks; and SYNC1 that follows the bus cycle must not come to lie before a fixed SYNC0."""
-    yield from found.conditions(_CYCLE, "or")
-    delay = found.sync1_delay
-    if delay.cycles and delay.ns:
-        yield Condition(f"{delay.expression(_CYCLE, '//')} >= 0", f"SYNC1 lies before SYNC0 at this {_CYCLE}")

@@ -2,11 +2,11 @@
 
 from typing import NamedTuple
 
+from esicatalog.export.c_clocks import clock_code
 from esicatalog.export.c_text import c_bytes, comment_text, wrapped
-from esicatalog.export.clocks import Condition
 from esicatalog.export.configuration import Configuration
-from esicatalog.export.headings import heading_lines, op_mode_words
-from esicatalog.export.init_cmds import TRANSITIONS, StartCommand
+from esicatalog.export.headings import heading_lines
+from esicatalog.export.init_cmds import StartCommand, by_transition
 from esicatalog.export.rendering import render
 from esicatalog.export.soem_image import image_code
 from esicatalog.export.soem_startup import (
@@ -69,27 +69,13 @@ class SentCommand(NamedTuple):
     data: str
 
 
-class DcCode(NamedTuple):
-    """The clocks as C expressions, and how SOEM can set them."""
+class ClockCalls(NamedTuple):
+    """How SOEM can set the clocks."""
 
-    words: str
-    assign_activate: str
-    sync0_cycle: str
-    sync0_shift: str
-    sync1_delay: str
-    conditions: tuple[Condition, ...]
-    """Of CYCLE_NS."""
     call: str | None
     """What is called of SOEM, None when it has nothing for the mode."""
     written: SentCommand | None
     """The registers that are written afterwards, None when SOEM's own values are right."""
-
-
-class LaterCommands(NamedTuple):
-    """Commands of one transition that the application sends when it requests the state."""
-
-    transition: str
-    commands: tuple[SentCommand, ...]
 
 
 def soem_header(configuration: Configuration, version: str = "2") -> str:
@@ -98,12 +84,6 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
     images = [image_code(configuration, direction) for direction in (OUTPUT, INPUT)]
     remarks = [*register_remarks(configuration, "SOEM"), *(remark for image in images for remark in image.remarks)]
     heading = heading_lines(configuration._replace(remarks=(*configuration.remarks, *remarks)), _target(version))
-    later = [
-        LaterCommands(transition, tuple(_sent(command, api) for command in commands))
-        for transition in TRANSITIONS
-        if (commands := later_commands(configuration, transition))
-    ]
-    clocks = _dc(configuration, api)
     return render(
         "soem.h.j2",
         configuration=configuration,
@@ -112,12 +92,11 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
         heading=[comment_text(line) for line in wrapped(heading)],
         images=images,
         commands=[_sent(command, api) for command in hook_commands(configuration)],
-        later=later,
-        dc=clocks,
+        later=by_transition(later_commands(configuration), lambda command: _sent(command, api)),
+        clocks=clock_code(configuration),
+        calls=_clock_calls(configuration, api),
         cycle_ns=configuration.cycle_ns,
         needs_bits=any(image.needs_bits for image in images),
-        needs_cycle=clocks is not None
-        and bool(clocks.conditions or "CYCLE_NS" in clocks.sync0_cycle + clocks.sync1_delay),
     )
 
 
@@ -136,7 +115,7 @@ def _sent(command: StartCommand | RegisterWrite, api: Api) -> SentCommand:
     return SentCommand(comment_text(command_words(command)), call, c_bytes(command.data))
 
 
-def _dc(configuration: Configuration, api: Api) -> DcCode | None:
+def _clock_calls(configuration: Configuration, api: Api) -> ClockCalls | None:
     found = configuration.clocks
     if found is None:
         return None
@@ -147,13 +126,4 @@ def _dc(configuration: Configuration, api: Api) -> DcCode | None:
         call = f"{api.sync01}TRUE, {prefix}_SYNC0_CYCLE_NS, {prefix}_SYNC1_DELAY_NS, {prefix}_SYNC0_SHIFT_NS);"
     elif calls.has_sync0_call:
         call = f"{api.sync0}TRUE, {prefix}_SYNC0_CYCLE_NS, {prefix}_SYNC0_SHIFT_NS);"
-    return DcCode(
-        comment_text(op_mode_words(configuration)),
-        f"0x{found.assign_activate:04x}",
-        found.sync0_cycle.expression("CYCLE_NS"),
-        f"({found.sync0_shift_ns})" if found.sync0_shift_ns < 0 else str(found.sync0_shift_ns),
-        found.sync1_delay.expression("CYCLE_NS"),
-        tuple(found.conditions("CYCLE_NS", "||")),
-        call,
-        _sent(calls.written, api) if calls.written is not None else None,
-    )
+    return ClockCalls(call, _sent(calls.written, api) if calls.written is not None else None)

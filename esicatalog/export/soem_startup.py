@@ -57,11 +57,9 @@ def hook_commands(configuration: Configuration) -> Iterator[StartCommand | Regis
     yield from own
 
 
-def later_commands(configuration: Configuration, transition: str) -> tuple[StartCommand, ...]:
-    """Commands of another transition."""
-    if transition in _HOOK_TRANSITIONS:
-        return ()
-    return tuple(command for command in configuration.commands if command.transition == transition)
+def later_commands(configuration: Configuration) -> Iterator[StartCommand]:
+    """Commands of the transitions after the hook."""
+    return (command for command in configuration.commands if command.transition not in _HOOK_TRANSITIONS)
 
 
 def command_words(command: StartCommand | RegisterWrite) -> str:
