@@ -15,6 +15,7 @@ from click.testing import CliRunner, Result
 from snippets import device, esi, write
 
 from esicatalog import Catalog
+from esicatalog.catalog import stored_findings
 from esicatalog.cli.lint import command, print_findings
 from esicatalog.esi import containers
 from esicatalog.esi.notes import Finding
@@ -106,6 +107,17 @@ def test_a_refused_document_is_never_clean(tmp_path, name, text, options):
     result = run(tmp_path / name, *options)
     assert (result.stdout, result.exit_code) == ("", 1)
     assert re.match(rf"esicatalog: .*{name}: .+\n0 errors", result.stderr)
+
+
+def test_documents_are_named_once_for_all_findings(tmp_path, monkeypatch):
+    """Also for L01, which comes from another table than the other rules; else all documents are read again."""
+    (tmp_path / "empty.xml").write_text("")
+    asked = []
+    monkeypatch.setattr(stored_findings, "_names", lambda c, names=stored_findings._names: asked.append(c) or names(c))
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest(tmp_path / "empty.xml", jobs=1)
+        assert [item.finding.rule for item in catalog.findings(chosen_rules(ALL_RULES))] == ["L01"]
+    assert len(asked) == 1
 
 
 def test_a_refused_document_of_a_catalog_is_never_clean(tmp_path):

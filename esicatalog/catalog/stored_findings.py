@@ -24,7 +24,7 @@ def stored_findings(connection: sa.Connection, rules: Iterable[Rule]) -> Iterato
         .order_by(sources.c.member, findings.c.line, sources.c.location, findings.c.id)
     )
     if REFUSED in ids:
-        yield from refused_documents(connection)
+        yield from _refused(connection, names)
     for source_id, *values in connection.execute(query):
         finding = Finding(*values)
         if finding.rule in ids:
@@ -34,7 +34,10 @@ def stored_findings(connection: sa.Connection, rules: Iterable[Rule]) -> Iterato
 
 def refused_documents(connection: sa.Connection) -> Iterator[DocumentFinding]:
     """The documents that an ingest could not read: no rule has looked at them."""
-    names = _names(connection)
+    yield from _refused(connection, _names(connection))
+
+
+def _refused(connection: sa.Connection, names: Mapping[int, str]) -> Iterator[DocumentFinding]:
     query = sa.select(sources.c.id, sources.c.message).where(sources.c.status == "failed")
     for source_id, message in connection.execute(query.order_by(sources.c.member, sources.c.location)):
         yield DocumentFinding(names[source_id], Finding(REFUSED, "E", message or "cannot be read", 0))

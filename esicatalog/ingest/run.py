@@ -104,7 +104,7 @@ def _write(
             for outcome in batch:
                 storing.keep(outcome)
             with pace.measured():
-                storing.writer.commit()
+                storing.commit()
         with stages("index"):
             finish_indexes(connection)
     storing.end()
@@ -117,10 +117,11 @@ class _Storing:
     def __init__(self, plan: Plan, held: Held, writer: Writer, progress: Progress | None, stages: Stages) -> None:
         self._plan = plan
         self._held = held
-        self.writer = writer
+        self._writer = writer
         self._progress = progress
         self._stages = stages
         self.lines: list[DocumentLine] = []
+        """Of all documents that were told of so far."""
         self._incomplete: set[str] = set()
         """Archives of which a document could not be read, because its process was killed for instance."""
 
@@ -133,11 +134,11 @@ class _Storing:
     def begin(self) -> None:
         """Drop what is gone, and say of each archive that it is being read."""
         for location in self._plan.gone:
-            self.writer.forget(location)
-        self.writer.commit()
+            self._writer.forget(location)
+        self._writer.commit()
         for location in self._plan.archives:
-            self.writer.archive_begun(location)
-        self.writer.commit()
+            self._writer.archive_begun(location)
+        self._writer.commit()
 
     def keep(self, outcome: Outcome) -> None:
         """Store what became of a document, unless the catalog keeps what it has."""
@@ -153,15 +154,19 @@ class _Storing:
         else:
             archive = item.root if item.is_archive else None
             with self._stages("write"):
-                line = _store(self.writer, item.location, item.member, archive, outcome)
+                line = _store(self._writer, item.location, item.member, archive, outcome)
             self.tell(line)
+
+    def commit(self) -> None:
+        """Make what was kept last."""
+        self._writer.commit()
 
     def end(self) -> None:
         """Say of the archives that were read as a whole that they were; the others are read again next time."""
         for location, sha256 in self._plan.archives.items():
             if location not in self._incomplete:
-                self.writer.archive_done(location, sha256)
-        self.writer.commit()
+                self._writer.archive_done(location, sha256)
+        self._writer.commit()
 
 
 class _Pace:
