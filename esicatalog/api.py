@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
-from esicatalog.identity import Identity, parse_identity, parse_modes, require_numbers
+from esicatalog.identity import Identity, parse_identity, require_numbers
 
 if TYPE_CHECKING:
     import sqlalchemy as sa
@@ -107,7 +107,7 @@ class Catalog:
         from esicatalog.ingest.process import interrupts_wait
         from esicatalog.ingest.reading import Reading
 
-        # A text is iterable, too: each of its characters would be taken for a path.
+        # Taken letter by letter, the text of a path would ingest "/" and all that is below it.
         given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
         own = own_files(self._target)
         with Reading(jobs) as reading:
@@ -170,16 +170,14 @@ class Catalog:
     def devices(self, **filters: Any) -> "list[FoundDevice]":
         """Devices that fulfil all conditions, each with its evidence.
 
-        ``filters`` are the fields of :class:`~esicatalog.catalog.device_filter.DeviceFilter`, for example
-        ``modes=["CSV"]`` or ``modes="CSV"``, ``sync="sync1"`` or ``maps=[(0x60FF, None)], bits=32``. Raises
+        ``filters`` are the fields of :class:`~esicatalog.catalog.device_filter.DeviceFilter`, as values or as the
+        texts that the command takes, and a single one where several can be given: ``modes=["CSV", "CSP"]`` or
+        ``modes="CSV,CSP"``, ``maps=[(0x60FF, None), (0x6041, 0)]`` or ``maps="0x60FF"``, ``bytes_in="<=8"``. Raises
         :class:`~esicatalog.errors.InputError`, and :class:`~esicatalog.errors.NotFound` for an unknown ``like``.
         """
-        from esicatalog.catalog.device_filter import DeviceFilter
+        from esicatalog.catalog.filter_texts import filter_of_fields
 
-        given: dict[str, Any] = {name: tuple(v) if isinstance(v, list) else v for name, v in filters.items()}
-        if isinstance(given.get("modes"), str):
-            given["modes"] = parse_modes(given["modes"])
-        return self.find(DeviceFilter(**given))
+        return self.find(filter_of_fields(filters))
 
     def find(self, wanted: "DeviceFilter") -> "list[FoundDevice]":
         """Devices that fulfil a filter, each with its evidence; like :meth:`devices`."""

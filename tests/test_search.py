@@ -9,7 +9,9 @@ from test_counts import find, number, tree
 from test_round_trip import container_of
 
 from esicatalog import Catalog, InputError
-from esicatalog.catalog.filter_texts import parse_vendor
+from esicatalog.catalog.device_filter import DeviceFilter
+from esicatalog.catalog.filter_texts import filter_of_fields, parse_vendor
+from esicatalog.identity import Bounds, Identity
 
 MODULAR, IO, EYOU, L6N, RT118X = "ECX-A202", "ECX-D808", "EYOU_ServoModule_V143", "L6N", "RT118X-SERVO-MOTOR"
 
@@ -138,6 +140,31 @@ def test_evidence_says_what_a_document_leaves_out(tmp_path):
         "0x7000:01, no BitLen, in RxPdo 0x1600 (not assigned by default)",
         "SYNC1 in an OpMode without Name: AssignActivate 0x0700",
     }
+
+
+@pytest.mark.parametrize(
+    ("texts", "values"),
+    [
+        ({"modes": "csv, CSP"}, {"modes": ("CSV", "CSP")}),
+        ({"modes": ["CSV"]}, {"modes": ("CSV",)}),
+        ({"maps": "0x60FF", "bits": "32"}, {"maps": ((0x60FF, None),), "bits": 32}),
+        ({"maps": (0x60FF, None)}, {"maps": ((0x60FF, None),)}),
+        ({"maps": ["0x6041:0", (0x60FF, None)]}, {"maps": ((0x6041, 0), (0x60FF, None))}),
+        ({"not_maps": [(0x6040, 0)], "objects": "0x1018:1"}, {"not_maps": ((0x6040, 0),), "objects": ((0x1018, 1),)}),
+        ({"vendor_id": "0x1097", "product_code": "#x2406"}, {"vendor_id": 0x1097, "product_code": 0x2406}),
+        ({"bytes_in": "<=8", "strict": False}, {"bytes_in": Bounds(None, 8)}),
+        ({"like": "1:2:3"}, {"like": Identity(1, 2, 3)}),
+        ({"vendor": "3S", "text": "x y", "sync": "sync1"}, {"vendor": "3S", "text": "x y", "sync": "sync1"}),
+    ],
+)
+def test_fields_of_a_filter_as_values_and_as_texts(texts, values):
+    assert filter_of_fields(texts) == DeviceFilter(**values)
+
+
+@pytest.mark.parametrize("wanted", [{"maps": "60FF"}, {"maps": ["x"]}, {"modes": "C"}, {"bytes_in": "few"}])
+def test_a_text_that_means_no_value_is_an_error(data_db, wanted):
+    with Catalog.open(data_db) as catalog, pytest.raises(InputError):
+        catalog.devices(**wanted)
 
 
 def test_wrong_filters_are_errors(data_db):

@@ -72,8 +72,35 @@ PARAMETERS: dict[str, Parameter] = {
     "limit": Parameter("limit", parse_number),
 }
 """All filters but ``vendor``, which is an id or a part of a name."""
+_BY_FIELD = {
+    "vendor_id": Parameter("vendor_id", parse_number),
+    **{parameter.field: parameter for parameter in PARAMETERS.values()},
+}
 SHARPENS = {"strict": "mode", "bits": "maps"}
 """Filters that only say more about another one, and are refused without it."""
+
+
+def filter_of_fields(fields: Mapping[str, Any]) -> DeviceFilter:
+    """The filter with these fields; a value may be given as its text, one of several also without a list around it.
+
+    Raises :class:`InputError` for a text that means no value, and as :class:`DeviceFilter` does.
+    """
+    return DeviceFilter(**{name: _field_value(name, value) for name, value in fields.items()})
+
+
+def _field_value(name: str, given: Any) -> Any:
+    parameter = _BY_FIELD.get(name)
+    if parameter is None:
+        return given
+
+    def value_of(item: Any) -> Any:
+        return parameter.parse(item) if isinstance(item, str) else item
+
+    if parameter.repeated:
+        # An index and a subindex are one object, two such pairs or texts are two.
+        is_one = isinstance(given, str) or any(isinstance(item, int) for item in given)
+        return tuple(value_of(item) for item in ([given] if is_one else given))
+    return tuple(given) if isinstance(given, list) else value_of(given)
 
 
 def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
