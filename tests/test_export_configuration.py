@@ -497,8 +497,8 @@ def test_a_cycle_that_cannot_be_divided_is_refused():
     ("cycle_ns", "remark"),
     [
         (250_000, None),
-        (1_000_000, "a bus cycle of 1000000 ns holds 4"),
-        (125_000, "with a bus cycle of 125000 ns it takes 2"),
+        (1_000_000, "a bus cycle of 1000000 ns holds 4 of it"),
+        (125_000, "it takes 2 bus cycles of 125000 ns"),
     ],
 )
 def test_a_fixed_cycle_of_sync0_other_than_the_bus_cycle_is_told(cycle_ns, remark):

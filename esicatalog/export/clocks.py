@@ -202,11 +202,10 @@ def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int | No
 def _fixed_remarks(found: Clocks, cycle_ns: int) -> Iterator[str]:
     fixed = found.fixed_ns
     if fixed and fixed != cycle_ns:
-        bus_cycle = f"bus cycle of {cycle_ns} ns"
         held = (
-            f"a {bus_cycle} holds {cycle_ns // fixed}"
+            f"a bus cycle of {cycle_ns} ns holds {cycle_ns // fixed} of it"
             if fixed < cycle_ns
-            else f"with a {bus_cycle} it takes {fixed // cycle_ns}"
+            else f"it takes {fixed // cycle_ns} bus cycles of {cycle_ns} ns"
         )
         yield f"the OpMode fixes the SYNC0 cycle at {fixed} ns: {held}"
 
