@@ -41,7 +41,7 @@ QUERY_EXAMPLES: dict[str, tuple[dict[str, str], set[Any]]] = {
     "csp_drives_with_fsoe": ({}, set()),
     "drive_modes_of_each_vendor": ({}, {0xE5C, 0x1097, 0x4321, 0xE00004D8}),
     "devices_of_the_same_layout": (
-        {"vendor": "0xE5C", "product": "0x0d080808", "revision": "0x00110000"},
+        {"vendor": "0xE5C", "product": "0x0d080808", "revision": "0x00100000"},
         {"ECX-D808"},
     ),
     "devices_by_mailbox_protocol": ({"protocol": "FoE"}, {"ECX-A202"}),
