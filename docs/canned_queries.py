@@ -153,8 +153,7 @@ order by vendor_id_hex, product_code_hex, revision_no_hex
     "devices_by_mailbox_protocol": {
         "title": "Devices by mailbox protocol",
         "description": (
-            "protocol: coe, eoe, foe, soe, aoe or voe (empty = foe); as declared by the Mailbox element. "
-            f"{_HIDDEN_DOC}"
+            f"protocol: coe, eoe, foe, soe, aoe or voe (empty = foe); as declared by the Mailbox element. {_HIDDEN_DOC}"
         ),
         "params": ["protocol", "include_hidden"],
         "sql": f"""\

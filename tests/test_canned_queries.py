@@ -42,7 +42,10 @@ ASKED: dict[str, tuple[dict[str, str], dict[str, Any]]] = {
     "csp_drives_with_fsoe": ({}, {"modes": ("CSP",), "protocol": "fsoe"}),
     "devices_by_mailbox_protocol": ({"protocol": "foe"}, {"protocol": "foe"}),
     "who_maps_an_object": ({"index": "0x60FF", "subindex": ""}, {"maps": ((0x60FF, None),)}),
-    "devices_of_the_same_layout": ({"vendor": "0xE5C", "product": "2", "revision": "1"}, {"like": Identity(0xE5C, 2, 1)}),
+    "devices_of_the_same_layout": (
+        {"vendor": "0xE5C", "product": "2", "revision": "1"},
+        {"like": Identity(0xE5C, 2, 1)},
+    ),
 }
 """Queries that ask for devices by what they can do: parameters, and the filter that asks the same."""
 

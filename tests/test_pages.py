@@ -466,7 +466,7 @@ async def test_the_eeprom_image_is_offered_with_what_the_command_says_of_it(tmp_
 async def test_no_json_is_made_of_half_a_question(data_db, path):
     refused = await (await client(data_db)).get(f"/-/esi/{path}?modul=0%3D0x1")
     assert refused.status_code == 400
-    assert refused.json()["error"].startswith(("unknown parameter 'modul'; there are ", "unknown filter 'modul'; "))
+    assert refused.json()["error"].startswith(("unknown parameter 'modul'; there ", "unknown filter 'modul'; there "))
 
 
 async def test_exported_esi_holds_vendor_and_group(data_db):
