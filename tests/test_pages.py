@@ -698,3 +698,37 @@ async def test_vendors_of_one_name_are_told_apart(tmp_path):
     db = catalog_of(tmp_path, *(esi(device(), vendor=vendor) for vendor in vendors))
     links = texts(await page(db, "/-/esi/"), "aside details:first-child a")
     assert links == ["Test (0x00000e5c) 1", "Test (0x00000e5d) 1", "B 1"]
+
+
+async def test_op_mode_and_cycle_are_chosen_in_a_form(tmp_path):
+    """Without a script: a button a target sends the fields to its route, which judges them."""
+    modes = "".join(
+        f"<OpMode><Name>{name}</Name><AssignActivate>{word}</AssignActivate></OpMode>"
+        for name, word in (("FreeRun", "0"), ("DC", "#x300"))
+    )
+    outputs = "Sm='0'"
+    content = f"<Sm>Outputs</Sm>{pdo('RxPdo', '#x1600', 8, attributes=outputs)}<Dc>{modes}</Dc>"
+    db = catalog_of(tmp_path, esi(device(content)))
+    web = await client(db)
+    section = (await page(db, "/-/esi/device/0xe5c/1/1")).cssselect("section[aria-labelledby=exports]")[0]
+    form = section.cssselect("form")[0]
+    assert [option.get("value") for option in form.cssselect("option")] == ["", "0", "1"]
+    buttons = [button.get("formaction") for button in form.cssselect("button")]
+    assert {target.rpartition("/")[2] for target in buttons} == {*EXPORTS} - {"sii", "esi"}
+    for target in buttons:
+        for chosen, status in (
+            ({}, 200),
+            ({"op-mode": "1", "cycle-ns": "2000000"}, 200),
+            ({"cycle-ns": "soon"}, 400),
+        ):
+            sent = dict(form.form_values()) | chosen
+            assert (await web.get(target, params=sent)).status_code == status, target
+    header = await web.get(buttons[0], params={"op-mode": "1", "cycle-ns": "2000000"})
+    assert "0x0300" in header.text
+    assert "2000000" in header.text
+
+
+async def test_the_form_keeps_the_chosen_modules(data_db):
+    tree = await page(data_db, f"{EYOU}?module=0%3D0x219800")
+    form = tree.cssselect("section[aria-labelledby=exports] form")[0]
+    assert ("module", "0=0x219800") in form.form_values()

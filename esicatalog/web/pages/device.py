@@ -170,7 +170,7 @@ def _exports(found: FoundDevice, has_process_data: bool) -> dict[str, Any]:
     }
     return {
         "exports": [
-            {"name": name, "label": target.label, "takes_modules": "module" in target.parameters}
+            {"name": name, "label": target.label, "takes_choices": bool(target.parameters)}
             for name, target in targets.items()
             if has_process_data or not target.needs_process_data
         ],
