@@ -4,20 +4,25 @@ from typing import Any
 
 _IDENTITY = "vendor, device_type, device_name, vendor_id_hex, product_code_hex, revision_no_hex"
 _ORDER = "vendor_id, product_code, revision_no"
+_SHOWN = "(hidden = 0 or :include_hidden not in ('', '0'))"
+"""Rows of revisions that ``esicatalog devices`` lists, with and without ``--include-hidden``."""
+_HIDDEN_DOC = "include_hidden: 1 = also revisions that another description supersedes (empty = without them)."
 
 CANNED_QUERIES: dict[str, dict[str, Any]] = {
     "find_a_device": {
         "title": "Find a device",
         "description": (
             "text: words in vendor, type or name, inner parts of words from three characters on, or an identity as "
-            "0x044c2c52, #x044c2c52 or 72100946; all words must match."
+            "0x044c2c52, #x044c2c52 or 72100946; all words must match. All descriptions of an identity are listed. "
+            f"{_HIDDEN_DOC}"
         ),
-        "params": ["text"],
+        "params": ["text", "include_hidden"],
         "sql": f"""\
 select device_id, {_IDENTITY},
   variant, profile_no
 from device_overview
 where device_id in (select rowid from device_search where device_search match escape_fts(:text))
+  and {_SHOWN}
 order by {_ORDER}, variant
 """,
     },
@@ -25,9 +30,10 @@ order by {_ORDER}, variant
         "title": "Devices by drive profile",
         "description": (
             "profile: profile number (empty = 402, CiA 402 drives; 401 = I/O, 5001 = modular). Looks at the profiles "
-            "of the device, of its channels and of the modules that its slots can reach; declared_by says which."
+            "of the device, of its channels and of the modules that its slots can reach; declared_by says which. "
+            f"{_HIDDEN_DOC}"
         ),
-        "params": ["profile"],
+        "params": ["profile", "include_hidden"],
         "sql": f"""\
 with declared as (
   select device_id, module_id, profile_no from profiles
@@ -42,7 +48,7 @@ with declared as (
 select device_id, {_IDENTITY},
   group_concat(declared_by, ', ') as declared_by
 from found join device_overview using (device_id)
-where found.profile_no = parse_hex(ifnull(nullif(:profile, ''), '402')) and variant = 1
+where found.profile_no = parse_hex(ifnull(nullif(:profile, ''), '402')) and variant = 1 and {_SHOWN}
 group by device_id
 order by {_ORDER}
 """,
@@ -51,15 +57,16 @@ order by {_ORDER}
         "title": "Devices with DC SYNC1",
         "description": (
             "Devices with an OpMode whose AssignActivate generates SYNC1; op_modes names them with the word. "
-            "vendor: part of the vendor's name (empty = all)."
+            "vendor: part of the vendor's name (empty = all). "
+            f"{_HIDDEN_DOC}"
         ),
-        "params": ["vendor"],
+        "params": ["vendor", "include_hidden"],
         "sql": f"""\
 select device_id, {_IDENTITY},
   group_concat(ifnull(name || ' ', '') || assign_activate_hex, ', ') as op_modes, max(is_default) as in_default_mode
 from device_dc_modes
 where sync1 = 1 and device_id in (select device_id from device_facts where supports_sync1 = 1)
-  and variant = 1 and (:vendor = '' or vendor like '%' || :vendor || '%')
+  and variant = 1 and {_SHOWN} and (:vendor = '' or vendor like '%' || :vendor || '%')
 group by device_id
 order by {_ORDER}
 """,
@@ -69,29 +76,31 @@ order by {_ORDER}
         "description": (
             "mode: PP VL PV TQ HM IP CSP CSV CST CSTCA (empty = CSV); strict: 1 = only the verdict yes (empty = yes "
             "and likely). What the files say, not what the drives do: read 0x6502 on the drive. recipe says what to "
-            "plug, assign, choose and write."
+            f"plug, assign, choose and write. {_HIDDEN_DOC}"
         ),
-        "params": ["mode", "strict"],
+        "params": ["mode", "strict", "include_hidden"],
         "sql": f"""\
 select device_id, {_IDENTITY},
   axis, mode, verdict, conflict, evidence, recipe
 from device_drive_modes
-where mode = upper(ifnull(nullif(trim(:mode), ''), 'CSV')) and kind = 'CiA 402' and variant = 1 and hidden = 0
+where mode = upper(ifnull(nullif(trim(:mode), ''), 'CSV')) and kind = 'CiA 402' and variant = 1 and {_SHOWN}
   and verdict in ('yes', case when :strict in ('', '0') then 'likely' end)
 order by {_ORDER}, axis
 """,
     },
     "csv_drives_with_sync1": {
         "title": "Drives with CSV and SYNC1",
-        "description": "Verdict yes or likely for CSV, and an OpMode whose AssignActivate generates SYNC1.",
-        "params": [],
+        "description": (
+            f"Verdict yes or likely for CSV, and an OpMode whose AssignActivate generates SYNC1. {_HIDDEN_DOC}"
+        ),
+        "params": ["include_hidden"],
         "sql": f"""\
 select device_id, {_IDENTITY},
   axis, verdict, evidence, recipe,
   (select group_concat(ifnull(c.name || ' ', '') || hex0x(c.assign_activate), ', ') from dc_modes c
     where c.device_id = m.device_id and c.sync1 = 1) as sync1_op_modes
 from device_drive_modes m
-where mode = 'CSV' and kind = 'CiA 402' and verdict in ('yes', 'likely') and variant = 1 and hidden = 0
+where mode = 'CSV' and kind = 'CiA 402' and verdict in ('yes', 'likely') and variant = 1 and {_SHOWN}
   and device_id in (select device_id from device_facts where supports_sync1 = 1)
 order by {_ORDER}, axis
 """,
@@ -100,14 +109,15 @@ order by {_ORDER}, axis
         "title": "Drives with CSP and FSoE",
         "description": (
             "Verdict yes or likely for CSP, and high or medium evidence of FSoE. This is not a safety statement: ask "
-            "the vendor for the certificate."
+            "the vendor for the certificate. "
+            f"{_HIDDEN_DOC}"
         ),
-        "params": [],
+        "params": ["include_hidden"],
         "sql": f"""\
 select m.device_id, {_IDENTITY},
   axis, verdict, evidence, fsoe, fsoe_evidence
 from device_drive_modes m join device_facts f on f.device_id = m.device_id
-where mode = 'CSP' and kind = 'CiA 402' and verdict in ('yes', 'likely') and variant = 1 and hidden = 0
+where mode = 'CSP' and kind = 'CiA 402' and verdict in ('yes', 'likely') and variant = 1 and {_SHOWN}
   and fsoe is not null
 order by {_ORDER}, axis
 """,
@@ -125,28 +135,32 @@ select * from drive_modes_by_vendor order by drives desc, vendor
         "description": (
             "vendor, product, revision: a device, as 0x044c2c52, #x044c2c52 or 72100946. Other devices whose default "
             "process image has the same layout. That is no promise that one replaces the other: revisions can be "
-            "power ratings."
+            "power ratings. "
+            f"{_HIDDEN_DOC}"
         ),
-        "params": ["vendor", "product", "revision"],
-        "sql": """\
+        "params": ["vendor", "product", "revision", "include_hidden"],
+        "sql": f"""\
 select other_device_id as device_id, other_type as device_type, other_vendor_id_hex as vendor_id_hex,
   other_product_code_hex as product_code_hex, other_revision_no_hex as revision_no_hex, same_pdo_set,
   output_bytes, input_bytes
 from same_process_image_layout
 where vendor_id = parse_hex(:vendor) and product_code = parse_hex(:product)
   and (:revision = '' or revision_no = parse_hex(:revision))
+  and other_device_id in (select id from devices where {_SHOWN})
 order by vendor_id_hex, product_code_hex, revision_no_hex
 """,
     },
     "devices_by_mailbox_protocol": {
         "title": "Devices by mailbox protocol",
-        "description": "protocol: coe, eoe, foe, soe, aoe or voe (empty = foe); as declared by the Mailbox element.",
-        "params": ["protocol"],
+        "description": (
+            f"protocol: coe, eoe, foe, soe, aoe or voe (empty = foe); as declared by the Mailbox element. {_HIDDEN_DOC}"
+        ),
+        "params": ["protocol", "include_hidden"],
         "sql": f"""\
 select device_id, {_IDENTITY},
   coe, eoe, foe, soe, aoe, voe, coe_complete_access, coe_sdo_info
 from device_overview
-where variant = 1 and case lower(ifnull(nullif(trim(:protocol), ''), 'foe'))
+where variant = 1 and {_SHOWN} and case lower(ifnull(nullif(trim(:protocol), ''), 'foe'))
   when 'coe' then coe when 'eoe' then eoe when 'foe' then foe
   when 'soe' then soe when 'aoe' then aoe when 'voe' then voe end = 1
 order by {_ORDER}
@@ -157,10 +171,11 @@ order by {_ORDER}
         "description": (
             "index: 0x60FF, #x60FF or 24831 (empty = 0x60FF); subindex: a number (empty = all). Looks at the PDOs of "
             "devices and of the modules that their slots can reach, and names the module; sm is the sync manager that "
-            "a PDO is assigned to by default. Indices of modules are those of the first slot."
+            "a PDO is assigned to by default. Indices of modules are those of the first slot. "
+            f"{_HIDDEN_DOC}"
         ),
-        "params": ["index", "subindex"],
-        "sql": """\
+        "params": ["index", "subindex", "include_hidden"],
+        "sql": f"""\
 with mapped as (
   select p.device_id, p.module_id, p.direction, hex0x(p.pdo_index) as pdo, p.name as pdo_name, p.sm,
     hex0x(e.entry_index) as entry, ifnull(e.subindex, 0) as subindex, e.bit_length, e.data_type, e.name as entry_name
@@ -177,7 +192,7 @@ select d.id as device_id, v.name as vendor, d.type as device_type, hex0x(d.vendo
   hex0x(m.module_ident, 8) as module, m.type as module_type, direction, pdo, pdo_name, sm,
   entry, subindex, bit_length, data_type, entry_name
 from reached
-join devices d on d.id = found_id and d.variant = 1
+join devices d on d.id = found_id and d.variant = 1 and {_SHOWN}
 left join vendors v on v.vendor_id = d.vendor_id
 left join modules m on m.id = reached.module_id
 order by d.vendor_id, d.product_code, d.revision_no, m.module_ident, pdo

@@ -27,12 +27,14 @@ GENERATED = "Written by docs/generate.py"
 DESCRIPTION_HTML = """\
 <p>What vendors' EtherCAT slave information (ESI) files declare, as tables: identities, PDOs, object dictionaries, DC
 modes, start-up commands, modules. An entry says what a file declares, not what a device does.</p>
+<p><a href="-/esi/">Device pages</a>: search by name, identity or ability, read a scan, compare revisions.</p>
 """
 
 DATABASE_HTML = """\
-<p>Start with the canned queries or with the view <code>device_overview</code>; both list devices. The search box of
-<code>devices</code> and of the views named device_… finds words, inner parts of words (1100 in EL1100) and identities
-in any notation (0x044c2c52, 0x44c2c52, #x044c2c52, 72100946).</p>
+<p><a href="-/esi/">Device pages</a>: search by name, identity or ability, read a scan, compare revisions.</p>
+<p>For tables and SQL, start with the canned queries or with the view <code>device_overview</code>; both list devices.
+The search box of <code>devices</code> and of the views named device_… finds words of the device, inner parts of words
+(1100 in EL1100) and identities in any notation (0x044c2c52, 0x44c2c52, #x044c2c52, 72100946).</p>
 <p>Every canned query about devices returns <code>device_id</code>, the key of <code>devices</code> and of all views
 named device_…; the query about ingest returns <code>source_id</code>, the key of <code>sources</code>, the one about
 vendors <code>vendor_id</code>. Columns named …_hex hold the number as text for filters; in SQL, parse_hex('0x60FF')
@@ -43,6 +45,7 @@ LICENSE = "the descriptions belong to the vendors of the devices"
 
 IDENTITY_FACETS = ["vendor"]
 SEARCH_DEVICES = {"fts_table": FULL_TEXT, "fts_pk": "device_id"}
+SEARCH_DOC = "The search box finds words of the device (vendor, type, name, identity), not of the row."
 
 TABLE_OPTIONS: dict[str, dict[str, Any]] = {
     "alembic_version": {"description": "Version of the schema.", "hidden": True},
@@ -255,7 +258,10 @@ def datasette_metadata() -> str:
     for view, columns in zip(views("sqlite"), view_columns().values(), strict=True):
         tables[view.name] = {"description": view.doc, "columns": columns}
     for name, options in TABLE_OPTIONS.items():
-        tables.setdefault(name, {}).update(options)
+        table = tables.setdefault(name, {})
+        table.update(options)
+        if "fts_table" in options:
+            table["description"] += f" {SEARCH_DOC}"
     document = {
         "title": "EtherCAT device catalog",
         "description_html": DESCRIPTION_HTML,

@@ -34,4 +34,8 @@ class CatalogError(EsiCatalogError):
 
 
 class NotFound(EsiCatalogError):
-    """The catalog holds no such device or module."""
+    """The catalog holds no such device or module; ``hint`` is a command that tells more, for who is at a shell."""
+
+    def __init__(self, message: str, hint: str | None = None) -> None:
+        super().__init__(message)
+        self.hint = hint

@@ -83,7 +83,7 @@ def test_compare_and_scan(page: Page):
     page.goto("/-/esi/scan")
     page.get_by_label("Output of").fill(SLAVES)
     page.get_by_role("button", name="Identify").click()
-    assert page.locator("table.slaves tbody tr").count() == 3
+    assert page.locator("table.slaves tbody tr:not(.remarks)").count() == 3
     page.get_by_role("link", name="ECX-D808").first.click()
     expect(page.get_by_role("heading", level=1)).to_contain_text("ECX-D808")
 
@@ -186,3 +186,32 @@ def test_copy_button(browser: Browser, served: str):
     opened.get_by_role("button", name="Copy 0x00002406").click()
     assert opened.evaluate("navigator.clipboard.readText()") == "0x00002406"
     context.close()
+
+
+def test_a_scan_is_read_on_a_small_screen(browser: Browser, served: str):
+    """The answer stands within the screen, and remarks have its width."""
+    opened = browser.new_page(base_url=served, viewport={"width": 400, "height": 900})
+    opened.goto("/-/esi/scan")
+    opened.get_by_label("Output of").fill(SLAVES)
+    opened.get_by_role("button", name="Identify").click()
+    for place in ("[data-label=ESI]", "[data-label=Device]", ".remarks td"):
+        box = opened.locator(f"table.slaves {place}").first.bounding_box()
+        assert box is not None
+        assert box["x"] + box["width"] <= 400
+        assert box["width"] >= 300
+    opened.close()
+
+
+def test_fields_of_a_line_are_level(page: Page):
+    page.goto("/-/esi/")
+    boxes = [page.locator(f"[name={name}]").bounding_box() for name in ("mode", "sync", "protocol", "maps")]
+    assert len({(box["y"], box["height"]) for box in boxes if box is not None}) == 1
+
+
+def test_sentences_in_tables_have_room(page: Page):
+    """24 of the font's em: the tables of Datasette squeezed them to 80 px."""
+    page.goto("/catalog/device_drive_modes?_size=5")
+    for column in ("evidence", "recipe"):
+        box = page.locator(f"td.col-{column}").first.bounding_box()
+        assert box is not None
+        assert box["width"] >= 24 * 14

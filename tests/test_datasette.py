@@ -16,7 +16,7 @@ from datasette.app import Datasette
 from datasette.utils import parse_metadata
 from lxml import html
 from snippets import device, esi
-from web_client import client
+from web_client import client, new_client
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.schema import metadata
@@ -41,7 +41,7 @@ QUERY_EXAMPLES: dict[str, tuple[dict[str, str], set[Any]]] = {
     "csp_drives_with_fsoe": ({}, set()),
     "drive_modes_of_each_vendor": ({}, {0xE5C, 0x1097, 0x4321, 0xE00004D8}),
     "devices_of_the_same_layout": (
-        {"vendor": "0xE5C", "product": "0x0d080808", "revision": "0x00110000"},
+        {"vendor": "0xE5C", "product": "0x0d080808", "revision": "0x00100000"},
         {"ECX-D808"},
     ),
     "devices_by_mailbox_protocol": ({"protocol": "FoE"}, {"ECX-A202"}),
@@ -145,6 +145,8 @@ async def test_search_finds_what_people_type(browser, text, expected):
 
 async def test_search_works_in_views_of_parts(browser):
     assert await searched(browser, "ECX-D808", "device_pdo_entries", "device_type") == {"ECX-D808"}
+    words = "words of the device (vendor, type, name, identity), not of the row"
+    assert words in (await browser.get("/catalog/device_pdo_entries")).text
 
 
 @pytest.mark.parametrize(
@@ -177,6 +179,19 @@ async def test_device_without_codes_leads_to_its_row(tmp_path):
     browser = await client(tmp_path / "catalog.db")
     answer = await browser.get("/-/esi/row/1", follow_redirects=False)
     assert answer.headers["location"] == "/catalog/devices/1"
+
+
+@pytest.mark.parametrize("path", ["/", "/catalog"])
+async def test_descriptions_begin_with_the_device_pages(data_db, path):
+    """Also behind a prefix, where a description in a file does not know it."""
+    for prefix in ("/", "/prefix/"):
+        web = await new_client(data_db)
+        web.ds._settings["base_url"] = prefix
+        tree = html.fromstring((await web.get(path)).text)
+        href = tree.xpath("//*[contains(@class, 'metadata-description')]//a/@href")[0]
+        assert urllib.parse.urljoin(f"http://localhost{prefix.rstrip('/')}{path}", href) == (
+            f"http://localhost{prefix}-/esi/"
+        )
 
 
 async def test_hex_in_a_filter_is_no_error(browser):
@@ -243,13 +258,16 @@ def serve(*arguments: object) -> "subprocess.Popen[str]":
 
 
 @pytest.mark.parametrize("options", [(), ("--immutable",)])
-def test_serve_prints_its_address_and_ends_quietly(data_db, options):
+def test_serve_prints_its_addresses_and_ends_quietly(data_db, options):
     server = serve("--db", data_db, "--port", 0, *options)
     try:
         assert server.stdout is not None
-        address = server.stdout.readline().strip()
-        assert address.startswith("http://127.0.0.1:")
-        with urllib.request.urlopen(f"{address}.json", timeout=10) as response:
+        devices, tables = server.stdout.readline().split(), server.stdout.readline().split()
+        assert devices[0].startswith("http://127.0.0.1:")
+        assert (devices[1:], tables[1:]) == (["devices:", "search,", "scan,", "compare"], ["tables", "and", "SQL"])
+        with urllib.request.urlopen(devices[0], timeout=10) as response:
+            assert b"<h1>EtherCAT devices</h1>" in response.read()
+        with urllib.request.urlopen(f"{tables[0]}.json", timeout=10) as response:
             assert json.load(response)["database"] == "catalog"
         server.send_signal(signal.SIGINT)
         output, errors = server.communicate(timeout=10)

@@ -14,6 +14,7 @@ from web_client import client
 
 from esicatalog import Catalog
 from esicatalog.identity import parse_identity
+from esicatalog.sii.checksum import crc8
 from esicatalog.web.cells import decimal_filters
 
 HOSTILE = "&lt;script&gt;alert(1)&lt;/script&gt;"
@@ -202,6 +203,62 @@ async def test_scan_pasted_and_dropped(data_db):
     assert "EEPROM image: exact" in texts(tree, "h2")
     refused = await web.post("/-/esi/scan", data={"scan": "hello"})
     assert (refused.status_code, "no scan is recognised" in refused.text) == (400, True)
+
+
+HEX_WITHOUT_END = b":0100000000FF\n"
+LOADED = bytes([*range(14), crc8(bytes(range(14))), 0]) + bytes(112)
+"""Words 0 to 6 with their check sum, and no more than the header of an image."""
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        # Behind 128 bytes a category 0x4142 of 0x4344 words begins, which is longer than the file.
+        (bytes(128) + b"BADC", "drop.bin: neither a scan nor an EEPROM image (category 16706 at byte 0x80 runs past"),
+        (b"\x89PNG\r\n\x1a\n\0", "drop.bin: neither a scan nor an EEPROM image (no SII image: its length"),
+        # A text for Windows would have no zeros, a bitmap without pixels no end mark.
+        (b"BM" + bytes(200), "drop.bin: neither a scan nor an EEPROM image"),
+        (b"hello", "drop.bin: no scan is recognised"),
+        # What is an image by its beginning is told as one.
+        (LOADED + b"BADC", "drop.bin: category 16706 at byte 0x80 runs past the end of the image"),
+        (HEX_WITHOUT_END, "drop.bin: Intel HEX: no end record; the file is cut"),
+    ],
+)
+async def test_a_file_that_is_neither_scan_nor_image(data_db, content, words):
+    answer = await (await client(data_db)).post("/-/esi/scan", files={"file": ("drop.bin", content)})
+    assert answer.status_code == 400
+    assert texts(html.fromstring(answer.text), "[role=alert]")[0].startswith(words)
+
+
+async def test_an_image_without_categories_is_known_by_its_check_sum(data_db):
+    for content in (LOADED, LOADED + b"\xff\xff", bytes(128).replace(b"\0", b"\1", 1) + b"\xff\xff"):
+        answer = await (await client(data_db)).post("/-/esi/scan", files={"file": ("dump.bin", content)})
+        assert (answer.status_code, "EEPROM image: none" in answer.text) == (200, True)
+
+
+async def test_remarks_have_a_row_of_their_own(data_db):
+    answer = await (await client(data_db)).post("/-/esi/scan", data={"scan": SLAVES})
+    table = html.fromstring(answer.text).cssselect("table.slaves")[0]
+    kinds = [row.get("class") for row in table.cssselect("tbody tr")]
+    assert kinds == [None, "remarks"] * 3
+    labels = [cell.get("data-label") for cell in table.cssselect("tbody tr:first-child td")]
+    assert labels == texts(table, "thead th")
+    assert {cell.get("colspan") for cell in table.cssselect(".remarks td")} == {str(len(labels))}
+
+
+@pytest.mark.parametrize(
+    ("path", "place"),
+    [
+        (EYOU, "section[aria-labelledby=modes] table"),
+        ("/-/esi/compare?a=0xe5c:0x0d080808:0x00100000&b=0xe5c:0x0d080808:0x00110000", "table.stacked"),
+    ],
+)
+async def test_cells_of_wide_tables_say_their_column(data_db, path, place):
+    """On a small screen they stand below each other."""
+    for table in (await page(data_db, path)).cssselect(place):
+        labels = texts(table, "thead th")
+        for row in table.cssselect("tbody tr"):
+            assert [cell.get("data-label") for cell in row.cssselect("td")] == labels
 
 
 @pytest.mark.parametrize(
@@ -466,7 +523,7 @@ async def test_the_eeprom_image_is_offered_with_what_the_command_says_of_it(tmp_
 async def test_no_json_is_made_of_half_a_question(data_db, path):
     refused = await (await client(data_db)).get(f"/-/esi/{path}?modul=0%3D0x1")
     assert refused.status_code == 400
-    assert refused.json()["error"].startswith(("unknown parameter 'modul'; there are ", "unknown filter 'modul'; "))
+    assert refused.json()["error"].startswith(("unknown parameter 'modul'; there ", "unknown filter 'modul'; there "))
 
 
 async def test_exported_esi_holds_vendor_and_group(data_db):
@@ -618,3 +675,60 @@ async def test_a_coupler_has_no_process_data(tmp_path):
     )
     assert [texts(scanned, f"table.slaves td:nth-child({place})") for place in (7, 8)] == [["0"], ["0"]]
     assert "sizes unknown of" not in texts(scanned, "dl.facts dt")
+
+
+async def test_entries_without_codes_come_last(tmp_path):
+    """Page by page, each device once: 60 with codes, of two vendors, then the 45 of the first vendor without any."""
+    caps = "".join(device(product="", type_text=f"cap {number:02}") for number in range(45))
+    coded = "".join(device(product=str(number), type_text=f"coded {number:02}") for number in range(1, 31))
+    other = esi(coded.replace("coded", "other"), vendor="<Id>#xE5D</Id><Name>Test vendor</Name>")
+    db = catalog_of(tmp_path, esi(caps + coded), other)
+    shown = [texts(await page(db, f"/-/esi/?page={number}"), ".device-head") for number in (1, 2, 3)]
+    expected = [f"{kind} {number:02}" for kind in ("coded", "other") for number in range(1, 31)]
+    expected += [f"cap {number:02}" for number in range(45)]
+    assert [len(part) for part in shown] == [50, 50, 5]
+    assert [text for part in shown for text in part] == expected
+    found = texts(await page(db, "/-/esi/?text=cap"), ".device-head")
+    assert found == expected[60:]
+
+
+async def test_vendors_of_one_name_are_told_apart(tmp_path):
+    """Test vendor stands for two ids; another name for one."""
+    vendors = ("<Id>#xE5C</Id><Name>Test</Name>", "<Id>#xE5D</Id><Name>Test</Name>", "<Id>#xE5E</Id><Name>B</Name>")
+    db = catalog_of(tmp_path, *(esi(device(), vendor=vendor) for vendor in vendors))
+    links = texts(await page(db, "/-/esi/"), "aside details:first-child a")
+    assert links == ["Test (0x00000e5c) 1", "Test (0x00000e5d) 1", "B 1"]
+
+
+async def test_op_mode_and_cycle_are_chosen_in_a_form(tmp_path):
+    """Without a script: a button a target sends the fields to its route, which judges them."""
+    modes = "".join(
+        f"<OpMode><Name>{name}</Name><AssignActivate>{word}</AssignActivate></OpMode>"
+        for name, word in (("FreeRun", "0"), ("DC", "#x300"))
+    )
+    outputs = "Sm='0'"
+    content = f"<Sm>Outputs</Sm>{pdo('RxPdo', '#x1600', 8, attributes=outputs)}<Dc>{modes}</Dc>"
+    db = catalog_of(tmp_path, esi(device(content)))
+    web = await client(db)
+    section = (await page(db, "/-/esi/device/0xe5c/1/1")).cssselect("section[aria-labelledby=exports]")[0]
+    form = section.cssselect("form")[0]
+    assert [option.get("value") for option in form.cssselect("option")] == ["", "0", "1"]
+    buttons = [button.get("formaction") for button in form.cssselect("button")]
+    assert {target.rpartition("/")[2] for target in buttons} == {*EXPORTS} - {"sii", "esi"}
+    for target in buttons:
+        for chosen, status in (
+            ({}, 200),
+            ({"op-mode": "1", "cycle-ns": "2000000"}, 200),
+            ({"cycle-ns": "soon"}, 400),
+        ):
+            sent = dict(form.form_values()) | chosen
+            assert (await web.get(target, params=sent)).status_code == status, target
+    header = await web.get(buttons[0], params={"op-mode": "1", "cycle-ns": "2000000"})
+    assert "0x0300" in header.text
+    assert "2000000" in header.text
+
+
+async def test_the_form_keeps_the_chosen_modules(data_db):
+    tree = await page(data_db, f"{EYOU}?module=0%3D0x219800")
+    form = tree.cssselect("section[aria-labelledby=exports] form")[0]
+    assert ("module", "0=0x219800") in form.form_values()

@@ -17,7 +17,7 @@ from web_client import client
 from esicatalog import Catalog
 from esicatalog.catalog import identity
 from esicatalog.catalog.device_filter import IDENTIFICATIONS, MODES, PROTOCOLS, SYNC_SIGNALS, DeviceFilter
-from esicatalog.catalog.search import conditions, device_query, find_devices
+from esicatalog.catalog.search import ADDRESSED, NOT_ADDRESSED, conditions, device_query, find_devices
 from esicatalog.identity import Bounds, Identity
 
 ONE_ROW_A_DEVICE = {
@@ -149,7 +149,8 @@ def test_filters_together(engine, wanted):
     check(engine, wanted)
 
 
-def test_a_page_of_a_long_list_is_read_in_its_order(engine):
+@pytest.mark.parametrize("beside", [(), (ADDRESSED,), (NOT_ADDRESSED,)])
+def test_a_page_of_a_long_list_is_read_in_its_order(engine, beside):
     """Devices are walked by the index that has their order: no list is sorted to show its first devices."""
     for chosen in (
         {},
@@ -160,9 +161,10 @@ def test_a_page_of_a_long_list_is_read_in_its_order(engine):
     ):
         wanted = DeviceFilter(**chosen, limit=50)
         with engine.connect() as connection, executed(connection) as statements:
-            connection.execute(device_query(list(conditions(connection, wanted)), wanted))
+            connection.execute(device_query([*conditions(connection, wanted), *beside], wanted))
             plan = connection.exec_driver_sql("EXPLAIN QUERY PLAN " + statements[-1][0], statements[-1][1]).all()
-        assert "SCAN devices USING INDEX ix_devices_listed" in [row[3] for row in plan]
+        walked = re.compile(r"(SCAN|SEARCH) devices USING INDEX ix_devices_listed( \(vendor_id>\?\))?")
+        assert [row[3] for row in plan if walked.fullmatch(row[3])]
         assert not [row[3] for row in plan if "TEMP B-TREE" in row[3]]
 
 

@@ -58,7 +58,7 @@ def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, Fou
         condition.append(devices.c.revision_no.is_(None))
     rows = connection.execute(SUMMARY.where(*condition)).all()
     if not rows:
-        raise NotFound(f"{identity} is not in the catalog; see: esicatalog identify {identity_words(identity)}")
+        raise NotFound(f"{identity} is not in the catalog", f"esicatalog identify {identity_words(identity)}")
     wanted = identity.variant or 1
     chosen = identity.revision_no if identity.revision_no is not None else _latest(rows)
     variants = [row for row in rows if row.revision_no == chosen]

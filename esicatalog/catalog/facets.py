@@ -1,5 +1,6 @@
 """How many of the found devices have what: counts beside the filters of a search page."""
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
@@ -18,7 +19,7 @@ from esicatalog.catalog.schema import (
     profiles,
     vendors,
 )
-from esicatalog.catalog.search import conditions, fulfilled, matching_ids
+from esicatalog.catalog.search import ADDRESSED, conditions, fulfilled, matching_ids
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.words import MAILBOX_PROTOCOLS, protocol_name
 
@@ -45,6 +46,8 @@ class Counts(NamedTuple):
     """How many devices there are, and by filter how many of them have what."""
 
     total: int
+    addressed: int
+    """How many of them have vendor id and product code, and so a page of their own."""
     facets: dict[str, tuple[FacetValue, ...]]
 
 
@@ -59,13 +62,13 @@ def counts(connection: sa.Connection, found: Sequence[Condition], wanted: Device
     passes: dict[DeviceFilter, list[str]] = {wanted: []}
     for name in dict.fromkeys(name for name, _ in _PROPERTIES):
         passes.setdefault(others[name], []).append(name)
-    totals: dict[DeviceFilter, int] = {}
+    totals: dict[DeviceFilter, tuple[int, int]] = {}
     facets: dict[str, tuple[FacetValue, ...]] = {}
     for other, names in passes.items():
         totals[other], counted = _properties(connection, fulfilled(held[other], other), names)
         facets |= counted
     return Counts(
-        totals[wanted],
+        *totals[wanted],
         {
             "vendor": _vendors(connection, fulfilled(found, wanted)),
             "mode": _modes(connection, matching_ids(found, wanted), wanted.strict),
@@ -79,20 +82,21 @@ def counts(connection: sa.Connection, found: Sequence[Condition], wanted: Device
 
 def _properties(
     connection: sa.Connection, fulfil: list[Any], names: Iterable[str]
-) -> tuple[int, dict[str, tuple[FacetValue, ...]]]:
-    """The number of devices, and how many of them have each property of these filters: all in one pass."""
+) -> tuple[tuple[int, int], dict[str, tuple[FacetValue, ...]]]:
+    """The number of devices, of addressed ones, and of those that have each property of these filters: in one pass."""
     asked = {key: property for key, property in _PROPERTIES.items() if key[0] in names}
     columns = [sa.func.count(sa.case((condition, 1))) for _, condition in asked.values()]
     tables = devices.outerjoin(device_facts, device_facts.c.device_id == devices.c.id).outerjoin(
         mailboxes, mailboxes.c.device_id == devices.c.id
     )
-    query = sa.select(sa.func.count(), *columns).select_from(tables).where(*fulfil)
-    total, *numbers = connection.execute(query).one()
+    addressed = sa.func.count(sa.case((ADDRESSED.sql, 1)))
+    query = sa.select(sa.func.count(), addressed, *columns).select_from(tables).where(*fulfil)
+    total, addressed_count, *numbers = connection.execute(query).one()
     facets: dict[str, tuple[FacetValue, ...]] = dict.fromkeys(names, ())
     for ((name, word), (label, _)), number in zip(asked.items(), numbers, strict=True):
         if number:
             facets[name] += (FacetValue(word, label, number),)
-    return total, facets
+    return (total, addressed_count), facets
 
 
 def _vendors(connection: sa.Connection, fulfil: list[Any]) -> tuple[FacetValue, ...]:
@@ -111,7 +115,17 @@ def _vendors(connection: sa.Connection, fulfil: list[Any]) -> tuple[FacetValue, 
         .outerjoin(vendors, vendors.c.vendor_id == counted.c.vendor_id)
         .order_by(counted.c.device_count.desc(), counted.c.vendor_id)
     )
-    return tuple(FacetValue(f"0x{v:x}", name or f"0x{v:08x}", n) for v, name, n in connection.execute(query))
+    found = connection.execute(query).all()
+    often = Counter(name for _, name, _ in found)
+    return tuple(FacetValue(f"0x{v:x}", _vendor_label(v, name, often[name] > 1), n) for v, name, n in found)
+
+
+def _vendor_label(vendor_id: int, name: str | None, is_shared: bool) -> str:
+    """The name, with the id where several ids have it; the id alone where there is no name."""
+    number = f"0x{vendor_id:08x}"
+    if not name:
+        return number
+    return f"{name} ({number})" if is_shared else name
 
 
 def _modes(connection: sa.Connection, ids: Any, strict: bool) -> tuple[FacetValue, ...]:

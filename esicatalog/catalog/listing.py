@@ -10,7 +10,7 @@ from esicatalog.catalog.device_filter import DeviceFilter
 from esicatalog.catalog.facets import FacetValue, counts
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import device_facts, devices, drive_modes
-from esicatalog.catalog.search import conditions, device_query, found_devices
+from esicatalog.catalog.search import ADDRESSED, NOT_ADDRESSED, conditions, device_query, found_devices
 from esicatalog.model.cia402 import CIA402
 
 _SHOWN_VERDICTS = ("yes", "likely")
@@ -38,12 +38,19 @@ class Listing(NamedTuple):
 
 
 def list_devices(connection: sa.Connection, wanted: DeviceFilter, offset: int) -> Listing:
-    """Find devices for a page; the number of queries does not depend on how many there are."""
+    """Find devices for a page; the number of queries does not depend on how many there are.
+
+    Descriptions without codes, which have no page of their own, come last. They are asked for by themselves: in the
+    index by which devices are listed they are the first of their vendor.
+    """
     held = list(conditions(connection, wanted))
-    found = found_devices(connection, held, wanted, offset)
+    total, addressed, facets = counts(connection, held, wanted)
+    found = found_devices(connection, [*held, ADDRESSED], wanted, offset)
+    if total > addressed and (wanted.limit is None or len(found) < wanted.limit):
+        rest = msgspec.structs.replace(wanted, limit=None if wanted.limit is None else wanted.limit - len(found))
+        found += found_devices(connection, [*held, NOT_ADDRESSED], rest, max(0, offset - addressed))
     whole = msgspec.structs.replace(wanted, limit=None)
     literal = device_query(held, whole).compile(connection, compile_kwargs={"literal_binds": True})
-    total, facets = counts(connection, held, wanted)
     return Listing(_listed(connection, found), total, offset, facets, str(literal))
 
 

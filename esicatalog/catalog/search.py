@@ -27,6 +27,9 @@ _ORDER = (
     devices.c.type.nulls_first(),
     devices.c.variant,
 )
+ADDRESSED = Condition(sa.and_(devices.c.vendor_id.is_not(None), devices.c.product_code.is_not(None)), indexed=True)
+NOT_ADDRESSED = Condition(sa.or_(devices.c.vendor_id.is_(None), devices.c.product_code.is_(None)), indexed=True)
+"""Whether a description has the codes by which a bus and the address of a page name it; end caps have none."""
 _ASKED = 300
 """How many devices a page asks one by one: six pages of 50, which takes 1 to 4 ms; a list takes up to 100 ms."""
 

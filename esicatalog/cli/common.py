@@ -69,7 +69,8 @@ def reporting_errors(function: Function) -> Function:
             finally:
                 sys.stdout.flush()
         except EsiCatalogError as error:
-            click.echo(f"esicatalog: {error}", err=True)
+            hint = error.hint if isinstance(error, NotFound) else None
+            click.echo(f"esicatalog: {error}; see: {hint}" if hint else f"esicatalog: {error}", err=True)
             sys.exit(EXIT_NO if isinstance(error, NotFound) else EXIT_UNUSABLE)
         except KeyboardInterrupt as error:
             sys.exit(say_interrupted(error))

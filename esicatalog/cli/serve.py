@@ -21,13 +21,13 @@ _URI_CHARACTERS = "?#%"
 @db_option
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen at; 0.0.0.0 = everywhere.")
 @click.option("--port", default=8001, show_default=True, type=click.IntRange(0, 65535), help="Port; 0 = any free one.")
-@click.option("--open", "open_browser", is_flag=True, help="Open the catalog in a browser.")
+@click.option("--open", "open_browser", is_flag=True, help="Open the device pages in a browser.")
 @click.option("--immutable", is_flag=True, help="Nobody changes the file meanwhile: faster, and it can be downloaded.")
 @reporting_errors
 def command(db: str, host: str, port: int, open_browser: bool, immutable: bool) -> None:
     """Browse the catalog in Datasette until Ctrl-C.
 
-    Prints the address. The catalog is mounted as /catalog whatever its file is called.
+    Prints the addresses, first that of the device pages. The tables are at /catalog whatever the file is called.
     """
     file = _catalog_file(db)
     with _listen(host, port) as listener:
@@ -35,16 +35,18 @@ def command(db: str, host: str, port: int, open_browser: bool, immutable: bool) 
         import uvicorn
 
         from esicatalog.web.app import datasette_app
+        from esicatalog.web.links import BASE
         from esicatalog.web.state import MOUNTED_AS
 
         # datasette-mcp, where it is installed, tells of every session otherwise.
         logging.getLogger("mcp").setLevel(logging.WARNING)
         application = datasette_app(file, immutable).app()
         shown = f"[{host}]" if ":" in host else host
-        url = f"http://{shown}:{listener.getsockname()[1]}/{MOUNTED_AS}"
-        click.echo(url)
+        server_url = f"http://{shown}:{listener.getsockname()[1]}"
+        click.echo(f"{server_url}{BASE}  devices: search, scan, compare")
+        click.echo(f"{server_url}/{MOUNTED_AS}  tables and SQL")
         if open_browser:
-            webbrowser.open(url)
+            webbrowser.open(f"{server_url}{BASE}")
         config = uvicorn.Config(application, log_level="warning", lifespan="on", timeout_keep_alive=_IDLE_SECONDS)
         server = uvicorn.Server(config)
         with contextlib.suppress(KeyboardInterrupt):

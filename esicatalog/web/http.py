@@ -11,6 +11,7 @@ from esicatalog.api import Catalog
 from esicatalog.catalog.results import json_bytes
 from esicatalog.errors import EsiCatalogError, InputError, NotFound
 from esicatalog.version import __version__
+from esicatalog.web.links import BASE
 from esicatalog.web.state import catalog_for
 
 MAX_BODY_BYTES = 4 * 1024 * 1024
@@ -18,7 +19,7 @@ MAX_BODY_BYTES = 4 * 1024 * 1024
 MAX_BODY_SECONDS = 60.0
 """A client that sends slower than this gives up its place."""
 
-_ERROR_PAGE = "error.html"
+_ERROR_TITLES = {404: "Not found"}
 
 View = Callable[[Any, Any], Awaitable[Response]]
 """What Datasette calls for a route: (request, datasette) → response."""
@@ -99,21 +100,42 @@ def page_route(
         try:
             page = await handler(request, catalog)
         except HttpError as error:
-            page = Page(_ERROR_PAGE, {"error": str(error)}, error.status)
+            page = error_page(str(error), error.status)
         except EsiCatalogError as error:
-            page = Page(_ERROR_PAGE, {"error": str(error)}, status_of(error))
-        html = await datasette.render_template(f"esicatalog/{page.template}", page.context, request=request)
-        return Response(html, page.status, headers, "text/html; charset=utf-8")
+            page = error_page(str(error), status_of(error))
+        return await page_response(page, request, datasette, headers)
 
     return view
+
+
+def error_page(words: str, status: int) -> Page:
+    """The page that says why there is no other."""
+    return Page("error.html", {"error": words, "title": _ERROR_TITLES.get(status, "That is not possible")}, status)
+
+
+async def page_response(page: Page, request: Any, datasette: Any, headers: dict[str, str]) -> Response:
+    """The answer that is a page."""
+    html = await datasette.render_template(f"esicatalog/{page.template}", page.context, request=request)
+    return Response(html, page.status, headers, "text/html; charset=utf-8")
+
+
+async def unknown_address(request: Any, datasette: Any) -> Response:
+    """404 for what no route answers: JSON where JSON is asked for, else a page."""
+    words = f"there is no {BASE}{request.path.partition(BASE)[2]}"
+    if not request.path.endswith(".json"):
+        return await page_response(error_page(words, 404), request, datasette, {})
+    headers: dict[str, str] = {}
+    if datasette.cors:
+        add_cors_headers(headers)
+    return _json({"error": f"{words}; what there is: {BASE}openapi.json"}, 404, headers)
 
 
 def check_names(given: Iterable[str], known: Sequence[str], what: str = "parameter") -> None:
     """Raise :class:`InputError` for a name that nothing reads: a slip would otherwise change what is asked."""
     unknown = sorted(set(given) - set(known))
     if unknown:
-        there_are = f"there are {', '.join(known)}" if known else "there are none"
-        raise InputError(f"unknown {what} {unknown[0][:40]!r}; {there_are}")
+        there_is = "there is only" if len(known) == 1 else "there are"
+        raise InputError(f"unknown {what} {unknown[0][:40]!r}; {there_is} {', '.join(known) or 'none'}")
 
 
 def status_of(error: EsiCatalogError) -> int:

@@ -1,13 +1,15 @@
 """What is answered where."""
 
 from typing import Any
+from urllib.parse import quote, unquote
 
+from datasette.utils import add_cors_headers
 from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
 from esicatalog.errors import NotFound
 from esicatalog.web.exports import export_route
-from esicatalog.web.http import json_route, page_route
+from esicatalog.web.http import error_page, json_route, page_response, page_route, unknown_address
 from esicatalog.web.identify import identify_many, identify_one
 from esicatalog.web.links import BASE, device_path
 from esicatalog.web.openapi import openapi_document
@@ -18,7 +20,8 @@ from esicatalog.web.pages.objects import PART, objects_page
 from esicatalog.web.pages.scan import scan_page
 from esicatalog.web.state import MOUNTED_AS, catalog_for
 
-_IDENTITY = r"(?P<vendor>[^/]+)/(?P<product>[^/]+)/(?P<revision>[^/]+?)"
+_PRODUCT = r"(?P<vendor>[^/]+)/(?P<product>[^/]+?)"
+_IDENTITY = rf"{_PRODUCT}/(?P<revision>[^/]+?)"
 _IMAGE_TYPES = ((b"BM", "image/bmp"), (b"\x89PNG", "image/png"), (b"GIF8", "image/gif"), (b"\xff\xd8", "image/jpeg"))
 _FOR_EVER = "public, max-age=31536000, immutable"
 """An image is addressed by the digest of its bytes."""
@@ -46,15 +49,30 @@ async def _row(request: Any, datasette: Any) -> Response:
     try:
         path = device_path(catalog.device_of_row(number))
     except NotFound as error:
-        return Response(str(error), 404)
-    target = f"{BASE}{path}" if path else f"/{MOUNTED_AS}/devices/{number}"
-    return Response("", 302, {"Location": datasette.urls.path(target), "Cache-Control": "no-cache"})
+        return await page_response(error_page(str(error), 404), request, datasette, {})
+    return _found(datasette, f"{BASE}{path}" if path else f"/{MOUNTED_AS}/devices/{number}")
+
+
+async def _latest(request: Any, datasette: Any) -> Response:
+    """From a product to its latest visible revision, which is what an identity without revision means everywhere."""
+    vendor, product = (quote(unquote(request.url_vars[name]), safe="") for name in ("vendor", "product"))
+    query = f"?{request.query_string}" if request.query_string else ""
+    return _found(datasette, f"{BASE}device/{vendor}/{product}/latest{request.url_vars['ending']}{query}")
+
+
+def _found(datasette: Any, path: str) -> Response:
+    """The way to another address, which may be another one tomorrow."""
+    headers = {"Location": datasette.urls.path(path), "Cache-Control": "no-cache"}
+    if datasette.cors:
+        add_cors_headers(headers)
+    return Response("", 302, headers)
 
 
 ROUTES: list[tuple[str, Any]] = [
     (r"^/-/esi/?$", page_route(home_page)),
     (r"^/-/esi/scan$", page_route(scan_page, post=True)),
     (r"^/-/esi/compare$", page_route(compare_page)),
+    (rf"^/-/esi/device/{_PRODUCT}(?P<ending>(?:\.json)?)/?$", _latest),
     (rf"^/-/esi/device/{_IDENTITY}\.json$", json_route({"GET": device_json})),
     (rf"^/-/esi/device/{_IDENTITY}$", page_route(device_page)),
     (rf"^/-/esi/device/{_IDENTITY}/export/(?P<target>[a-z0-9]+)$", export_route),
@@ -64,5 +82,6 @@ ROUTES: list[tuple[str, Any]] = [
     (r"^/-/esi/identify\.json$", json_route({"GET": identify_one, "POST": identify_many})),
     (r"^/-/esi/devices\.json$", json_route({"GET": devices_json})),
     (r"^/-/esi/openapi\.json$", json_route({"GET": _openapi})),
+    (r"^/-/esi/", unknown_address),
 ]
 """Regular expressions of paths, and Datasette views."""

@@ -2,15 +2,19 @@
 
 import asyncio
 from collections import defaultdict
+from functools import partial
 from typing import Any
 
 from esicatalog.api import Catalog
-from esicatalog.errors import EsiCatalogError
+from esicatalog.catalog.description import DeviceDescription
+from esicatalog.catalog.results import FoundDevice
+from esicatalog.errors import EsiCatalogError, NotFound
 from esicatalog.identity import parse_identity
 from esicatalog.model.compare import compare_devices, summary_words
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.web.http import Page, status_of
-from esicatalog.web.links import device_path
+from esicatalog.web.links import BASE, device_path, with_query
+from esicatalog.web.pages.nearest import nearest
 
 _TEMPLATE = "compare.html"
 
@@ -18,17 +22,35 @@ _TEMPLATE = "compare.html"
 async def compare_page(request: Any, catalog: Catalog) -> Page:
     """``?a=V:P:R&b=V:P:R``; without both the form alone."""
     texts = {name: (request.args.get(name) or "").strip() for name in ("a", "b")}
-    empty = {**texts, "problem": None, "sides": None}
+    shown = {**texts, "problem": None, "missing": (), "sides": None}
     if not all(texts.values()):
-        return Page(_TEMPLATE, empty)
+        return Page(_TEMPLATE, shown)
     try:
-        return Page(_TEMPLATE, empty | await asyncio.to_thread(_compared, catalog, texts["a"], texts["b"]))
+        sides, missing = await asyncio.to_thread(_sides, catalog, texts)
+        if missing:
+            return Page(_TEMPLATE, shown | {"missing": missing}, 404)
+        return Page(_TEMPLATE, shown | await asyncio.to_thread(_compared, *sides))
     except EsiCatalogError as error:
-        return Page(_TEMPLATE, empty | {"problem": str(error)}, status_of(error))
+        return Page(_TEMPLATE, shown | {"problem": str(error)}, status_of(error))
 
 
-def _compared(catalog: Catalog, first: str, second: str) -> dict[str, Any]:
-    left, right = (catalog.device(parse_identity(text)) for text in (first, second))
+def _sides(catalog: Catalog, texts: dict[str, str]) -> tuple[list[DeviceDescription], list[dict[str, Any]]]:
+    """The descriptions, and for each that there is not the nearest ones, with the ways to compare those instead."""
+    sides, missing = [], []
+    for name, text in texts.items():
+        identity = parse_identity(text)
+        try:
+            sides.append(catalog.device(identity))
+        except NotFound as error:
+            missing.append(nearest(catalog, identity, error, partial(_instead, texts, name)))
+    return sides, missing
+
+
+def _instead(texts: dict[str, str], name: str, device: FoundDevice) -> str:
+    return with_query(f"{BASE}compare", list((texts | {name: device.identity_text}).items()))
+
+
+def _compared(left: DeviceDescription, right: DeviceDescription) -> dict[str, Any]:
     differences = compare_devices(
         left.device,
         left.modules,

@@ -37,7 +37,8 @@ from esicatalog.model.words import (
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
 from esicatalog.web.exports import TARGETS
 from esicatalog.web.http import Page, check_names, status_of
-from esicatalog.web.links import device_path, identity_of_path
+from esicatalog.web.links import BASE, device_path, identity_of_path
+from esicatalog.web.pages.nearest import nearest
 
 _LONGEST_NUMBER = 8
 _MOST_SLOTS = 24
@@ -48,10 +49,15 @@ _MOST_ALIKE = 12
 async def device_page(request: Any, catalog: Catalog) -> Page:
     """``/-/esi/device/V/P/R?module=SLOT=IDENT``: the page of one description.
 
-    Modules that do not fit are told, on the page without any chosen ones.
+    Modules that do not fit are told, on the page without any chosen ones. 404 with the nearest descriptions for an
+    identity that is not described.
     """
     identity, choice = _asked(request)
-    description = await asyncio.to_thread(catalog.device, identity)
+    try:
+        description = await asyncio.to_thread(catalog.device, identity)
+    except NotFound as error:
+        missing = await asyncio.to_thread(nearest, catalog, identity, error, lambda item: f"{BASE}{device_path(item)}")
+        return Page("not_described.html", {"missing": missing}, status_of(error))
     try:
         return Page("device.html", await asyncio.to_thread(_context, description, choice))
     except InputError as error:
@@ -166,7 +172,7 @@ def _exports(found: FoundDevice, has_process_data: bool) -> dict[str, Any]:
     }
     return {
         "exports": [
-            {"name": name, "label": target.label, "takes_modules": "module" in target.parameters}
+            {"name": name, "label": target.label, "takes_choices": bool(target.parameters)}
             for name, target in targets.items()
             if has_process_data or not target.needs_process_data
         ],

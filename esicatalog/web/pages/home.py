@@ -10,13 +10,13 @@ from esicatalog.api import Catalog
 from esicatalog.catalog.device_filter import DeviceFilter
 from esicatalog.catalog.filter_texts import PARAMETERS, SHARPENS, filter_of_texts
 from esicatalog.catalog.listing import Listing
-from esicatalog.errors import InputError
+from esicatalog.errors import EsiCatalogError, InputError
 from esicatalog.identity import parse_number
-from esicatalog.web.http import Page
+from esicatalog.web.http import Page, status_of
 from esicatalog.web.links import BASE, device_path, with_query
 
 PAGE_LENGTH = 50
-_PAGE = "page"
+_PAGE, _LAST_PAGE = "page", 100_000
 _MAIN_FILTERS = ("text", "vendor", "mode", "sync", "protocol", "profile", "maps")
 _CHECKS = {
     "strict": "only verdict yes",
@@ -43,15 +43,18 @@ _TEXTS = {
 
 
 async def home_page(request: Any, catalog: Catalog) -> Page:
-    """Search by the parameters of the address, which are those of the command ``devices``."""
+    """Search by the parameters of the address, which are those of the command ``devices``.
+
+    What cannot be asked is told beside the form, so that it can be mended.
+    """
     texts = {name: request.args.getlist(name) for name in request.args}
-    number = _page_number(texts.pop(_PAGE, []))
+    pages = texts.pop(_PAGE, [])
     try:
         wanted = filter_of_texts(_meant(texts))
-    except InputError as error:
-        empty = Listing((), 0, 0, {}, "")
-        return Page("home.html", {**_context(texts, DeviceFilter(), empty, number), "problem": str(error)}, 400)
-    listing, number = await asyncio.to_thread(_listed, catalog, wanted, number)
+        listing, number = await asyncio.to_thread(_listed, catalog, wanted, _page_number(pages))
+    except EsiCatalogError as error:
+        context = _context(texts, DeviceFilter(), Listing((), 0, 0, {}, ""), 1)
+        return Page("home.html", {**context, "problem": str(error)}, status_of(error))
     return Page("home.html", _context(texts, wanted, listing, number))
 
 
@@ -77,10 +80,11 @@ async def devices_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
 
 
 def _page_number(texts: list[str]) -> int:
-    try:
-        return max(1, parse_number(texts[0], _PAGE, 100_000)) if texts else 1
-    except InputError:
-        return 1
+    """The page that is asked for, 1 where none is. Raises :class:`InputError`."""
+    number = parse_number(texts[0], _PAGE, _LAST_PAGE) if texts else 1
+    if number == 0:
+        raise InputError("pages count from 1")
+    return number
 
 
 def _meant(texts: Mapping[str, Sequence[str]]) -> dict[str, Sequence[str]]:

@@ -5,15 +5,22 @@ from typing import Any
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, reference_clock_words, slave_words
-from esicatalog.errors import EsiCatalogError
+from esicatalog.errors import EsiCatalogError, InputError
 from esicatalog.scan.text import decode_text, is_utf16
-from esicatalog.sii.files import read_sii
+from esicatalog.sii.checksum import is_loaded
+from esicatalog.sii.decode import decode_sii
+from esicatalog.sii.errors import SiiImageError
+from esicatalog.sii.files import image_bytes
+from esicatalog.sii.image import SiiImage
+from esicatalog.sii.records import HEADER
 from esicatalog.sii.text import sheet_lines
 from esicatalog.web.http import Page, body_of
 from esicatalog.web.links import device_path
 from esicatalog.web.uploads import read_form, read_uploaded_scan
 
 _TEMPLATE = "scan.html"
+_NEITHER = "neither a scan nor an EEPROM image"
+_SHOWN = 100
 _NOTHING: dict[str, Any] = {"text": "", "buses": [], "findings": [], "sii": None, "problem": None}
 
 
@@ -22,12 +29,14 @@ async def scan_page(request: Any, catalog: Catalog) -> Page:
     if request.method != "POST":
         return Page(_TEMPLATE, dict(_NOTHING))
     form = await asyncio.to_thread(read_form, request.headers.get("content-type", ""), await body_of(request))
-    content = form.get("file") or form.get("scan", b"")
+    pasted = form.contents.get("scan", b"")
+    content = form.contents.get("file") or pasted
     try:
         return Page(_TEMPLATE, _NOTHING | await asyncio.to_thread(_answer, content, catalog))
     except EsiCatalogError as error:
-        shown = {"text": form.get("scan", b"").decode("utf-8", "replace"), "problem": str(error)}
-        return Page(_TEMPLATE, _NOTHING | shown, 400)
+        name = form.file_names.get("file")
+        problem = f"{name[:_SHOWN]}: {error}" if name else str(error)
+        return Page(_TEMPLATE, _NOTHING | {"text": decode_text(pasted), "problem": problem}, 400)
 
 
 def _answer(content: bytes, catalog: Catalog) -> dict[str, Any]:
@@ -44,11 +53,33 @@ def _answer(content: bytes, catalog: Catalog) -> dict[str, Any]:
 
 def _looks_like_image(content: bytes) -> bool:
     """Scans are text; an image holds zeros, or is Intel HEX."""
-    return not is_utf16(content) and (b"\0" in content or content.lstrip()[:1] == b":")
+    return not is_utf16(content) and (b"\0" in content or _is_intel_hex(content))
+
+
+def _is_intel_hex(content: bytes) -> bool:
+    return content.lstrip()[:1] == b":"
+
+
+def _read_image(content: bytes) -> SiiImage:
+    """An image that something speaks for: Intel HEX, the check sum of its header, or categories up to an end mark.
+
+    Raises :class:`InputError` for other bytes, and :class:`SiiImageError`.
+    """
+    data = image_bytes(content)
+    is_image = _is_intel_hex(content) or (len(data) >= HEADER.size and is_loaded(HEADER.read(data)))
+    try:
+        image = decode_sii(data)
+    except SiiImageError as error:
+        if is_image:
+            raise
+        raise InputError(f"{_NEITHER} ({error})") from error
+    if not (is_image or image.end_mark):
+        raise InputError(_NEITHER)
+    return image
 
 
 def _image(content: bytes, catalog: Catalog) -> dict[str, Any]:
-    image = read_sii(content)
+    image = _read_image(content)
     header = image.header
     answer = catalog.identify(header.vendor_id, header.product_code, header.revision_no)
     device = answer.device.device if answer.device is not None else None

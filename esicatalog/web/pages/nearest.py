@@ -1,0 +1,31 @@
+"""What pages say of an identity that is not described: the answer of identify, with links."""
+
+from collections.abc import Callable
+from typing import Any
+
+from esicatalog.api import Catalog
+from esicatalog.catalog.results import FoundDevice
+from esicatalog.errors import NotFound
+from esicatalog.identity import Identity
+
+
+def nearest(
+    catalog: Catalog, identity: Identity, error: NotFound, path: Callable[[FoundDevice], str]
+) -> dict[str, Any]:
+    """Why there is no description, and the nearest ones with the paths that lead on to them.
+
+    Where the product is described, yet not in this variant or not without revision, the error says it all: identify
+    knows of neither.
+    """
+    answer = catalog.identify(*identity[:3])
+    found = answer.device.device if answer.device is not None else None
+    beside_identify = found is not None and (identity.variant is not None or identity.without_revision)
+    others = "Other revisions" if found is not None else "Products of this vendor with the nearest codes"
+    return {
+        "problem": str(error),
+        "reason": "" if beside_identify else answer.reason,
+        "devices": [
+            (title, [(path(device), device) for device in devices])
+            for title, devices in (("Nearest", () if found is None else (found,)), (others, answer.candidates))
+        ],
+    }
