@@ -9,7 +9,7 @@ from esicatalog.export.choice import Choice, PdoChoice, parse_pdo_choice
 from esicatalog.export.configuration import INPUT, OUTPUT, Configuration, configure
 from esicatalog.export.headings import choice_lines
 from esicatalog.export.subject import Subject, choose_subject, subjects_of_document
-from esicatalog.identity import Identity
+from esicatalog.identity import Identity, ModuleChoice
 
 SMS = (
     '<Sm ControlByte="#x26">MBoxOut</Sm><Sm ControlByte="#x22">MBoxIn</Sm><Sm ControlByte="#x64">Outputs</Sm>'
@@ -295,7 +295,7 @@ def modular(data) -> Subject:
 
 def test_modules_are_plugged_and_their_axes_named(data):
     """data/two_axis_modular_drive.xml: CSV (0x10900) in slot 1 writes 0x6860 = 9 at PS."""
-    found = configure(modular(data), Choice(modules={1: 0x10900}))
+    found = configure(modular(data), Choice(modules={1: ModuleChoice(0x10900)}))
     names = [entry.identifier for sm in found.images(OUTPUT) for entry in sm.entries]
     assert names[0] == "controlword"
     assert "controlword_axis1" in names
@@ -309,7 +309,7 @@ def test_modules_are_plugged_and_their_axes_named(data):
 
 def test_a_module_that_does_not_fit(data):
     with pytest.raises(InputError, match="does not fit slot 1"):
-        configure(modular(data), Choice(modules={1: 0x1}))
+        configure(modular(data), Choice(modules={1: ModuleChoice(0x1)}))
 
 
 def test_cia402_names_need_evidence():
@@ -643,7 +643,7 @@ def test_module_idents_one_by_one_without_complete_access():
         '<Slot MinInstances="0" MaxInstances="3"><ModuleIdent>#x10</ModuleIdent></Slot></Slots>'
     )
     module = "<Module><Type ModuleIdent='#x10'>M</Type><Name>M</Name></Module>"
-    found = configured(SMS + slots, module, modules={1: 0x10})
+    found = configured(SMS + slots, module, modules={1: ModuleChoice(0x10)})
     assert [(c.transition, c.subindex, c.data.hex()) for c in found.commands] == [
         ("IP", 0, "00"),
         ("IP", 1, "00000000"),

@@ -15,10 +15,10 @@ from esicatalog.catalog.siblings import Revision, revisions_of, same_layout
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.identity import Identity
+from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
+from esicatalog.model.module_choice import chosen_modules
 from esicatalog.model.process_image import SmImage, plugged_process_image
-from esicatalog.model.slots import chosen_modules
 from esicatalog.model.sync import default_position
 
 _MOST_FINDINGS = 200
@@ -53,16 +53,16 @@ class DeviceDescription(NamedTuple):
     """How many descriptions of this identity there are."""
     findings: tuple[SourceFinding, ...]
 
-    def default_position(self, choice: Mapping[int, int]) -> int | None:
-        """Position of the OpMode that counts with these modules (ModuleIdent by slot) in place of the default ones.
+    def default_position(self, choice: Mapping[int, ModuleChoice]) -> int | None:
+        """Position of the OpMode that counts with these modules in place of the default ones.
 
         Raises :class:`InputError` for a choice that does not fit.
         """
         plugged = chosen_modules(self.device, self.modules, choice)
         return default_position(self.device.op_modes, [item.module for item in plugged])
 
-    def images(self, choice: Mapping[int, int]) -> list[SmImage]:
-        """Process images with these modules (ModuleIdent by slot) in place of the default ones.
+    def images(self, choice: Mapping[int, ModuleChoice]) -> list[SmImage]:
+        """Process images with these modules in place of the default ones.
 
         Raises :class:`InputError` for a choice that does not fit.
         """
@@ -138,7 +138,7 @@ def _in_lines() -> sa.ColumnElement[bool]:
     )
 
 
-def description_json(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
+def description_json(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
     """Identity, sources, process image, facts, drive modes, and the records of device and modules."""
     derived = derive(description.device, description.modules)
     images = description.images(choice) if choice else derived.images

@@ -116,7 +116,7 @@ IDENTITY = _Parsed("identity", parse_identity)
 MAPPED = _Parsed("index[:subindex]", parse_mapped)
 BOUNDS = _Parsed("amount", parse_bounds)
 MODES = _Parsed("modes", parse_modes)
-PLUGGED = _Parsed("slot=ident", parse_plugged)
+PLUGGED = _Parsed("slot=ident[/type]", parse_plugged)
 
 
 def read_bytes(path: Path) -> bytes:
