@@ -533,8 +533,14 @@ def test_a_reference_clock_behind_slaves_of_which_nothing_is_known(tmp_path):
     mode = "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
     db = catalog_of(tmp_path, esi(device(product="#x1") + device(mode, product="#x2")))
     done = run("identify", "--slaves", "-", db=db, stdin="vendor,product,revision\n0xe5c,1,1\n0xe5c,2,1\n")
-    words = "slave 1 is the first known to have distributed clocks; nothing is known of slave 0"
-    assert f"  reference clock  {words}" in done.stdout.splitlines()
+    words = "slave 1 is the first known to have distributed clocks"
+    silent = "of slave 0 its description says nothing of clocks"
+    assert f"  reference clock  {words}; {silent}" in done.stdout.splitlines()
+    listed = "vendor,product,revision\n0xe5c,1,1\n0xe5c,9,1\n0xe5c,1,1\n0xe5c,2,1\n"
+    done = run("identify", "--slaves", "-", db=db, stdin=listed)
+    words = "slave 3 is the first known to have distributed clocks; nothing is known of slave 1"
+    silent = "of slave 0, 2 their descriptions say nothing of clocks"
+    assert f"  reference clock  {words}; {silent}" in done.stdout.splitlines()
     excluded = mode.replace("<Dc>", '<Dc PotentialReferenceClock="0">')
     other = catalog_of(tmp_path / "other", esi(device(mode, product="#x1") + device(excluded, product="#x2")))
     done = run("identify", "--slaves", "-", db=other, stdin="vendor,product,revision\n0xe5c,2,1\n0xe5c,1,1\n")

@@ -129,7 +129,7 @@ def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[st
         ("physics", device.physics),
         ("E-bus", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
         ("profiles", ", ".join(profile_numbers(device)) or None),
-        ("clocks", clock_words(facts)),
+        ("clocks", clock_words(device, facts)),
         ("cycle", f"{facts.min_cycle_ns} ns at least" if facts.min_cycle_ns is not None else None),
         ("FSoE", fsoe_words(facts)),
     ]

@@ -186,7 +186,7 @@ def _facts(description: DeviceDescription, facts: DeviceFacts) -> list[tuple[str
         ("E-bus current", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
         ("mailbox", ", ".join(mailbox_protocols(mailbox)) or "none"),
         ("CoE", ", ".join(coe_details(mailbox))),
-        ("clocks", clock_words(facts)),
+        ("clocks", clock_words(device, facts)),
         ("smallest cycle", f"{facts.min_cycle_ns} ns" if facts.min_cycle_ns is not None else None),
         ("process data", _process_data_words(facts)),
         ("CheckRevisionNo", device.check_revision_no),
