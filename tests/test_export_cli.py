@@ -215,7 +215,9 @@ def test_a_slave_that_cannot_be_configured_is_left_out_of_the_header_of_its_bus_
 
 
 def test_choices_for_one_device_do_not_fit_a_bus(data_db):
-    assert "one device at a time" in error_line(run("igh", "--scan", "-", "--op-mode", "DC", db=data_db, stdin=BUS), 2)
+    for words in (("--op-mode", "DC"), ("--alias", 3), ("--position", 4)):
+        line = error_line(run("igh", "--scan", "-", *words, db=data_db, stdin=BUS), 2)
+        assert "one device" in line, words
 
 
 @pytest.mark.corpus
