@@ -369,6 +369,30 @@ def test_an_object_marked_overwritten_by_module_yields_to_the_module():
     ]
 
 
+@pytest.mark.parametrize(
+    ("mark", "bits", "outcome"),
+    [
+        (
+            'OverwrittenByModule="1"',
+            16,
+            "PDO 0x1600 is that of module 0x1 in slot 0: the device's own yields to it (OverwrittenByModule)",
+        ),
+        ("", 8, None),
+        ("", 16, "PDO 0x1600 is ambiguous: the device and module 0x1 in slot 0 describe it in different ways"),
+    ],
+)
+def test_a_pdo_that_device_and_module_describe(mark, bits, outcome):
+    own = pdo("RxPdo", "#x1600", 8, attributes=f'Sm="2" {mark}')
+    of_module = module(pdo("RxPdo", "#x1600", bits, attributes='Sm="2"'))
+    try:
+        found = configured(SMS + COE + own + ONE_SLOT, of_module, pdos=parse_pdo_choice("0x1600"))
+    except InputError as refused:
+        assert (str(refused), mark) == (outcome, "")
+        return
+    assert found.images(OUTPUT)[0].bit_size == bits
+    assert [remark for remark in found.remarks if "PDO 0x1600" in remark] == [outcome] * (outcome is not None)
+
+
 def test_a_type_name_means_the_type_of_its_own_dictionary():
     def named(base: str) -> str:
         return f"<DataType><Name>DT_MODE</Name><BaseType>{base}</BaseType><BitSize>8</BitSize></DataType>"
