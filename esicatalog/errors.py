@@ -34,4 +34,4 @@ class CatalogError(EsiCatalogError):
 
 
 class NotFound(EsiCatalogError):
-    """The catalog holds no such device or module."""
+    """The catalog, or the document that was given, holds no such device."""

@@ -129,12 +129,12 @@ def one_line(text: str) -> str:
     return " ".join(text.split())
 
 
-def parse_bounds(text: str) -> Bounds:
+def parse_bounds(text: str, what: str = "amount") -> Bounds:
     """An amount written ``<=8``, ``>=8`` or ``8``, in any notation, also negative. Raises :class:`InputError`."""
     match = _BOUNDS.fullmatch(text.strip())
     if match is None:
-        raise InputError("an amount is empty; write <=8, >=8 or 8")
-    value = parse_number(match[3], "amount") * (-1 if match[2] else 1)
+        raise InputError(f"{what} is empty; write <=8, >=8 or 8")
+    value = parse_number(match[3], what) * (-1 if match[2] else 1)
     return Bounds(None if match[1] == "<=" else value, None if match[1] == ">=" else value)
 
 

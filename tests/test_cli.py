@@ -246,6 +246,18 @@ def test_show_prints_a_sheet(data_db):
     assert sheet["identity"]["revision_no"] == 143
 
 
+def test_an_argument_that_cannot_be_read_is_told_with_its_option(data_db):
+    for words, says in (
+        (("devices", "--bytes-in", "abc"), "--bytes-in 'abc' is not a number"),
+        (("devices", "--bytes-out", ""), "--bytes-out is empty"),
+        (("devices", "--product", "abc"), "--product 'abc' is not a number"),
+        (("devices", "--maps", "x"), "--maps: index 'x' is not a number"),
+        (("show", "1:1", "--module", "1"), "--module: module '1' is not SLOT=IDENT"),
+        (("show", "1:x"), "product 'x' is not a number"),
+    ):
+        assert one_line_error(run(*words, db=data_db)).startswith(f"esicatalog: {says}"), words
+
+
 def test_show_of_an_unknown_device_is_exit_1(data_db):
     result = run("show", "0x1097:0x2407", db=data_db)
     assert result.exit_code == 1

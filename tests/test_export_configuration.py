@@ -3,7 +3,7 @@
 import pytest
 from snippets import device, dictionary, esi, pdo, read
 
-from esicatalog.errors import InputError
+from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.reader import read_esi
 from esicatalog.export.choice import Choice, PdoChoice, parse_pdo_choice
 from esicatalog.export.configuration import INPUT, OUTPUT, Configuration, configure
@@ -710,7 +710,7 @@ def test_subjects_of_a_document_are_chosen_by_identity():
     assert choose_subject(subjects, Identity(0xE5C, 1), "x.xml").revision_no == 2, "revision 3 is hidden"
     with pytest.raises(InputError, match="describes 4 devices; name one of: 0x00000e5c:0x00000001:0x00000001"):
         choose_subject(subjects, None, "x.xml")
-    with pytest.raises(InputError, match="does not describe"):
+    with pytest.raises(NotFound, match="does not describe"):
         choose_subject(subjects, Identity(0xE5C, 9), "x.xml")
 
 

@@ -528,6 +528,32 @@ def test_lists_of_a_slave_without_description_are_not_dropped_silently(data_db, 
     assert found["slave"]["differences"] == []
 
 
+@pytest.mark.parametrize(
+    ("option", "text", "place", "words"),
+    [
+        ("--pdos", PDOS, "9=", "is of slave 9, which the scan has not"),
+        ("--sdos", 'SDO 0x1000, "Device type"', "", "does not name its slave; write POSITION=FILE"),
+    ],
+)
+def test_a_list_of_no_slave_is_named_as_it_was_given(data_db, tmp_path, option, text, place, words):
+    (tmp_path / "slaves.csv").write_text("vendor,product,revision\n0xe5c,1,1\n0xe5c,2,1\n")
+    (tmp_path / "list.txt").write_text(text)
+    given = f"{place}{tmp_path / 'list.txt'}"
+    done = run("identify", "--slaves", str(tmp_path / "slaves.csv"), option, given, db=data_db)
+    assert (done.exit_code, done.stderr) == (2, f"esicatalog: {option} {given} {words}\n")
+
+
+def test_one_way_to_say_who(data_db):
+    for words, begins in (
+        (("1", "2", "--sii", "x"), "give only one of VENDOR PRODUCT"),
+        (("--eni", "x", "--sii", "x"), "give only one of VENDOR PRODUCT"),
+        ((), "say who: VENDOR PRODUCT"),
+        (("1",), "say who: VENDOR PRODUCT"),
+    ):
+        done = run("identify", *words, db=data_db)
+        assert (done.exit_code, done.stderr.startswith(f"esicatalog: {begins}")) == (2, True), words
+
+
 def test_a_reference_clock_behind_slaves_of_which_nothing_is_known(tmp_path):
     """A coupler's description says nothing of clocks, though it has one; a list of identities neither."""
     mode = "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"

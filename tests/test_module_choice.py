@@ -129,6 +129,17 @@ def test_commands_take_the_type(tmp_path):
     assert (refused.exit_code, "0x10 is ambiguous in slot 0" in refused.stderr) == (2, True)
 
 
+def test_slots_that_another_variant_describes(tmp_path):
+    """The description with more objects and PDO entries, modules included, would be the preferred one."""
+    many = pdo("RxPdo", "#x1600", *[8] * 20, attributes='Sm="0"')
+    db = catalog_of(tmp_path, esi(device(f"<Sm>Outputs</Sm>{many}")), esi(device(SLOT), module("#x10", "M", 8)))
+    words = ("--db", str(db), "--module", "0=0x10")
+    refused = CliRunner().invoke(cli, ["show", "0xe5c:1:1", *words])
+    expected = "esicatalog: variant 1 of the device has no slots; described with slots: @2\n"
+    assert (refused.exit_code, refused.stderr) == (2, expected)
+    assert CliRunner().invoke(cli, ["show", "0xe5c:1:1@2", *words]).exit_code == 0
+
+
 async def test_the_picker_sends_and_marks_the_plugged_module(tmp_path):
     web = await client(catalog_of(tmp_path, DOCUMENT))
 

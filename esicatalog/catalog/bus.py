@@ -182,14 +182,14 @@ def _differences(
 def _check_place(item: ScannedPdos | ScannedDictionary, scan: Scan) -> None:
     """Raise :class:`InputError` unless the list belongs to exactly one slave."""
     if len(scan.slaves) > 1 and item.position is None:
-        raise InputError("a list of PDOs or objects does not name its slave; write POSITION=FILE")
+        raise InputError(f"{item.origin} does not name its slave; write POSITION=FILE")
     found = sum(_belongs(item, slave) for slave in scan.slaves)
     if not found:
         of_master = f" of master {item.master}" if item.master is not None else ""
-        raise InputError(f"a list of PDOs or objects is of slave {item.position}{of_master}, which the scan has not")
+        raise InputError(f"{item.origin} is of slave {item.position}{of_master}, which the scan has not")
     if found > 1:
         raise InputError(
-            f"a list of PDOs or objects fits slave {item.position} of several buses; put the heading of its master "
+            f"{item.origin} fits slave {item.position} of several buses; put the heading of its master "
             f"before it (=== Master N, Slave {item.position} ===), or give the scan of one bus"
         )
 

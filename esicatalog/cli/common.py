@@ -93,7 +93,7 @@ def _discard_stdout() -> None:
 
 
 class _Parsed(click.ParamType[Any]):
-    """An argument that a parser of :mod:`esicatalog.identity` reads; its errors are one line."""
+    """An argument that a parser of :mod:`esicatalog.identity` reads; its errors are one line that names the option."""
 
     def __init__(self, name: str, parse: Callable[..., Any], takes_name: bool = False) -> None:
         """``takes_name``: the parser says in its errors what argument or option it reads."""
@@ -104,17 +104,18 @@ class _Parsed(click.ParamType[Any]):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if not isinstance(value, str):
             return value
+        option = f"{param.opts[0]}: " if isinstance(param, click.Option) else ""
         try:
             return self._parse(value, param.opts[0]) if self._takes_name and param is not None else self._parse(value)
         except EsiCatalogError as error:
-            click.echo(f"esicatalog: {error}", err=True)
+            click.echo(f"esicatalog: {'' if self._takes_name else option}{error}", err=True)
             sys.exit(EXIT_UNUSABLE)
 
 
 NUMBER = _Parsed("number", parse_number, takes_name=True)
 IDENTITY = _Parsed("identity", parse_identity)
 MAPPED = _Parsed("index[:subindex]", parse_mapped)
-BOUNDS = _Parsed("amount", parse_bounds)
+BOUNDS = _Parsed("amount", parse_bounds, takes_name=True)
 MODES = _Parsed("modes", parse_modes)
 PLUGGED = _Parsed("slot=ident[/type]", parse_plugged)
 

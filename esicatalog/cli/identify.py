@@ -75,8 +75,8 @@ def command(
         from esicatalog.cli.bus_sheet import bus_lines
         from esicatalog.scan.front import read_pdos, read_sdos
 
-        seen_pdos = _seen(pdos, lambda text: read_pdos(text).slaves)
-        seen_objects = _seen(sdos, lambda text: read_sdos(text).slaves)
+        seen_pdos = _seen("--pdos", pdos, lambda text: read_pdos(text).slaves)
+        seen_objects = _seen("--sdos", sdos, lambda text: read_sdos(text).slaves)
         with Catalog.open(db) as catalog:
             buses = catalog.identify_scan(scan, seen_pdos, seen_objects)
         if output_format == "json":
@@ -109,8 +109,11 @@ def _check_usage(
     vendor: int | None, product: int | None, slaves: Path | None, eni: Path | None, sii: Path | None, beside: bool
 ) -> None:
     doors = [vendor is not None, slaves is not None, eni is not None, sii is not None]
-    if sum(doors) != 1 or (vendor is not None and product is None):
-        raise InputError("say who: VENDOR PRODUCT [REVISION], --slaves FILE, --eni FILE or --sii FILE")
+    ways = "VENDOR PRODUCT [REVISION], --slaves FILE, --eni FILE or --sii FILE"
+    if sum(doors) > 1:
+        raise InputError(f"give only one of {ways}")
+    if not any(doors) or (vendor is not None and product is None):
+        raise InputError(f"say who: {ways}")
     if beside and slaves is None:
         raise InputError("--pdos and --sdos are compared with the slaves of a scan; give --slaves FILE too")
 
@@ -123,13 +126,15 @@ def _scan(slaves: Path | None, eni: Path | None) -> "Scan | None":
     return read_as(eni, read_eni) if eni is not None else None
 
 
-def _seen(texts: tuple[str, ...], read: "Callable[[str], Sequence[Seen]]") -> "list[Seen]":
+def _seen(option: str, texts: tuple[str, ...], read: "Callable[[str], Sequence[Seen]]") -> "list[Seen]":
     """Lists that a master printed, each at the ring position that the option names."""
     found: list[Seen] = []
     for text in texts:
         position, path = _placed(text)
-        seen = read_text_as(path, read)
-        found += [msgspec.structs.replace(item, position=position) if position is not None else item for item in seen]
+        place = {"position": position} if position is not None else {}
+        found += [
+            msgspec.structs.replace(item, origin=f"{option} {text}", **place) for item in read_text_as(path, read)
+        ]
     return found
 
 

@@ -20,7 +20,7 @@ from esicatalog.export.sii_remarks import WHY_MERGE, image_remarks
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
-from esicatalog.model.module_choice import chosen_modules, module_choices, module_labels
+from esicatalog.model.module_choice import module_choices, module_labels
 from esicatalog.model.pdo_facts import pdo_bits, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
@@ -287,7 +287,7 @@ def _value(cmd: InitCmd) -> str:
 
 def _slots(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> list[dict[str, Any]]:
     device, modules = description.device, description.modules
-    plugged = {item.slot_number: item.module for item in chosen_modules(device, modules, choice)}
+    plugged = {item.slot_number: item.module for item in description.plugged(choice)}
     words = dict(zip(map(id, modules), module_choices(modules), strict=True))
     return [
         {
