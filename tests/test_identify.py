@@ -543,6 +543,26 @@ def test_a_list_of_no_slave_is_named_as_it_was_given(data_db, tmp_path, option, 
     assert (done.exit_code, done.stderr) == (2, f"esicatalog: {option} {given} {words}\n")
 
 
+@pytest.mark.parametrize("format_words", [(), ("--format", "json")])
+def test_hexadecimal_digits_without_prefix_are_told(data_db, format_words):
+    """0x1097:0x2406 is the EYOU module; 1097 and 2406 are 0x449 and 0x966, of nobody."""
+    done = run("identify", "1097", "2406", *format_words, db=data_db)
+    assert (done.exit_code, done.stderr) == (
+        1,
+        "decimal 1097 2406 is unknown; 0x1097 0x2406 would be EYOU_ServoModule_V143\n",
+    )
+    for known in (("0x1097", "0x2406"), ("4247", "9222"), ("9", "9"), ("4294967295", "1")):
+        assert "decimal" not in run("identify", *known, db=data_db).stderr
+
+
+def test_a_master_configuration_is_no_scan(data_db, tmp_path):
+    (tmp_path / "bus.xml").write_text('<?xml version="1.0"?>\n<EtherCATConfig Version="1.3"><Config/></EtherCATConfig>')
+    for words in (("identify", "--slaves"), ("export", "igh", "--scan")):
+        done = run(*words, str(tmp_path / "bus.xml"), db=data_db)
+        assert (done.exit_code, "this is an ENI file" in done.stderr) == (2, True)
+        assert "identify --eni" in done.stderr
+
+
 def test_one_way_to_say_who(data_db):
     for words, begins in (
         (("1", "2", "--sii", "x"), "give only one of VENDOR PRODUCT"),

@@ -3,6 +3,7 @@
 import csv
 import functools
 import os
+import shlex
 import signal
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -13,7 +14,15 @@ import click
 
 from esicatalog.catalog.results import json_bytes
 from esicatalog.errors import DocumentError, EsiCatalogError, InputError, NotFound
-from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_modes, parse_number, parse_plugged
+from esicatalog.identity import (
+    Identity,
+    parse_bounds,
+    parse_identity,
+    parse_mapped,
+    parse_modes,
+    parse_number,
+    parse_plugged,
+)
 
 EXIT_NO = 1
 """The answer is "no": not found, failed documents, problems."""
@@ -112,8 +121,18 @@ class _Parsed(click.ParamType[Any]):
             sys.exit(EXIT_UNUSABLE)
 
 
+def _identity(text: str) -> Identity:
+    """An identity; what cannot be one is taken for a name that was meant."""
+    try:
+        return parse_identity(text)
+    except InputError as error:
+        if ":" in text:
+            raise
+        raise InputError(f"{error}; to find one: esicatalog devices --text {shlex.quote(text)}") from error
+
+
 NUMBER = _Parsed("number", parse_number, takes_name=True)
-IDENTITY = _Parsed("identity", parse_identity)
+IDENTITY = _Parsed("identity", _identity)
 MAPPED = _Parsed("index[:subindex]", parse_mapped)
 BOUNDS = _Parsed("amount", parse_bounds, takes_name=True)
 MODES = _Parsed("modes", parse_modes)

@@ -19,11 +19,12 @@ from esicatalog.cli.common import (
     table_lines,
 )
 from esicatalog.errors import InputError
-from esicatalog.identity import parse_number
+from esicatalog.identity import UINT32_MAX, parse_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from esicatalog.api import Catalog
     from esicatalog.catalog.results import Identification
     from esicatalog.scan.records import Scan
 
@@ -97,12 +98,28 @@ def command(
         beside = {"image": {"findings": findings}}
     with Catalog.open(db) as catalog:
         answer = catalog.identify(*identity)
+        hint = _hexadecimal_hint(catalog, answer) if sii is None else None
     if output_format == "json":
         print_json(answer.as_json() | beside)
     else:
         _print_answer(answer, findings)
+    if hint is not None:
+        click.echo(hint, err=True)
     if answer.device is None:
         sys.exit(EXIT_NO)
+
+
+def _hexadecimal_hint(catalog: "Catalog", answer: "Identification") -> str | None:
+    """What is known by the digits that an unknown identity has in decimal, read as hexadecimal ones."""
+    asked = (answer.vendor_id, answer.product_code)
+    vendor_id, product_code = (int(str(number), 16) for number in asked)
+    if answer.device is not None or max(vendor_id, product_code) > UINT32_MAX:
+        return None
+    found = catalog.identify(vendor_id, product_code).device
+    if found is None:
+        return None
+    read, meant = " ".join(map(str, asked)), f"0x{vendor_id:x} 0x{product_code:x}"
+    return f"decimal {read} is unknown; {meant} would be {found.device.type or 'known'}"
 
 
 def _check_usage(
