@@ -34,7 +34,10 @@ class CatalogError(EsiCatalogError):
 
 
 class NotFound(EsiCatalogError):
-    """The catalog holds no such device or module; ``hint`` is a command that tells more, for who is at a shell."""
+    """The catalog, or the document that was given, holds no such device or module.
+
+    ``hint`` is a command that tells more, for who is at a shell.
+    """
 
     def __init__(self, message: str, hint: str | None = None) -> None:
         super().__init__(message)

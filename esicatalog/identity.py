@@ -35,6 +35,19 @@ class Identity(NamedTuple):
         return f"0x{self.vendor_id:08x}:0x{self.product_code:08x}{revision}{variant}"
 
 
+class ModuleChoice(NamedTuple):
+    """A module by its ModuleIdent, and by its label where several modules share the ident.
+
+    The label is the Type of the module; ``TYPE#1``, ``TYPE#2`` where modules share that too.
+    """
+
+    module_ident: int
+    label: str | None = None
+
+    def __str__(self) -> str:
+        return f"0x{self.module_ident:X}" + (f"/{self.label}" if self.label is not None else "")
+
+
 class Bounds(NamedTuple):
     """Smallest and largest number that counts, None = open."""
 
@@ -100,20 +113,28 @@ def parse_subindex(text: str) -> int:
     return value
 
 
-def parse_plugged(text: str) -> tuple[int, int]:
-    """A module in a slot written ``SLOT=IDENT``. Raises :class:`InputError`."""
-    slot, equals, ident = text.partition("=")
-    if not equals:
-        raise InputError(f"module {text!r} is not SLOT=IDENT, e.g. 0=0x119800")
-    return parse_number(slot, "slot", 0xFFFF), parse_number(ident, "module ident")
+def parse_plugged(text: str) -> tuple[int, ModuleChoice]:
+    """A module in a slot written ``SLOT=IDENT`` or ``SLOT=IDENT/TYPE``. Raises :class:`InputError`."""
+    slot, equals, module = text.partition("=")
+    ident, slash, label = module.partition("/")
+    label = one_line(label)
+    if not equals or (slash and not label):
+        raise InputError(f"module {text[:_SHOWN]!r} is not SLOT=IDENT[/TYPE], e.g. 0=0x119800")
+    number = parse_number(slot, "slot", 0xFFFF)
+    return number, ModuleChoice(parse_number(ident, "module ident"), label if slash else None)
 
 
-def parse_bounds(text: str) -> Bounds:
+def one_line(text: str) -> str:
+    """A text with single blanks between its words, as people type it."""
+    return " ".join(text.split())
+
+
+def parse_bounds(text: str, what: str = "amount") -> Bounds:
     """An amount written ``<=8``, ``>=8`` or ``8``, in any notation, also negative. Raises :class:`InputError`."""
     match = _BOUNDS.fullmatch(text.strip())
     if match is None:
-        raise InputError("an amount is empty; write <=8, >=8 or 8")
-    value = parse_number(match[3], "amount") * (-1 if match[2] else 1)
+        raise InputError(f"{what} is empty; write <=8, >=8 or 8")
+    value = parse_number(match[3], what) * (-1 if match[2] else 1)
     return Bounds(None if match[1] == "<=" else value, None if match[1] == ">=" else value)
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TypeVar
 
 import pytest
+from hypothesis import settings
 from postgres_cluster import Cluster, NoServer, running_cluster
 
 from esicatalog import Catalog
@@ -22,6 +23,9 @@ SAMPLE_ARCHIVES = ("hpmicro+hpm_sdk.zip", "AIMEtherCAT+EcatV2_AX58100_H750_Unive
 
 # Looking for cycles as often as Python does takes a tenth of the time of all tests.
 gc.set_threshold(20_000, 20, 10)
+
+settings.register_profile("on any machine", deadline=None)
+settings.load_profile("on any machine")
 
 
 @pytest.fixture(scope="session")

@@ -109,7 +109,8 @@ def test_malformed_input_is_one_line_and_exit_2(data_db, words):
         (("devices", "--foo"), "no such option '--foo'", "esicatalog devices"),
         (("devices", "--sync", "x"), "'x' is not one of 'sync0', 'sync1'", "esicatalog devices"),
         (("devices", "--limit", "-1"), "-1 is not in the range", "esicatalog devices"),
-        (("check", "--db"), "option '--db' requires an argument", "esicatalog"),
+        (("check", "--db"), "option '--db' requires an argument", "esicatalog check"),
+        (("export", "igh", "--pdo"), "option '--pdo' requires an argument", "esicatalog export igh"),
         (("ingest",), "missing argument", "esicatalog ingest"),
         (("ingest", "x", "--format", "xml"), "'xml' is not one of 'table', 'json'", "esicatalog ingest"),
         (("serve", "--port", "x"), "'x' is not a valid integer", "esicatalog serve"),
@@ -244,6 +245,28 @@ def test_show_prints_a_sheet(data_db):
     assert "0x00001097" in text
     sheet = json.loads(run("show", "0x1097:0x2406", "--format", "json", db=data_db).stdout)
     assert sheet["identity"]["revision_no"] == 143
+
+
+def test_an_argument_that_cannot_be_read_is_told_with_its_option(data_db):
+    for words, says in (
+        (("devices", "--bytes-in", "abc"), "--bytes-in 'abc' is not a number"),
+        (("devices", "--bytes-out", ""), "--bytes-out is empty"),
+        (("devices", "--product", "abc"), "--product 'abc' is not a number"),
+        (("devices", "--maps", "x"), "--maps: index 'x' is not a number"),
+        (("show", "1:1", "--module", "1"), "--module: module '1' is not SLOT=IDENT"),
+        (("show", "1:x"), "product 'x' is not a number"),
+    ):
+        assert one_line_error(run(*words, db=data_db)).startswith(f"esicatalog: {says}"), words
+
+
+def test_one_device_is_no_devices(data_db):
+    assert run("devices", "--text", "L6N", "--limit", 1, db=data_db).stderr == "1 device\n"
+
+
+@pytest.mark.parametrize("words", [("show",), ("diff",), ("export", "igh"), ("devices", "--like")])
+def test_a_name_in_place_of_an_identity_is_answered_with_how_to_find_it(data_db, words):
+    line = one_line_error(run(*words, "EL2008 x", db=data_db))
+    assert line.endswith("; to find one: esicatalog devices --text 'EL2008 x'")
 
 
 def test_show_of_an_unknown_device_is_exit_1(data_db):

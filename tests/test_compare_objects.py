@@ -26,6 +26,14 @@ def single(
 RW, RO = "<Access>rw</Access>", "<Access>ro</Access>"
 
 
+def test_unit_types_of_a_dictionary_do_not_count():
+    """They are names of units; what an entry's unit becomes is told with the entry."""
+    unit = "<UnitTypes><UnitType><Index>#x01</Index></UnitType></UnitTypes>"
+    plain = objects(single("#x2000"))
+    (only,) = told(plain, plain.replace("<Dictionary>", f"<Dictionary>{unit}"))
+    assert (only[0], only[-1]) == ("unit types", False)
+
+
 def test_objects_are_matched_by_index_wherever_they_stand():
     first, second, third = single("#x2000"), single("#x2001"), single("#x2002")
     assert told(objects(first, second, third), objects(third, first, second)) == []

@@ -81,15 +81,21 @@ def test_what_is_not_there(data_db, tmp_path):
     assert "vendor 0x00000009" in error_line(run("igh", "9:9:9", "--accept-revision", db=data_db), 1)
 
 
+def test_a_device_that_the_file_lacks_is_exit_1(data):
+    for identity in ("0x1:0x2", "0x4321:0xe2:7"):
+        assert "does not describe" in error_line(run("ros2", "--esi", data / "l6n_drive.xml", identity), 1)
+
+
 def test_wrong_usage_is_one_line(data, data_db, tmp_path):
     drive = data / "l6n_drive.xml"
     not_esi = write(tmp_path, {"eni.xml": "<EtherCATConfig/>"}) / "eni.xml"
     for words, message in (
         (("igh",), "say which device"),
         (("igh", "--esi", tmp_path / "missing.xml"), "no such file"),
-        (("igh", "--esi", not_esi), "EtherCATConfig"),
+        (("igh", "--esi", not_esi), f"{not_esi}: an ENI file (EtherCATConfig"),
+        (("esi", "--esi", data / "README.md"), f"{data / 'README.md'}: no XML document"),
+        (("igh", "--esi", tmp_path), f"{tmp_path}: is a folder; give an ESI file"),
         (("igh", "--esi", data / "io_terminal_8di_8do.xml"), "describes 2 devices; name one of"),
-        (("igh", "0x1:0x2", "--esi", drive), "does not describe"),
         (("igh", "--esi", drive, "--pdo", "0x1600,0x1601"), "exclude each other"),
         (("igh", "--esi", drive, "--pdo", "x"), "is not a number"),
         (("igh", "--esi", drive, "--op-mode", "none"), "does not exist"),
@@ -215,7 +221,9 @@ def test_a_slave_that_cannot_be_configured_is_left_out_of_the_header_of_its_bus_
 
 
 def test_choices_for_one_device_do_not_fit_a_bus(data_db):
-    assert "one device at a time" in error_line(run("igh", "--scan", "-", "--op-mode", "DC", db=data_db, stdin=BUS), 2)
+    for words in (("--op-mode", "DC"), ("--alias", 3), ("--position", 4)):
+        line = error_line(run("igh", "--scan", "-", *words, db=data_db, stdin=BUS), 2)
+        assert "one device" in line, words
 
 
 @pytest.mark.corpus

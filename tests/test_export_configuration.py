@@ -5,13 +5,13 @@ import re
 import pytest
 from snippets import device, dictionary, esi, pdo, read
 
-from esicatalog.errors import InputError
+from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.reader import read_esi
 from esicatalog.export.choice import Choice, PdoChoice, parse_pdo_choice
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.headings import choice_lines
 from esicatalog.export.subject import Subject, choose_subject, subjects_of_document
-from esicatalog.identity import Identity
+from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 
 SMS = (
@@ -298,7 +298,7 @@ def modular(data) -> Subject:
 
 def test_modules_are_plugged_and_their_axes_named(data):
     """data/two_axis_modular_drive.xml: CSV (0x10900) in slot 1 writes 0x6860 = 9 at PS."""
-    found = configure(modular(data), Choice(modules={1: 0x10900}))
+    found = configure(modular(data), Choice(modules={1: ModuleChoice(0x10900)}))
     names = [entry.identifier for sm in found.images(OUTPUT) for entry in sm.entries]
     assert names[0] == "controlword"
     assert "controlword_axis1" in names
@@ -312,7 +312,7 @@ def test_modules_are_plugged_and_their_axes_named(data):
 
 def test_a_module_that_does_not_fit(data):
     with pytest.raises(InputError, match="does not fit slot 1"):
-        configure(modular(data), Choice(modules={1: 0x1}))
+        configure(modular(data), Choice(modules={1: ModuleChoice(0x1)}))
 
 
 def test_cia402_names_need_evidence():
@@ -370,6 +370,30 @@ def test_an_object_marked_overwritten_by_module_yields_to_the_module():
         (0x2000, 16, "uint"),
         (0x2001, 16, "uint"),
     ]
+
+
+@pytest.mark.parametrize(
+    ("mark", "bits", "outcome"),
+    [
+        (
+            'OverwrittenByModule="1"',
+            16,
+            "PDO 0x1600 is that of module 0x1 in slot 0: the device's own yields to it (OverwrittenByModule)",
+        ),
+        ("", 8, None),
+        ("", 16, "PDO 0x1600 is ambiguous: the device and module 0x1 in slot 0 describe it in different ways"),
+    ],
+)
+def test_a_pdo_that_device_and_module_describe(mark, bits, outcome):
+    own = pdo("RxPdo", "#x1600", 8, attributes=f'Sm="2" {mark}')
+    of_module = module(pdo("RxPdo", "#x1600", bits, attributes='Sm="2"'))
+    try:
+        found = configured(SMS + COE + own + ONE_SLOT, of_module, pdos=parse_pdo_choice("0x1600"))
+    except InputError as refused:
+        assert (str(refused), mark) == (outcome, "")
+        return
+    assert found.images(OUTPUT)[0].bit_size == bits
+    assert [remark for remark in found.remarks if "PDO 0x1600" in remark] == [outcome] * (outcome is not None)
 
 
 def test_a_type_name_means_the_type_of_its_own_dictionary():
@@ -704,7 +728,7 @@ def test_module_idents_one_by_one_without_complete_access():
         '<Slot MinInstances="0" MaxInstances="3"><ModuleIdent>#x10</ModuleIdent></Slot></Slots>'
     )
     module = "<Module><Type ModuleIdent='#x10'>M</Type><Name>M</Name></Module>"
-    found = configured(SMS + slots, module, modules={1: 0x10})
+    found = configured(SMS + slots, module, modules={1: ModuleChoice(0x10)})
     assert [(c.transition, c.subindex, c.data.hex()) for c in found.commands] == [
         ("IP", 0, "00"),
         ("IP", 1, "00000000"),
@@ -747,7 +771,7 @@ def test_subjects_of_a_document_are_chosen_by_identity():
     assert choose_subject(subjects, Identity(0xE5C, 1), "x.xml").revision_no == 2, "revision 3 is hidden"
     with pytest.raises(InputError, match="describes 4 devices; name one of: 0x00000e5c:0x00000001:0x00000001"):
         choose_subject(subjects, None, "x.xml")
-    with pytest.raises(InputError, match="does not describe"):
+    with pytest.raises(NotFound, match="does not describe"):
         choose_subject(subjects, Identity(0xE5C, 9), "x.xml")
 
 

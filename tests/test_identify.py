@@ -427,12 +427,12 @@ def test_the_patterns_of_openapi_are_what_the_filters_take(name):
     pattern = PATTERNS[name].removeprefix("^").removesuffix("$")
 
     @given(st.from_regex(pattern, fullmatch=True))
-    @settings(max_examples=200, deadline=None)
+    @settings(max_examples=60)
     def is_taken_when_made_from_it(text):
         assert is_taken(name, text)
 
     @given(SPELLINGS)
-    @settings(max_examples=400, deadline=None)
+    @settings(max_examples=150)
     def is_taken_if_it_has_it(text):
         assert is_taken(name, text) == bool(re.fullmatch(pattern, text))
 
@@ -648,13 +648,65 @@ def test_lists_of_a_slave_without_description_are_not_dropped_silently(data_db, 
     assert found["slave"]["differences"] == []
 
 
+@pytest.mark.parametrize(
+    ("option", "text", "place", "words"),
+    [
+        ("--pdos", PDOS, "9=", "is of slave 9, which the scan has not"),
+        ("--sdos", 'SDO 0x1000, "Device type"', "", "does not name its slave; write POSITION=FILE"),
+    ],
+)
+def test_a_list_of_no_slave_is_named_as_it_was_given(data_db, tmp_path, option, text, place, words):
+    (tmp_path / "slaves.csv").write_text("vendor,product,revision\n0xe5c,1,1\n0xe5c,2,1\n")
+    (tmp_path / "list.txt").write_text(text)
+    given = f"{place}{tmp_path / 'list.txt'}"
+    done = run("identify", "--slaves", str(tmp_path / "slaves.csv"), option, given, db=data_db)
+    assert (done.exit_code, done.stderr) == (2, f"esicatalog: {option} {given} {words}\n")
+
+
+@pytest.mark.parametrize("format_words", [(), ("--format", "json")])
+def test_hexadecimal_digits_without_prefix_are_told(data_db, format_words):
+    """0x1097:0x2406 is the EYOU module; 1097 and 2406 are 0x449 and 0x966, of nobody."""
+    done = run("identify", "1097", "2406", *format_words, db=data_db)
+    assert (done.exit_code, done.stderr) == (
+        1,
+        "decimal 1097 2406 is unknown; 0x1097 0x2406 would be EYOU_ServoModule_V143\n",
+    )
+    for known in (("0x1097", "0x2406"), ("4247", "9222"), ("9", "9"), ("4294967295", "1")):
+        assert "decimal" not in run("identify", *known, db=data_db).stderr
+
+
+def test_a_master_configuration_is_no_scan(data_db, tmp_path):
+    (tmp_path / "bus.xml").write_text('<?xml version="1.0"?>\n<EtherCATConfig Version="1.3"><Config/></EtherCATConfig>')
+    for words in (("identify", "--slaves"), ("export", "igh", "--scan")):
+        done = run(*words, str(tmp_path / "bus.xml"), db=data_db)
+        assert (done.exit_code, "this is an ENI file" in done.stderr) == (2, True)
+        assert "identify --eni" in done.stderr
+
+
+def test_one_way_to_say_who(data_db):
+    for words, begins in (
+        (("1", "2", "--sii", "x"), "give only one of VENDOR PRODUCT"),
+        (("--eni", "x", "--sii", "x"), "give only one of VENDOR PRODUCT"),
+        ((), "say who: VENDOR PRODUCT"),
+        (("1",), "say who: VENDOR PRODUCT"),
+    ):
+        done = run("identify", *words, db=data_db)
+        assert (done.exit_code, done.stderr.startswith(f"esicatalog: {begins}")) == (2, True), words
+
+
 def test_a_reference_clock_behind_slaves_of_which_nothing_is_known(tmp_path):
     """A coupler's description says nothing of clocks, though it has one; a list of identities neither."""
     mode = "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
     db = catalog_of(tmp_path, esi(device(product="#x1") + device(mode, product="#x2")))
     done = run("identify", "--slaves", "-", db=db, stdin="vendor,product,revision\n0xe5c,1,1\n0xe5c,2,1\n")
-    words = "slave 1 is the first known to have distributed clocks; nothing is known of slave 0"
-    assert f"  reference clock  {words}" in done.stdout.splitlines()
+    words = "slave 1 is the first known to have distributed clocks"
+    silent = "of slave 0 its description says nothing of clocks"
+    assert f"  reference clock  {words}; {silent}" in done.stdout.splitlines()
+    listed = "vendor,product,revision\n0xe5c,1,1\n0xe5c,9,1\n0xe5c,1,1\n0xe5c,2,1\n"
+    done = run("identify", "--slaves", "-", db=db, stdin=listed)
+    words = "slave 3 is the first known to have distributed clocks; nothing is known of slave 1"
+    silent = "of slave 0, 2 their descriptions say nothing of clocks"
+    assert f"  reference clock  {words}; {silent}" in done.stdout.splitlines()
     excluded = mode.replace("<Dc>", '<Dc PotentialReferenceClock="0">')
     other = catalog_of(tmp_path / "other", esi(device(mode, product="#x1") + device(excluded, product="#x2")))
     done = run("identify", "--slaves", "-", db=other, stdin="vendor,product,revision\n0xe5c,2,1\n0xe5c,1,1\n")

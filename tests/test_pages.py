@@ -298,7 +298,7 @@ async def test_json_of_a_variant_that_is_not_there_says_so(data_db):
     answer = await (await client(data_db)).get(f"{EYOU}@9.json")
     assert (answer.status_code, answer.json()) == (
         404,
-        {"error": "0x00001097:0x00002406:0x0000008f@9 has no variant 9"},
+        {"error": "0x00001097:0x00002406:0x0000008f has no variant 9; it has one description only"},
     )
 
 

@@ -77,7 +77,7 @@ def test_empty_text(text):
         read_scan(text)
 
 
-@pytest.mark.parametrize("text", ["hello", "Master0\n  Phase: Idle\n", "[{}]", "<EtherCATConfig/>", "\udc80\n\x00"])
+@pytest.mark.parametrize("text", ["hello", "Master0\n  Phase: Idle\n", "[{}]", "<EtherCATInfo/>", "\udc80\n\x00"])
 def test_unrecognised_text(text):
     with pytest.raises(ScanError) as caught:
         read_scan(text)

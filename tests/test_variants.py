@@ -136,7 +136,7 @@ async def test_a_description_without_revision_is_found_beside_one_with(tmp_path)
             offered = {kind for kind in ("esi", "igh", "sii") if f"/export/{kind}" in response.text}
             assert offered == ({"esi", "igh", "sii"} if found.type == "numbered" else {"esi"})
         assert catalog.device("0xe5c:5").found.type == "numbered"
-        with pytest.raises(NotFound, match="has no variant 3"):
+        with pytest.raises(NotFound, match="has no variant 3; its variants are @1 to @2"):
             catalog.device("0xe5c:5:-@3")
 
 

@@ -76,15 +76,22 @@ def alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:
     return "; ".join(f"{alias}: {slave_words(positions)}" for alias, positions in duplicates.items())
 
 
-def reference_clock_words(summary: BusSummary) -> str:
-    """Which slave can be the reference clock, and of which ones before it nothing is known."""
-    clock, unknown = summary.reference_clock_candidate, slave_words(summary.clock_unknown_at)
+def reference_clock_words(bus: BusReport) -> str:
+    """Which slave can be the reference clock, and of which ones before it nothing is known or described."""
+    clock, unknown = bus.summary.reference_clock_candidate, bus.summary.clock_unknown_at
     if not unknown:
         return f"slave {clock} is the first that can be it" if clock is not None else "no candidate"
     known = (
         f"slave {clock} is the first known to have distributed clocks" if clock is not None else "no candidate known"
     )
-    return f"{known}; nothing is known of {unknown}"
+    described = {item.slave.position for item in bus.slaves if item.identification.device is not None}
+    silent = [position for position in unknown if position in described]
+    says = "its description says" if len(silent) == 1 else "their descriptions say"
+    words = {
+        "nothing is known of {}": [position for position in unknown if position not in described],
+        f"of {{}} {says} nothing of clocks": silent,
+    }
+    return "; ".join([known, *(text.format(slave_words(at)) for text, at in words.items() if at)])
 
 
 Records = Callable[[FoundDevice], tuple[Device, Sequence[Module]]]
@@ -185,14 +192,14 @@ def _differences(
 def _check_place(item: ScannedPdos | ScannedDictionary, scan: Scan) -> None:
     """Raise :class:`InputError` unless the list belongs to exactly one slave."""
     if len(scan.slaves) > 1 and item.position is None:
-        raise InputError("a list of PDOs or objects does not name its slave; write POSITION=FILE")
+        raise InputError(f"{item.origin} does not name its slave; write POSITION=FILE")
     found = sum(_belongs(item, slave) for slave in scan.slaves)
     if not found:
         of_master = f" of master {item.master}" if item.master is not None else ""
-        raise InputError(f"a list of PDOs or objects is of slave {item.position}{of_master}, which the scan has not")
+        raise InputError(f"{item.origin} is of slave {item.position}{of_master}, which the scan has not")
     if found > 1:
         raise InputError(
-            f"a list of PDOs or objects fits slave {item.position} of several buses; put the heading of its master "
+            f"{item.origin} fits slave {item.position} of several buses; put the heading of its master "
             f"before it (=== Master N, Slave {item.position} ===), or give the scan of one bus"
         )
 

@@ -7,18 +7,20 @@ import msgspec
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
-from esicatalog.catalog.devices import find_device
+from esicatalog.catalog.devices import find_device, variants_with_slots
 from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.results import DeviceSource, FoundDevice
 from esicatalog.catalog.siblings import Revision, revisions_of, same_layout
+from esicatalog.errors import InputError
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.identity import Identity
+from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
+from esicatalog.model.module_choice import chosen_modules
 from esicatalog.model.process_image import SmImage, plugged_process_image
-from esicatalog.model.slots import chosen_modules
+from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sync import default_position
 
 _MOST_FINDINGS = 200
@@ -52,38 +54,47 @@ class DeviceDescription(NamedTuple):
     variant_count: int
     """How many descriptions of this identity there are."""
     findings: tuple[SourceFinding, ...]
+    variants_with_slots: tuple[int, ...] = ()
+    """Where this description has no slots: its other variants that have."""
 
-    def default_position(self, choice: Mapping[int, int]) -> int | None:
-        """Position of the OpMode that counts with these modules (ModuleIdent by slot) in place of the default ones.
+    def plugged(self, choice: Mapping[int, ModuleChoice]) -> list[PluggedModule]:
+        """The default modules with these in their place. Raises :class:`InputError` for a choice that does not fit."""
+        if choice and self.variants_with_slots:
+            others = ", ".join(f"@{variant}" for variant in self.variants_with_slots)
+            raise InputError(f"variant {self.found.variant} of the device has no slots; described with slots: {others}")
+        return chosen_modules(self.device, self.modules, choice)
+
+    def default_position(self, choice: Mapping[int, ModuleChoice]) -> int | None:
+        """Position of the OpMode that counts with these modules in place of the default ones.
 
         Raises :class:`InputError` for a choice that does not fit.
         """
-        plugged = chosen_modules(self.device, self.modules, choice)
-        return default_position(self.device.op_modes, [item.module for item in plugged])
+        return default_position(self.device.op_modes, [item.module for item in self.plugged(choice)])
 
-    def images(self, choice: Mapping[int, int]) -> list[SmImage]:
-        """Process images with these modules (ModuleIdent by slot) in place of the default ones.
+    def images(self, choice: Mapping[int, ModuleChoice]) -> list[SmImage]:
+        """Process images with these modules in place of the default ones.
 
         Raises :class:`InputError` for a choice that does not fit.
         """
-        plugged = chosen_modules(self.device, self.modules, choice)
-        return plugged_process_image(self.device, plugged)
+        return plugged_process_image(self.device, self.plugged(choice))
 
 
 def read_description(connection: sa.Connection, lookup: IdentityLookup, identity: Identity) -> DeviceDescription:
     """Read a description in a number of queries that does not depend on its size. Raises :class:`NotFound`."""
     number, found, variant_count = find_device(connection, identity)
     reader = RecordReader(connection)
+    device = reader.device(number)
     return DeviceDescription(
         number,
         found,
         lookup.sources(number),
-        reader.device(number),
+        device,
         tuple(reader.modules_of(number)),
         revisions_of(connection, number, found),
         same_layout(connection, number),
         variant_count,
         _findings(connection, number),
+        variants_with_slots(connection, found) if variant_count > 1 and not device.slots else (),
     )
 
 
@@ -138,7 +149,7 @@ def _in_lines() -> sa.ColumnElement[bool]:
     )
 
 
-def description_json(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
+def description_json(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
     """Identity, sources, process image, facts, drive modes, and the records of device and modules."""
     derived = derive(description.device, description.modules)
     images = description.images(choice) if choice else derived.images

@@ -6,7 +6,7 @@ from typing import Any
 import sqlalchemy as sa
 
 from esicatalog.catalog.results import FoundDevice
-from esicatalog.catalog.schema import devices, vendors
+from esicatalog.catalog.schema import devices, slots, vendors
 from esicatalog.errors import NotFound
 from esicatalog.identity import Identity
 
@@ -65,7 +65,20 @@ def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, Fou
     for row in variants:
         if row.variant == wanted:
             return row.id, summary(row), len(variants)
-    raise NotFound(f"{identity} has no variant {wanted}")
+    last = f"its variants are @1 to @{len(variants)}" if len(variants) > 1 else "it has one description only"
+    raise NotFound(f"{identity._replace(variant=None)} has no variant {wanted}; {last}")
+
+
+def variants_with_slots(connection: sa.Connection, found: FoundDevice) -> tuple[int, ...]:
+    """The variants of the identity of a device that describe slots."""
+    described = sa.exists().where(slots.c.device_id == devices.c.id)
+    identity = (
+        devices.c.vendor_id.is_not_distinct_from(found.vendor_id),
+        devices.c.product_code.is_not_distinct_from(found.product_code),
+        devices.c.revision_no.is_not_distinct_from(found.revision_no),
+    )
+    query = sa.select(devices.c.variant).where(*identity, described).order_by(devices.c.variant)
+    return tuple(connection.execute(query).scalars())
 
 
 def device_of_row(connection: sa.Connection, number: int) -> FoundDevice:

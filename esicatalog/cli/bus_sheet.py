@@ -72,7 +72,7 @@ def _summary(bus: BusReport) -> Iterator[str]:
         ("slaves", f"{len(bus.slaves)}, {known} with exact ESI"),
         ("without", slave_words(bus.not_exact_at)),
         ("process data", f"{summary.output_bytes} bytes out, {summary.input_bytes} bytes in{unknown}"),
-        ("reference clock", reference_clock_words(summary)),
+        ("reference clock", reference_clock_words(bus)),
         ("no LRW", slave_words(summary.no_lrw_at)),
         ("E-bus exceeded", slave_words(summary.e_bus_exceeded_at)),
         ("E-bus unknown", slave_words(summary.e_bus_unknown_at)),

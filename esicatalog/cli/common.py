@@ -3,6 +3,7 @@
 import csv
 import functools
 import os
+import shlex
 import signal
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -13,7 +14,15 @@ import click
 
 from esicatalog.catalog.results import json_bytes
 from esicatalog.errors import DocumentError, EsiCatalogError, InputError, NotFound
-from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_modes, parse_number, parse_plugged
+from esicatalog.identity import (
+    Identity,
+    parse_bounds,
+    parse_identity,
+    parse_mapped,
+    parse_modes,
+    parse_number,
+    parse_plugged,
+)
 
 EXIT_NO = 1
 """The answer is "no": not found, failed documents, problems."""
@@ -94,7 +103,7 @@ def _discard_stdout() -> None:
 
 
 class _Parsed(click.ParamType[Any]):
-    """An argument that a parser of :mod:`esicatalog.identity` reads; its errors are one line."""
+    """An argument that a parser of :mod:`esicatalog.identity` reads; its errors are one line that names the option."""
 
     def __init__(self, name: str, parse: Callable[..., Any], takes_name: bool = False) -> None:
         """``takes_name``: the parser says in its errors what argument or option it reads."""
@@ -105,19 +114,30 @@ class _Parsed(click.ParamType[Any]):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if not isinstance(value, str):
             return value
+        option = f"{param.opts[0]}: " if isinstance(param, click.Option) else ""
         try:
             return self._parse(value, param.opts[0]) if self._takes_name and param is not None else self._parse(value)
         except EsiCatalogError as error:
-            click.echo(f"esicatalog: {error}", err=True)
+            click.echo(f"esicatalog: {'' if self._takes_name else option}{error}", err=True)
             sys.exit(EXIT_UNUSABLE)
 
 
+def _identity(text: str) -> Identity:
+    """An identity; what cannot be one is taken for a name that was meant."""
+    try:
+        return parse_identity(text)
+    except InputError as error:
+        if ":" in text:
+            raise
+        raise InputError(f"{error}; to find one: esicatalog devices --text {shlex.quote(text)}") from error
+
+
 NUMBER = _Parsed("number", parse_number, takes_name=True)
-IDENTITY = _Parsed("identity", parse_identity)
+IDENTITY = _Parsed("identity", _identity)
 MAPPED = _Parsed("index[:subindex]", parse_mapped)
-BOUNDS = _Parsed("amount", parse_bounds)
+BOUNDS = _Parsed("amount", parse_bounds, takes_name=True)
 MODES = _Parsed("modes", parse_modes)
-PLUGGED = _Parsed("slot=ident", parse_plugged)
+PLUGGED = _Parsed("slot=ident[/type]", parse_plugged)
 
 
 def read_bytes(path: Path) -> bytes:

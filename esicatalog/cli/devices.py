@@ -18,6 +18,7 @@ from esicatalog.cli.common import (
     print_table,
     reporting_errors,
 )
+from esicatalog.model.compare_words import counted
 
 _CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant", "vendor", "type", "name", "evidence")
 
@@ -72,6 +73,6 @@ def command(db: str, vendor: str | None, output_format: str, **filters: Any) -> 
             [(d.identity_text, d.type or "", d.name or "", "; ".join(d.shown_evidence)) for d in found],
             ("identity", "type", "name", "evidence"),
         )
-        click.echo(f"{len(found)} devices", err=True)
+        click.echo(counted(len(found), "device"), err=True)
     else:
         print_rows([device.as_json() for device in found], _CSV_COLUMNS, output_format)

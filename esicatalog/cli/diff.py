@@ -12,7 +12,7 @@ import msgspec
 from esicatalog.api import Catalog
 from esicatalog.catalog.results import hex32
 from esicatalog.cli.common import EXIT_NO, IDENTITY, db_option, format_option, print_json, reporting_errors
-from esicatalog.errors import DocumentError, InputError
+from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.esi.records.common import display_text
 from esicatalog.identity import Identity
@@ -120,12 +120,7 @@ def _of_files(left: Path, right: Path) -> _Comparison:
 
 
 def _devices(path: Path) -> list[DescribedDevice]:
-    if not path.is_file():
-        raise InputError(f"{path}: no such file")
-    try:
-        read = read_esi(path)
-    except DocumentError as error:
-        raise InputError(f"{path}: {error}") from error
+    read = read_esi(path)
     for finding in read.findings:
         if finding.rule in _TOLD:
             click.echo(f"{path}, line {finding.line}: {finding.message}", err=True)

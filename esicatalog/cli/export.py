@@ -31,7 +31,14 @@ _CHOICE: tuple[Option, ...] = (
     click.option(
         "--pdo", metavar="0x1600,...", help="Assign these PDOs; with chosen entries: 0x1A00=0x6041+0x6064+0x60FE:1."
     ),
-    click.option("--module", "modules", metavar="SLOT=IDENT", multiple=True, type=PLUGGED, help="Plug this module."),
+    click.option(
+        "--module",
+        "modules",
+        metavar="SLOT=IDENT[/TYPE]",
+        multiple=True,
+        type=PLUGGED,
+        help="Plug this module, by its Type too where several share the ident: '0=0x1785/KL6021-A'.",
+    ),
     click.option("--op-mode", metavar="POSITION|NAME", help="OpMode of the distributed clocks; else the default one."),
     click.option(
         "--cycle-ns",

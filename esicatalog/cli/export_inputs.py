@@ -56,8 +56,11 @@ def configurations_of_scan(inputs: Inputs, name: str) -> "tuple[list[Configurati
     from esicatalog.scan.front import read_scan
 
     inputs.check_no_device("--scan")
-    if inputs.choice.pdos or inputs.choice.modules or inputs.choice.op_mode is not None:
+    choice = inputs.choice
+    if choice.pdos or choice.modules or choice.op_mode is not None:
         raise InputError("--scan takes the default PDOs, modules and OpModes; choose them for one device at a time")
+    if choice.alias or choice.position:
+        raise InputError("--scan addresses every slave by its ring position; give --alias or --position for one device")
     scan = read_text_as(Path(name), read_scan)
     _check_single_bus(scan)
     remarks: list[str] = []

@@ -19,11 +19,12 @@ from esicatalog.cli.common import (
     table_lines,
 )
 from esicatalog.errors import InputError
-from esicatalog.identity import parse_number
+from esicatalog.identity import UINT32_MAX, parse_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from esicatalog.api import Catalog
     from esicatalog.catalog.results import Identification
     from esicatalog.scan.records import Scan
 
@@ -75,8 +76,8 @@ def command(
         from esicatalog.cli.bus_sheet import bus_lines
         from esicatalog.scan.front import read_pdos, read_sdos
 
-        seen_pdos = _seen(pdos, lambda text: read_pdos(text).slaves)
-        seen_objects = _seen(sdos, lambda text: read_sdos(text).slaves)
+        seen_pdos = _seen("--pdos", pdos, lambda text: read_pdos(text).slaves)
+        seen_objects = _seen("--sdos", sdos, lambda text: read_sdos(text).slaves)
         with Catalog.open(db) as catalog:
             buses = catalog.identify_scan(scan, seen_pdos, seen_objects)
         if output_format == "json":
@@ -97,20 +98,39 @@ def command(
         beside = {"image": {"findings": findings}}
     with Catalog.open(db) as catalog:
         answer = catalog.identify(*identity)
+        hint = _hexadecimal_hint(catalog, answer) if sii is None else None
     if output_format == "json":
         print_json(answer.as_json() | beside)
     else:
         _print_answer(answer, findings)
+    if hint is not None:
+        click.echo(hint, err=True)
     if answer.device is None:
         sys.exit(EXIT_NO)
+
+
+def _hexadecimal_hint(catalog: "Catalog", answer: "Identification") -> str | None:
+    """What is known by the digits that an unknown identity has in decimal, read as hexadecimal ones."""
+    asked = (answer.vendor_id, answer.product_code)
+    vendor_id, product_code = (int(str(number), 16) for number in asked)
+    if answer.device is not None or max(vendor_id, product_code) > UINT32_MAX:
+        return None
+    found = catalog.identify(vendor_id, product_code).device
+    if found is None:
+        return None
+    read, meant = " ".join(map(str, asked)), f"0x{vendor_id:x} 0x{product_code:x}"
+    return f"decimal {read} is unknown; {meant} would be {found.device.type or 'known'}"
 
 
 def _check_usage(
     vendor: int | None, product: int | None, slaves: Path | None, eni: Path | None, sii: Path | None, beside: bool
 ) -> None:
     doors = [vendor is not None, slaves is not None, eni is not None, sii is not None]
-    if sum(doors) != 1 or (vendor is not None and product is None):
-        raise InputError("say who: VENDOR PRODUCT [REVISION], --slaves FILE, --eni FILE or --sii FILE")
+    ways = "VENDOR PRODUCT [REVISION], --slaves FILE, --eni FILE or --sii FILE"
+    if sum(doors) > 1:
+        raise InputError(f"give only one of {ways}")
+    if not any(doors) or (vendor is not None and product is None):
+        raise InputError(f"say who: {ways}")
     if beside and slaves is None:
         raise InputError("--pdos and --sdos are compared with the slaves of a scan; give --slaves FILE too")
 
@@ -123,13 +143,15 @@ def _scan(slaves: Path | None, eni: Path | None) -> "Scan | None":
     return read_as(eni, read_eni) if eni is not None else None
 
 
-def _seen(texts: tuple[str, ...], read: "Callable[[str], Sequence[Seen]]") -> "list[Seen]":
+def _seen(option: str, texts: tuple[str, ...], read: "Callable[[str], Sequence[Seen]]") -> "list[Seen]":
     """Lists that a master printed, each at the ring position that the option names."""
     found: list[Seen] = []
     for text in texts:
         position, path = _placed(text)
-        seen = read_text_as(path, read)
-        found += [msgspec.structs.replace(item, position=position) if position is not None else item for item in seen]
+        place = {"position": position} if position is not None else {}
+        found += [
+            msgspec.structs.replace(item, origin=f"{option} {text}", **place) for item in read_text_as(path, read)
+        ]
     return found
 
 

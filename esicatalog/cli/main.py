@@ -3,7 +3,7 @@
 import importlib
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import click
@@ -41,31 +41,42 @@ class _LazyGroup(click.Group):
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
 
-    def main(self, *args: Any, **options: Any) -> Any:
+    def main(self, args: Sequence[str] | None = None, *rest: Any, **options: Any) -> Any:
         """Run a command; wrong usage is one line and exit code 2, as every other error is."""
         run: Callable[..., Any] = super().main
+        words = sys.argv[1:] if args is None else list(args)
         if not options.pop("standalone_mode", True):
-            return run(*args, standalone_mode=False, **options)
+            return run(words, *rest, standalone_mode=False, **options)
         for name in ("stdout", "stderr"):
             if getattr(sys, name) is None:  # closed by the shell: >&-
                 setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115
         try:
-            code = run(*args, standalone_mode=False, **options)
+            code = run(words, *rest, standalone_mode=False, **options)
         except click.exceptions.NoArgsIsHelpError as error:
             error.show()
             sys.exit(EXIT_UNUSABLE)
         except click.ClickException as error:
-            click.echo(_one_line(error), err=True)
+            click.echo(_one_line(error, self._path(words)), err=True)
             sys.exit(EXIT_UNUSABLE)
         except click.Abort as error:
             sys.exit(say_interrupted(error))
         sys.exit(code if isinstance(code, int) else 0)
 
+    def _path(self, words: Iterable[str]) -> str:
+        """The command that words call; not every error of click knows it."""
+        command: click.Command = self
+        path = ["esicatalog"]
+        for word in words:
+            found = command.get_command(click.Context(command), word) if isinstance(command, click.Group) else None
+            if found is None:
+                break
+            command = found
+            path.append(word)
+        return " ".join(path)
 
-def _one_line(error: click.ClickException) -> str:
+
+def _one_line(error: click.ClickException, path: str) -> str:
     """What is wrong, after the command that it was said to, and where to look."""
-    context = getattr(error, "ctx", None)
-    path = context.command_path if context is not None else "esicatalog"
     message = " ".join(error.format_message().split()).removesuffix(".")
     return f"{path}: {message[:1].lower()}{message[1:]} (see {path} --help)"
 

@@ -10,10 +10,12 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry
+from esicatalog.identity import ModuleChoice
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
+from esicatalog.model.module_choice import module_labels
 from esicatalog.model.pdo_facts import pdo_bits, pdos_by_direction
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
@@ -33,8 +35,8 @@ _MOST_ALIKE = 10
 """Devices of the same layout that a sheet names."""
 
 
-def sheet_lines(description: DeviceDescription, choice: Mapping[int, int]) -> Iterator[str]:
-    """The sheet as lines of text; ``choice`` is ModuleIdent by slot. Raises :class:`InputError` for a bad choice."""
+def sheet_lines(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> Iterator[str]:
+    """The sheet as lines of text. Raises :class:`InputError` for a bad choice."""
     derived = derive(description.device, description.modules)
     images = description.images(choice) if choice else derived.images
     yield from _identity(description, derived.facts)
@@ -42,8 +44,8 @@ def sheet_lines(description: DeviceDescription, choice: Mapping[int, int]) -> It
     yield from _process_image(images, "Process image" if choice else "Default process image")
     yield from _assignments(description)
     yield from _pdos(description.device, assigned_sms(images), "PDOs of the device")
-    for module in description.modules:
-        yield from _module(module)
+    for module, label in zip(description.modules, module_labels(description.modules), strict=True):
+        yield from _module(module, label)
     yield from _mailbox(description.device.mailbox)
     yield from _dc_modes(description.device, description.default_position(choice))
     yield from _drive_modes(derived.modes)
@@ -127,7 +129,7 @@ def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[st
         ("physics", device.physics),
         ("E-bus", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
         ("profiles", ", ".join(profile_numbers(device)) or None),
-        ("clocks", clock_words(facts)),
+        ("clocks", clock_words(device, facts)),
         ("cycle", f"{facts.min_cycle_ns} ns at least" if facts.min_cycle_ns is not None else None),
         ("FSoE", fsoe_words(facts)),
     ]
@@ -213,8 +215,8 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
     yield from _section(title, ("", "index", "assigned", "entries", "bits", "flags", "excludes", "name"), rows)
 
 
-def _module(module: Module) -> Iterator[str]:
-    title = f"Module {_hex(module.module_ident)}  {module.type or ''}  {display_text(module.names) or ''}".rstrip()
+def _module(module: Module, label: str) -> Iterator[str]:
+    title = f"Module {_hex(module.module_ident)}  {label}  {display_text(module.names) or ''}".rstrip()
     yield ""
     yield title
     yield from _pdos(module, module_sms(module), "  PDOs of the module")

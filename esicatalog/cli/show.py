@@ -7,7 +7,7 @@ import click
 from esicatalog.cli.common import IDENTITY, PLUGGED, db_option, format_option, print_json, reporting_errors
 
 if TYPE_CHECKING:
-    from esicatalog.identity import Identity
+    from esicatalog.identity import Identity, ModuleChoice
 
 
 @click.command("show")
@@ -16,14 +16,15 @@ if TYPE_CHECKING:
 @click.option(
     "--module",
     "modules",
-    metavar="SLOT=IDENT",
+    metavar="SLOT=IDENT[/TYPE]",
     multiple=True,
     type=PLUGGED,
-    help="Plug this module into this slot (counted from 0); may be repeated. Else the default modules.",
+    help="Plug this module into this slot (counted from 0), by its Type too where several share the ident: "
+    "'0=0x1785/KL6021-A'. May be repeated; else the default modules.",
 )
 @format_option("table", "json")
 @reporting_errors
-def command(identity: "Identity", db: str, modules: tuple[tuple[int, int], ...], output_format: str) -> None:
+def command(identity: "Identity", db: str, modules: "tuple[tuple[int, ModuleChoice], ...]", output_format: str) -> None:
     """Print the sheet of one device: sync managers, process image, PDOs, InitCmds, DC modes, drive modes.
 
     IDENTITY is VENDOR:PRODUCT[:REVISION][@VARIANT]; without REVISION the latest, with - as REVISION the description

@@ -367,10 +367,14 @@ def _merge_diagnostics(parts: list[Diagnostics]) -> Diagnostics | None:
 def read_esi(path: str | Path) -> ReadDocument:
     """Read one ESI file from disk, with the documents it refers to in the same folder or below.
 
-    Raises :class:`NotAnEsiDocument` for ENI and other content, :class:`BrokenDocument` when nothing can be read.
+    Raises :class:`NotAnEsiDocument` for ENI and other content, :class:`BrokenDocument` when nothing can be read; both
+    name the file.
     """
     file = Path(path)
     if not file.is_file():
-        raise BrokenDocument(f"{file}: no such file")
+        raise BrokenDocument(f"{file}: is a folder; give an ESI file" if file.is_dir() else f"{file}: no such file")
     folder = Folder(file.parent)
-    return Reader().read(folder.read(file.name), file.name, folder)
+    try:
+        return Reader().read(folder.read(file.name), file.name, folder)
+    except DocumentError as error:
+        raise type(error)(f"{file}: {error}", error.line) from error

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
-from esicatalog.identity import parse_mapped, parse_number
+from esicatalog.identity import ModuleChoice, parse_mapped, parse_number
 
 DEFAULT_CYCLE_NS = 1_000_000
 _MAX_INDEX = 0xFFFF
@@ -22,8 +22,8 @@ class Choice(NamedTuple):
 
     pdos: tuple[PdoChoice, ...] = ()
     """Empty = the default assignment; a SyncManager that none of them goes to keeps its default one."""
-    modules: Mapping[int, int] = {}
-    """ModuleIdent by slot number; other slots keep their default module."""
+    modules: Mapping[int, ModuleChoice] = {}
+    """By slot number; other slots keep their default module."""
     op_mode: str | None = None
     """Name or position (from 0) of the OpMode; None = the default one."""
     cycle_ns: int | None = None

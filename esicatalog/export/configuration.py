@@ -18,9 +18,10 @@ from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import ChosenPdos, apply_choice
 from esicatalog.export.subject import Subject
+from esicatalog.model.module_choice import chosen_modules
 from esicatalog.model.pdo_facts import has_length
 from esicatalog.model.process_image import PlacedPdo, SmImage, process_image
-from esicatalog.model.slots import PluggedModule, chosen_modules, expand_module
+from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_direction
 
 _CONTROL_BYTES = range(0x100)

@@ -38,6 +38,13 @@ class _Available(NamedTuple):
     pdo: Pdo
     plugged: PluggedModule | None
 
+    @property
+    def owner(self) -> str:
+        """Whose PDO it is, in words."""
+        if self.plugged is None:
+            return "the device"
+        return f"module 0x{self.plugged.module.module_ident or 0:X} in slot {self.plugged.slot_number}"
+
 
 def apply_choice(
     device: Device,
@@ -49,14 +56,20 @@ def apply_choice(
     """Check the chosen PDOs against the description and turn them into an assignment.
 
     ``default`` is what SyncManagers keep to which none of them goes. Raises :class:`InputError` for a PDO that does not
-    exist, is virtual, is excluded by another one, may not go to its SyncManager, or whose entries cannot be chosen so.
+    exist, is virtual, is described by device and modules in different ways, is excluded by another one, may not go to
+    its SyncManager, or whose entries cannot be chosen so.
     """
     if not chosen:
         return ChosenPdos(device, tuple(plugged), None)
     available = _available(device, plugged)
     picked = [(_find(available, item), item) for item in chosen]
     assignment: dict[int, list[int]] = {}
-    remarks: list[str] = []
+    own = {pdo.pdo_index for _, pdos in pdos_by_direction(device) for pdo in pdos}
+    remarks = [
+        f"PDO 0x{item.pdo_index:04X} is that of {found.owner}: the device's own yields to it (OverwrittenByModule)"
+        for found, item in picked
+        if found.plugged is not None and item.pdo_index in own
+    ]
     for found, item in picked:
         assignment.setdefault(_sync_manager(device, found), []).append(item.pdo_index)
     _check_exclusions(available, assignment, default)
@@ -91,13 +104,19 @@ def _available(device: Device, plugged: Iterable[PluggedModule]) -> list[_Availa
 
 
 def _find(available: Iterable[_Available], wanted: PdoChoice) -> _Available:
-    for item in available:
-        if item.pdo.pdo_index == wanted.pdo_index:
-            if item.pdo.virtual:
-                raise InputError(f"PDO 0x{wanted.pdo_index:04X} is virtual: described, not transported")
-            return item
-    known = ", ".join(f"0x{item.pdo.pdo_index:04X}" for item in available if item.pdo.pdo_index is not None)
-    raise InputError(f"PDO 0x{wanted.pdo_index:04X} is not described; the PDOs are {known or 'none'}")
+    """The PDO of an index, be it described by several that agree."""
+    named = f"PDO 0x{wanted.pdo_index:04X}"
+    described = [item for item in available if item.pdo.pdo_index == wanted.pdo_index]
+    if not described:
+        known = ", ".join(f"0x{item.pdo.pdo_index:04X}" for item in available if item.pdo.pdo_index is not None)
+        raise InputError(f"{named} is not described; the PDOs are {known or 'none'}")
+    first, *others = described
+    if first.pdo.virtual:
+        raise InputError(f"{named} is virtual: described, not transported")
+    for other in others:
+        if other.owner != first.owner and _places(other.pdo.entries) != _places(first.pdo.entries):
+            raise InputError(f"{named} is ambiguous: {first.owner} and {other.owner} describe it in different ways")
+    return first
 
 
 def _sync_manager(device: Device, found: _Available) -> int:

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple, Self
 
 from esicatalog.catalog.results import DeviceSource, FoundDevice, hex32
-from esicatalog.errors import InputError
+from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Document, Group, Vendor
@@ -99,8 +99,8 @@ def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_
     """The device that ``identity`` names, or the only one; those without codes count where no other is described.
 
     Without a revision the latest is meant that no other one of the document hides; a variant counts the descriptions
-    of the same identity in document order. Raises :class:`InputError` with the list of the devices when none or
-    several fit.
+    of the same identity in document order. Raises :class:`NotFound` when the document does not describe it, and
+    :class:`InputError` when several fit, each with the list of the devices.
     """
     if not subjects:
         raise InputError(f"{file_name}: no device of a vendor with an id is described")
@@ -124,7 +124,7 @@ def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_
             f"{file_name} describes {identity} {len(fitting)} times; append @1 to @{len(fitting)}: "
             + ", ".join(subject.origin[0] for subject in fitting)
         )
-    raise InputError(f"{file_name} does not describe {identity}; it describes: {listed}")
+    raise NotFound(f"{file_name} does not describe {identity}; it describes: {listed}")
 
 
 def _subject(

@@ -163,7 +163,7 @@ def compare_objects(left: Iterable[Profile], right: Iterable[Profile]) -> Iterat
         return
     units, other_units = (records(tuple(item.unit_types for item in known)) for known in (dictionaries, others))
     if units != other_units:
-        yield difference(OBJECTS, "unit types", units, other_units, True)
+        yield difference(OBJECTS, "unit types", units, other_units, False)
     same_types = _type_comparison()
     pairs = matched(objects, other_objects, lambda item: item.object.object_index)
     for ours, theirs in sorted(pairs, key=lambda pair: either(*pair).object.object_index or 0):

@@ -5,13 +5,12 @@ the slot number (counted from 0 over all instances) and only where DependOnSlot 
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from typing import Any, NamedTuple, TypeVar
 
 import msgspec
 
-from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Object
 from esicatalog.esi.records.mailbox import InitCmd
@@ -134,31 +133,6 @@ def default_modules(device: Device, modules: Sequence[Module]) -> list[PluggedMo
         if (module_there := next(fitting, None)) is not None:
             plugged += [PluggedModule(number, slot, module_there) for number in numbers[:required]]
     return plugged
-
-
-def chosen_modules(device: Device, modules: Sequence[Module], choice: Mapping[int, int]) -> list[PluggedModule]:
-    """The default modules with the chosen ones (ModuleIdent by slot number) in their place.
-
-    Raises :class:`InputError` for a slot that does not exist and a module that does not fit.
-    """
-    plugged = {item.slot_number: item for item in default_modules(device, modules)}
-    slots = {number: slot for number, slot, _ in numbered_slots(device)}
-    for number, ident in choice.items():
-        slot = slots.get(number)
-        if slot is None:
-            raise InputError(
-                f"the device has no slot {number}; its slots are 0 to {len(slots) - 1}"
-                if slots
-                else "the device has no slots"
-            )
-        module = next((item for item in modules if item.module_ident == ident and accepts(slot, item)), None)
-        if module is None:
-            fitting = ", ".join(
-                f"0x{m.module_ident:X}" for m in modules if m.module_ident is not None and accepts(slot, m)
-            )
-            raise InputError(f"module 0x{ident:X} does not fit slot {number}; what fits: {fitting or 'nothing known'}")
-        plugged[number] = PluggedModule(number, slot, module)
-    return [plugged[number] for number in sorted(plugged)]
 
 
 def expand_module(device: Device, plugged: PluggedModule) -> ExpandedModule:

@@ -15,6 +15,9 @@ __all__ = ["read_eni", "read_pdos", "read_scan", "read_sdos"]
 _Recognise = Callable[[str], re.Match[str] | None]
 _Read = Callable[[str], Scan]
 
+_ENI = re.compile(r"<(?:\w+:)?EtherCATConfig\b")
+_HEAD = 4_096
+"""Characters in which the root of a document begins."""
 _FORMATS: tuple[tuple[_Recognise, _Read], ...] = (
     (igh_slaves.HEADING_OF_SLAVE.search, igh_slaves.read_igh_slaves),
     (soem.GREETING_OR_SLAVE.search, soem.read_soem),
@@ -31,6 +34,8 @@ def read_scan(text: str) -> Scan:
     vendor,product,revision. Raises :class:`ScanError` when the text is none of them.
     """
     cleaned = clean(text)
+    if _ENI.search(cleaned, 0, _HEAD):
+        raise ScanError("this is an ENI file (EtherCATConfig): a configuration, no scan; see esicatalog identify --eni")
     for recognise, read in _FORMATS:
         if recognise(cleaned):
             return read(cleaned)

@@ -158,12 +158,16 @@ class Scan(msgspec.Struct, frozen=True, gc=False, kw_only=True):
 
 
 class ScannedPdos(msgspec.Struct, frozen=True, gc=False, kw_only=True):
-    """SyncManagers and PDOs of one slave; master and position are None where no heading names them."""
+    """SyncManagers and PDOs of one slave; master and position are None where no heading names them.
+
+    ``origin`` is where the list comes from, in the words of whoever gave it, for errors.
+    """
 
     master: int | None = None
     position: int | None = None
     sync_managers: tuple[ScannedSyncManager, ...]
     line: int
+    origin: str = "a list of PDOs"
 
 
 class PdoScan(msgspec.Struct, frozen=True, gc=False, kw_only=True):
@@ -196,12 +200,13 @@ class ScannedObject(msgspec.Struct, frozen=True, gc=False, kw_only=True):
 
 
 class ScannedDictionary(msgspec.Struct, frozen=True, gc=False, kw_only=True):
-    """Objects of one slave; master and position are None where no heading names them."""
+    """Objects of one slave, with the same fields around them as :class:`ScannedPdos`."""
 
     master: int | None = None
     position: int | None = None
     objects: tuple[ScannedObject, ...]
     line: int
+    origin: str = "a list of objects"
 
 
 class SdoScan(msgspec.Struct, frozen=True, gc=False, kw_only=True):

@@ -2,7 +2,7 @@
 
 import asyncio
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from datasette.utils.asgi import Response
@@ -23,7 +23,7 @@ from esicatalog.export.sii import sii_image
 from esicatalog.export.sii_limits import check_image
 from esicatalog.export.soem import soem_header
 from esicatalog.export.subject import Subject
-from esicatalog.identity import parse_number, parse_plugged
+from esicatalog.identity import ModuleChoice, parse_number, parse_plugged
 from esicatalog.sii.encode import encode_sii
 from esicatalog.web.http import check_names, status_of
 from esicatalog.web.links import identity_of_path
@@ -104,6 +104,12 @@ def _generated(request: Any, catalog: Catalog) -> Response:
     return Response(data, 200, headers, target.media_type)
 
 
+def asked_modules(request: Any) -> Mapping[int, ModuleChoice]:
+    """The modules that a request chooses, by slot; slots for which none is named keep what they have."""
+    texts = request.args.getlist("module")
+    return dict(parse_plugged(text) for text in texts if text.partition("=")[1:] != ("=", ""))
+
+
 def _choice(request: Any) -> Choice:
     pdo = request.args.get("pdo")
 
@@ -113,7 +119,7 @@ def _choice(request: Any) -> Choice:
 
     return Choice(
         pdos=parse_pdo_choice(pdo) if pdo else (),
-        modules=dict(parse_plugged(text) for text in request.args.getlist("module") if not text.endswith("=")),
+        modules=asked_modules(request),
         op_mode=request.args.get("op-mode") or None,
         cycle_ns=number("cycle-ns", _LARGEST_CYCLE_NS),
         name=request.args.get("name") or None,

@@ -183,8 +183,15 @@ _MODULE = {
     "name": "module",
     "in": "query",
     "required": False,
-    "description": "Module in a slot, SLOT=IDENT; the process image is that with these modules",
-    "schema": _list({"type": "string", "pattern": "^[0-9]{1,4}=(0x[0-9a-f]{1,8})?$", "examples": ["0=0x219800", "1="]}),
+    "description": "Module in a slot, SLOT=IDENT, with /TYPE where several modules have that ident; the process image "
+    "is that with these modules",
+    "schema": _list(
+        {
+            "type": "string",
+            "pattern": "^[0-9]{1,4}=(0x[0-9a-f]{1,8}(/.*\\S.*)?)?$",
+            "examples": ["0=0x219800", "0=0x1785/KL6021-A", "1="],
+        }
+    ),
 }
 
 

@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import Mapping
 from typing import Any
+from urllib.parse import quote
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription, description_json
@@ -16,13 +17,14 @@ from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
 from esicatalog.export.sii_remarks import WHY_MERGE, image_remarks
-from esicatalog.identity import Identity, parse_plugged
+from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
+from esicatalog.model.module_choice import module_choices, module_labels
 from esicatalog.model.pdo_facts import pdo_bits, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
-from esicatalog.model.slots import chosen_modules, fitting_modules, numbered_slots
+from esicatalog.model.slots import fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals
 from esicatalog.model.words import (
@@ -35,7 +37,7 @@ from esicatalog.model.words import (
     profile_numbers,
 )
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
-from esicatalog.web.exports import TARGETS
+from esicatalog.web.exports import TARGETS, asked_modules
 from esicatalog.web.http import Page, check_names, status_of
 from esicatalog.web.links import BASE, device_path, identity_of_path
 from esicatalog.web.pages.nearest import nearest
@@ -47,7 +49,7 @@ _MOST_ALIKE = 12
 
 
 async def device_page(request: Any, catalog: Catalog) -> Page:
-    """``/-/esi/device/V/P/R?module=SLOT=IDENT``: the page of one description.
+    """``/-/esi/device/V/P/R?module=SLOT=IDENT[/TYPE]``: the page of one description.
 
     Modules that do not fit are told, on the page without any chosen ones. 404 with the nearest descriptions for an
     identity that is not described.
@@ -83,14 +85,13 @@ async def device_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
     return await asyncio.to_thread(description_json, description, choice), 200
 
 
-def _asked(request: Any) -> tuple[Identity, dict[int, int]]:
+def _asked(request: Any) -> tuple[Identity, Mapping[int, ModuleChoice]]:
     check_names(request.args, ("module",))
     identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
-    chosen = [parse_plugged(text) for text in request.args.getlist("module") if not text.endswith("=")]
-    return identity, dict(chosen)
+    return identity, asked_modules(request)
 
 
-def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[str, Any]:
+def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
     device, found = description.device, description.found
     derived = derive(device, description.modules)
     images = description.images(choice) if choice else derived.images
@@ -122,11 +123,12 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         "modules": [
             {
                 "ident": module.module_ident,
+                "label": label,
                 "name": display_text(module.names) or module.type or "",
                 "pdos": _pdos(module, module_sms(module)),
                 "commands": _commands(module.mailbox),
             }
-            for module in description.modules
+            for module, label in zip(description.modules, module_labels(description.modules), strict=True)
         ],
         "findings": description.findings,
         "op_modes": [
@@ -160,7 +162,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, int]) -> dict[
         "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
         "identity": found.identity_text,
         **_exports(found, any(image.pdos for image in images)),
-        "chosen": "&".join(f"module={slot}%3D0x{ident:X}" for slot, ident in choice.items()),
+        "chosen": "&".join(f"module={quote(f'{slot}={module}', safe='')}" for slot, module in choice.items()),
         "drawing_css": DRAWING_CSS,
     }
 
@@ -192,7 +194,7 @@ def _facts(description: DeviceDescription, facts: DeviceFacts) -> list[tuple[str
         ("E-bus current", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
         ("mailbox", ", ".join(mailbox_protocols(mailbox)) or "none"),
         ("CoE", ", ".join(coe_details(mailbox))),
-        ("clocks", clock_words(facts)),
+        ("clocks", clock_words(device, facts)),
         ("smallest cycle", f"{facts.min_cycle_ns} ns" if facts.min_cycle_ns is not None else None),
         ("process data", _process_data_words(facts)),
         ("CheckRevisionNo", device.check_revision_no),
@@ -291,18 +293,18 @@ def _value(cmd: InitCmd) -> str:
     return f"{value} (0x{value:X})" if value > 9 else str(value)
 
 
-def _slots(description: DeviceDescription, choice: Mapping[int, int]) -> list[dict[str, Any]]:
+def _slots(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> list[dict[str, Any]]:
     device, modules = description.device, description.modules
-    plugged = {item.slot_number: item.module.module_ident for item in chosen_modules(device, modules, choice)}
+    plugged = {item.slot_number: item.module for item in description.plugged(choice)}
+    words = dict(zip(map(id, modules), module_choices(modules), strict=True))
     return [
         {
             "number": number,
             "name": _slot_name(slot),
-            "plugged": plugged.get(number),
             "modules": [
-                (module.module_ident, display_text(module.names) or module.type or "")
+                (words[id(module)], display_text(module.names) or module.type or "", module is plugged.get(number))
                 for module in fitting
-                if module.module_ident is not None
+                if words[id(module)] is not None
             ],
         }
         for number, slot, fitting in fitting_modules(device, modules)

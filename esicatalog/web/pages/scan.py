@@ -98,7 +98,7 @@ def _bus(bus: BusReport) -> dict[str, Any]:
         ("with exact ESI", f"{len(bus.slaves) - len(bus.not_exact_at)} of {len(bus.slaves)}"),
         ("process data", f"{summary.output_bytes} bytes out, {summary.input_bytes} bytes in"),
         ("sizes unknown of", slave_words(summary.bytes_unknown_at)),
-        ("reference clock", reference_clock_words(summary)),
+        ("reference clock", reference_clock_words(bus)),
         ("no LRW", slave_words(summary.no_lrw_at)),
         ("E-bus supply exceeded at", slave_words(summary.e_bus_exceeded_at)),
         ("E-bus current unknown of", slave_words(summary.e_bus_unknown_at)),

@@ -1,0 +1,108 @@
+"""Modules that are chosen for slots, and how they are named: several modules of a device may share their ModuleIdent.
+
+Bus couplers give terminals of one kind one ident (BK1120: 19 modules of ident 0x8201), some with other PDOs.
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import msgspec
+
+from esicatalog.errors import InputError
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.identity import ModuleChoice, one_line
+from esicatalog.model.slots import PluggedModule, accepts, default_modules, numbered_slots
+
+_MOST_NAMED = 10
+
+
+def module_labels(modules: Sequence[Module]) -> list[str]:
+    """What tells modules of one ident apart: Type, with a number where that is the same, or empty, too."""
+    keys = [(module.module_ident, one_line(module.type or "")) for module in modules]
+    counts, seen = Counter(keys), Counter[tuple[int | None, str]]()
+    labels = []
+    for key in keys:
+        seen[key] += 1
+        labels.append(key[1] if key[1] and counts[key] == 1 else f"{key[1]}#{seen[key]}")
+    return labels
+
+
+def module_choices(modules: Sequence[Module]) -> list[ModuleChoice | None]:
+    """How each module is chosen: by its ident alone where no other has it; None without ident."""
+    counts = Counter(module.module_ident for module in modules)
+    return [
+        ModuleChoice(module.module_ident, label if counts[module.module_ident] > 1 else None)
+        if module.module_ident is not None
+        else None
+        for module, label in zip(modules, module_labels(modules), strict=True)
+    ]
+
+
+def chosen_modules(
+    device: Device, modules: Sequence[Module], choice: Mapping[int, ModuleChoice]
+) -> list[PluggedModule]:
+    """The default modules with the chosen ones in their place.
+
+    Raises :class:`InputError` for a slot that does not exist, a module that does not fit, and an ident that several
+    modules have that are configured in different ways.
+    """
+    plugged = {item.slot_number: item for item in default_modules(device, modules)}
+    if not choice:
+        return [plugged[number] for number in sorted(plugged)]
+    slots = {number: slot for number, slot, _ in numbered_slots(device)}
+    labels = module_labels(modules)
+    for number, wanted in choice.items():
+        slot = slots.get(number)
+        if slot is None:
+            raise InputError(
+                f"the device has no slot {number}; its slots are 0 to {len(slots) - 1}"
+                if slots
+                else "the device has no slots"
+            )
+        fitting = [item for item in zip(modules, labels, strict=True) if accepts(slot, item[0])]
+        plugged[number] = PluggedModule(number, slot, _meant(number, fitting, wanted))
+    return [plugged[number] for number in sorted(plugged)]
+
+
+def _meant(slot_number: int, fitting: Sequence[tuple[Module, str]], wanted: ModuleChoice) -> Module:
+    """The module of a slot that a choice names; the first of several that are configured in the same way."""
+    alike = [(module, label) for module, label in fitting if module.module_ident == wanted.module_ident]
+    named = [(module, label) for module, label in alike if wanted.label in (None, label, one_line(module.type or ""))]
+    if not named:
+        others: Sequence[tuple[Module, str | None]] = alike or [(module, None) for module, _ in fitting]
+        raise InputError(f"module {wanted} does not fit slot {slot_number}; what fits: {_listed(others)}")
+    first = named[0][0]
+    if any(_configuring(module) != _configuring(first) for module, _ in named):
+        raise InputError(
+            f"module {wanted} is ambiguous in slot {slot_number}: {len(named)} modules have this ident; write one of: "
+            + _listed(named)
+        )
+    return first
+
+
+def _configuring(module: Module) -> tuple[Any, ...]:
+    """What a module makes of the process image, at start-up and of the clocks; names say nothing of it."""
+    pdos = tuple(tuple(map(_layout, pdos)) for pdos in (module.rx_pdos, module.tx_pdos))
+    return pdos, module.module_pdo_group, module.mailbox, module.dc_op_mode_name
+
+
+def _layout(pdo: Pdo) -> Pdo:
+    unnamed = {"names": (), "spelling": None}
+    entries = tuple(msgspec.structs.replace(entry, comments=(), **unnamed) for entry in pdo.entries)
+    return msgspec.structs.replace(pdo, entries=entries, **unnamed)
+
+
+def _listed(modules: Iterable[tuple[Module, str | None]]) -> str:
+    """The first of them as choices, each once, and how many more there are."""
+    words = list(
+        dict.fromkeys(
+            str(ModuleChoice(module.module_ident, label))
+            for module, label in modules
+            if module.module_ident is not None
+        )
+    )
+    more = [f"and {len(words) - _MOST_NAMED} more; see esicatalog show"] if len(words) > _MOST_NAMED else []
+    return ", ".join([*words[:_MOST_NAMED], *more]) or "nothing known"

@@ -1,0 +1,34 @@
+"""Words of sheets and pages for what a description declares."""
+
+import pytest
+from snippets import device, esi, only_device
+
+from esicatalog.model.derivation import derive
+from esicatalog.model.words import clock_words
+
+
+def mode(activate: str) -> str:
+    return f"<OpMode><Name>M</Name>{activate}</OpMode>"
+
+
+FREE_RUN = mode("<AssignActivate>#x0000</AssignActivate>")
+SYNC0 = mode("<AssignActivate>#x0300</AssignActivate>")
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ("", "not described"),
+        ("<Dc/>", "not described"),
+        (f"<Dc>{mode('')}</Dc>", "not described"),
+        (f"<Dc>{FREE_RUN}</Dc>", "no DC"),
+        ('<Dc PotentialReferenceClock="1"/>', "can be the reference clock"),
+        (f"<Dc>{FREE_RUN}{SYNC0}</Dc>", "DC optional, SYNC0"),
+        (f"<Dc>{SYNC0}</Dc>", "DC needed, SYNC0"),
+        (f'<Dc TimeLoopControlOnly="1">{SYNC0}</Dc>', "DC needed"),
+        ('<Dc TimeLoopControlOnly="1"/>', "DC optional"),
+    ],
+)
+def test_clocks(content, words):
+    found = only_device(esi(device(content)))
+    assert clock_words(found, derive(found, ()).facts) == words
