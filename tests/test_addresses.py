@@ -86,7 +86,7 @@ async def test_other_revisions_and_other_products_are_named(tmp_path):
 @pytest.mark.parametrize(
     ("asked", "words"),
     [
-        ("0x8f@9", "0x00001097:0x00002406:0x0000008f@9 has no variant 9"),
+        ("0x8f@9", "0x00001097:0x00002406:0x0000008f has no variant 9; it has one description only"),
         ("-", "0x00001097:0x00002406:- is not in the catalog"),
     ],
 )

@@ -375,8 +375,8 @@ def test_openapi_says_what_the_routes_do(data_db):
     ("path", "words"),
     [
         ("0xe5c/0x1/-", "0x00000e5c:0x00000001:- is not in the catalog"),
-        ("0xe5c/0x1/0x1@9", "0x00000e5c:0x00000001:0x00000001@9 has no variant 9"),
-        ("0xe5c/0x1/latest@9", "0x00000e5c:0x00000001@9 has no variant 9"),
+        ("0xe5c/0x1/0x1@9", "0x00000e5c:0x00000001:0x00000001 has no variant 9; it has one description only"),
+        ("0xe5c/0x1/latest@9", "0x00000e5c:0x00000001 has no variant 9; it has one description only"),
         ("0xe5c/0x1/0x2", {"match": "older", "revision_no": 2}),
         ("0xe5c/0x7/-", {"match": "vendor", "revision_no": None}),
         ("0xe5d/0x1/0x1@2", {"match": "none", "revision_no": 1}),
