@@ -13,7 +13,7 @@ from lxml import etree
 
 from esicatalog.errors import EsiCatalogError
 from esicatalog.esi.containers import NESTED, Archive
-from esicatalog.ingest.discover import Found, FoundArchive, archive_members, discover
+from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_members, discover
 
 _COMMENT = b"\n<!-- changed -->\n"
 
@@ -43,7 +43,7 @@ def documents(folder: Path) -> Iterator[tuple[str, bytes]]:
             yield item.member, Path(item.location).read_bytes()
 
 
-def _member(archive: Archive, found: Found) -> bytes:
+def _member(archive: Archive, found: FoundDocument) -> bytes:
     for name in found.nested:
         archive = Archive(archive.read(name))
     try:

@@ -6,7 +6,7 @@ import statistics
 import time
 from pathlib import Path
 
-from lookups import Numbers, identities
+from identify import Numbers, identities
 from report import Row
 
 from esicatalog.web.app import datasette_app

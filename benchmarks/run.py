@@ -11,8 +11,8 @@ import tempfile
 from pathlib import Path
 
 from corpus import default_corpus
+from identify import lookup_rows
 from ingest import ingest_rows
-from lookups import lookup_rows
 from pages import page_rows
 from processes import compile_package
 from questions import question_rows

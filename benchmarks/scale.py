@@ -16,9 +16,9 @@ from pathlib import Path
 from statistics import median
 from typing import Any, NamedTuple
 
+from identify import PYTHON_LIMIT, SQL_LIMIT_US, identities, python_microseconds, sql_microseconds
 from ingest import memory_rows
 from library import FIRST_VENDOR_ID, Shape, write_library
-from lookups import PYTHON_LIMIT, SQL_LIMIT_US, identities, python_microseconds, sql_microseconds
 from processes import Ran, compile_package, run_ingest
 from questions import LIMIT_MS
 from report import Row, machine, publish, table

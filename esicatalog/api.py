@@ -297,7 +297,8 @@ class Catalog:
         from esicatalog.catalog.identity import IdentityLookup
 
         if self._lookup is None:
-            self._lookup = IdentityLookup(DriverQuery(self._open(create=True), shown_target(self._target)))
+            query = DriverQuery(self._open(create=True), shown_target(self._target))
+            self._lookup = IdentityLookup(query, query.changes)
         return self._lookup
 
     @contextlib.contextmanager

@@ -14,7 +14,7 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from lxml import html
 from schemathesis import GenerationMode
-from snippets import device, esi, one, pdo, rows
+from snippets import device, esi, one, pdo, rows, write
 from test_cli import one_line_error, run
 from test_search import catalog_of
 from web_client import client, new_client
@@ -74,6 +74,18 @@ def several(tmp_path_factory) -> Path:
 def answer(db: Path, *numbers: int):
     with Catalog.open(db) as catalog:
         return catalog.identify(*numbers)
+
+
+def test_an_answer_tells_what_others_stored_meanwhile(tmp_path):
+    """What was read of a product is kept only as long as nobody changes the catalog."""
+    db = catalog_of(tmp_path, esi(device()))
+    with Catalog.open(db) as catalog:
+        assert catalog.identify(0xE5C, 1, 2).match == "older"
+        write(tmp_path / "more", {"b.xml": esi(device(revision="#x2"))})
+        with Catalog.open(db) as another:
+            another.ingest(tmp_path / "more", jobs=1)
+        assert catalog.identify(0xE5C, 1, 2).match == "exact"
+        assert [item.revision_no for item in catalog.identify(0xE5C, 1, 1).candidates] == [2]
 
 
 @pytest.mark.parametrize(

@@ -4,16 +4,24 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from conftest import CHECKOUT
 from lxml import etree
 from snippets import one, rows
 
-LIBRARY = CHECKOUT / "benchmarks" / "library.py"
+BENCHMARKS = CHECKOUT / "benchmarks"
+LIBRARY = BENCHMARKS / "library.py"
 
 
 def documents(folder: Path, *arguments: str) -> dict[str, bytes]:
     subprocess.run([sys.executable, str(LIBRARY), str(folder), *arguments], check=True, stdout=subprocess.DEVNULL)
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*.xml")}
+
+
+@pytest.mark.parametrize("name", ["run", "scale", "postgres", "identify"])
+def test_the_benchmarks_can_be_asked_what_they_measure(name):
+    words = [sys.executable, str(BENCHMARKS / f"{name}.py"), "--help"]
+    assert "usage" in subprocess.run(words, check=True, capture_output=True, text=True).stdout
 
 
 def test_documents_follow_the_schema(library, corpus):

@@ -282,6 +282,10 @@ class DriverQuery:
             raise CatalogError(driver_message(self._target, error)) from error
         return found
 
+    def changes(self) -> int | None:
+        """A number that grows whenever others have committed; None from a server, which has none."""
+        return int(self("PRAGMA data_version", ())[0][0]) if self._is_marked else None
+
 
 def connection_query(connection: sa.Connection) -> Query:
     """Runs ``?`` statements within the transaction of a connection."""

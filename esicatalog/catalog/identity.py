@@ -15,6 +15,7 @@ from esicatalog.model.revision_check import EXACT, Described, rank
 
 NEAREST = 10
 """How many other candidates an answer names."""
+_MOST_PRODUCTS = 4096
 
 _COLUMNS = "d.id, d.vendor_id, d.product_code, d.revision_no, d.variant, v.name, d.type, d.name, d.hidden"
 _OF_PRODUCT = (
@@ -91,14 +92,18 @@ _AT_BUS = (
 class IdentityLookup:
     """Answers identities on one connection to the database."""
 
-    def __init__(self, query: Query) -> None:
+    def __init__(self, query: Query, changes: Callable[[], int | None] = lambda: None) -> None:
+        """``changes`` gives a number that grows whenever the database was changed, None where nobody counts that."""
         self._query = query
+        self._changes = changes
+        self._products: dict[tuple[int, int], tuple[int, list[_Row]]] = {}
+        """Rows of products and the changes that there were before: revisions of one are asked for together."""
         # Signatures are digests of layouts: the words for a pair of them never change.
         self._difference = functools.lru_cache(4096)(self._layout_difference)
 
     def identify(self, vendor_id: int, product_code: int, revision_no: int | None) -> Identification:
         """The descriptions of an identity, preferred first, or the nearest ones; see :func:`rank` for the order."""
-        rows = list(map(_Row._make, self._query(_OF_PRODUCT, (vendor_id, product_code))))
+        rows = self._of_product((vendor_id, product_code))
         query = (vendor_id, product_code, revision_no)
         if not rows:
             return self._unknown_product(query)
@@ -118,6 +123,18 @@ class IdentityLookup:
         candidates = tuple(map(_device, others[:NEAREST]))
         warnings = tuple(self._warnings(chosen, others))
         return Identification(*query, match, reason, variants[0], variants, candidates, warnings)
+
+    def _of_product(self, key: tuple[int, int]) -> list[_Row]:
+        changes = self._changes()
+        known = self._products.get(key)
+        if known is not None and known[0] == changes:
+            return known[1]
+        rows = list(map(_Row._make, self._query(_OF_PRODUCT, key)))
+        if changes is not None:
+            if len(self._products) >= _MOST_PRODUCTS:
+                self._products.clear()
+            self._products[key] = (changes, rows)
+        return rows
 
     def sources(self, device_id: int) -> tuple[DeviceSource, ...]:
         """Documents and lines that carry a description."""

@@ -1,9 +1,13 @@
 """How many identities a second: in SQL, from Python in one process, and over HTTP from a server on one core.
 
-All identities of the catalog are asked for in turn, so nothing is answered from a cache of answers. The HTTP client
-keeps one connection open; on Linux the server is bound to one core.
+    python benchmarks/identify.py CATALOG
+
+All identities of the catalog are asked for in turn, in any order. What was read of a product is kept while nobody changes
+the catalog, so later passes ask the database for documents and lines only. The HTTP client keeps one connection open; on
+Linux the server is bound to one core.
 """
 
+import argparse
 import contextlib
 import http.client
 import os
@@ -18,7 +22,7 @@ from contextlib import closing
 from itertools import cycle, islice
 from pathlib import Path
 
-from report import Row
+from report import Row, table
 
 from esicatalog import Catalog
 
@@ -122,3 +126,14 @@ def http_rate(database: Path, wanted: list[Numbers]) -> float:
 
         ask(wanted[0])
         return 1e6 / _microseconds(ask, islice(cycle(wanted), _REQUESTS))
+
+
+def main() -> None:
+    """Measure on a catalog, print."""
+    parser = argparse.ArgumentParser(description="Measure lookups of identities.")
+    parser.add_argument("catalog", type=Path, help="an SQLite catalog")
+    print(table(lookup_rows(parser.parse_args().catalog)))
+
+
+if __name__ == "__main__":
+    main()
