@@ -2,9 +2,9 @@
 
     python benchmarks/identify.py CATALOG
 
-All identities of the catalog are asked for in turn, in any order. What was read of a product is kept while nobody changes
-the catalog, so later passes ask the database for documents and lines only. The HTTP client keeps one connection open; on
-Linux the server is bound to one core.
+All identities of the catalog are asked for in turn, in any order. What was read of a product is kept while nobody
+changes the catalog, so later passes ask the database for documents and lines only. The HTTP client keeps one connection
+open; on Linux the server is bound to one core.
 """
 
 import argparse
