@@ -54,7 +54,7 @@ def main() -> None:
         command = [sys.executable, "-m", "esicatalog", "serve", "--db", str(database), "--port", "0"]
         server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         assert server.stdout is not None
-        address = server.stdout.readline().split()[0].removesuffix("/-/esi/")
+        address = server.stdout.readline().strip().removesuffix("/catalog")
         try:
             take(chromium, address)
         finally:

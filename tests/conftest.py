@@ -82,7 +82,7 @@ def serving(db: Path) -> Iterator[str]:
     command = [sys.executable, "-m", "esicatalog", "serve", "--db", str(db), "--port", "0"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     assert process.stdout is not None
-    yield process.stdout.readline().split()[0].removesuffix("/-/esi/")
+    yield process.stdout.readline().strip().removesuffix("/catalog")
     process.terminate()
     process.wait()
 

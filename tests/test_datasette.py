@@ -262,9 +262,9 @@ def test_serve_prints_its_addresses_and_ends_quietly(data_db, options):
     server = serve("--db", data_db, "--port", 0, *options)
     try:
         assert server.stdout is not None
-        devices, tables = server.stdout.readline().split(), server.stdout.readline().split()
-        assert devices[0].startswith("http://127.0.0.1:")
-        assert (devices[1:], tables[1:]) == (["devices:", "search,", "scan,", "compare"], ["tables", "and", "SQL"])
+        tables, devices = server.stdout.readline().split(), server.stdout.readline().split()
+        assert tables[0].startswith("http://127.0.0.1:")
+        assert (tables[1:], devices[1:]) == ([], ["devices:", "search,", "scan,", "compare"])
         with urllib.request.urlopen(devices[0], timeout=10) as response:
             assert b"<h1>EtherCAT devices</h1>" in response.read()
         with urllib.request.urlopen(f"{tables[0]}.json", timeout=10) as response:

@@ -134,7 +134,7 @@ def test_serve_shows_a_snapshot_behind_a_link(snapshot, tmp_path):
     process = subprocess.Popen([*command, "--db", str(tmp_path / "current.db")], stdout=subprocess.PIPE, text=True)
     try:
         assert process.stdout is not None
-        address = process.stdout.readline().split()[0].removesuffix("/-/esi/")
+        address = process.stdout.readline().strip().removesuffix("/catalog")
         with urllib.request.urlopen(f"{address}/-/databases.json", timeout=60) as answer:
             found = json.load(answer)
         listed = found["databases"] if isinstance(found, dict) else found

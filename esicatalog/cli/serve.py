@@ -27,7 +27,7 @@ _URI_CHARACTERS = "?#%"
 def command(db: str, host: str, port: int, open_browser: bool, immutable: bool) -> None:
     """Browse the catalog in Datasette until Ctrl-C.
 
-    Prints the addresses, first that of the device pages. The tables are at /catalog whatever the file is called.
+    Prints the address of the tables, /catalog whatever the file is called, and that of the device pages.
     """
     file = _catalog_file(db)
     with _listen(host, port) as listener:
@@ -43,8 +43,8 @@ def command(db: str, host: str, port: int, open_browser: bool, immutable: bool) 
         application = datasette_app(file, immutable).app()
         shown = f"[{host}]" if ":" in host else host
         server_url = f"http://{shown}:{listener.getsockname()[1]}"
+        click.echo(f"{server_url}/{MOUNTED_AS}")
         click.echo(f"{server_url}{BASE}  devices: search, scan, compare")
-        click.echo(f"{server_url}/{MOUNTED_AS}  tables and SQL")
         if open_browser:
             webbrowser.open(f"{server_url}{BASE}")
         config = uvicorn.Config(application, log_level="warning", lifespan="on", timeout_keep_alive=_IDLE_SECONDS)
