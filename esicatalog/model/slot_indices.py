@@ -49,7 +49,7 @@ class _AlikeSlots:
 def _moving(index: int | None, item: Pdo | Object) -> ModuleIndex | None:
     if index is None or not (item.depend_on_slot or item.depend_on_slot_group):
         return None
-    return ModuleIndex(index, bool(item.depend_on_slot), bool(item.depend_on_slot_group))
+    return ModuleIndex.of(index, item)
 
 
 class IndicesInSlots:

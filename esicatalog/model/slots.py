@@ -48,6 +48,11 @@ class ModuleIndex(NamedTuple):
     by_slot: bool
     by_group: bool
 
+    @classmethod
+    def of(cls, index: int, item: Pdo | Object) -> "ModuleIndex":
+        """The index of a PDO or an object of a module."""
+        return cls(index, bool(item.depend_on_slot), bool(item.depend_on_slot_group))
+
 
 class ModuleVendor(NamedTuple):
     """Whose a module is, and whose the device with the slot; None where a document does not say it."""
@@ -201,7 +206,7 @@ def _object_places(module: Module) -> list[tuple[int | None, Entry | InitCmd | O
 def declared_indices(module: Module) -> set[ModuleIndex]:
     """The indices of the objects in a module's dictionaries."""
     return {
-        ModuleIndex(declared.object_index, bool(declared.depend_on_slot), bool(declared.depend_on_slot_group))
+        ModuleIndex.of(declared.object_index, declared)
         for profile in module.profiles
         for declared in (profile.dictionary.objects if profile.dictionary is not None else ())
         if declared.object_index is not None

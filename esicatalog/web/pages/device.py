@@ -40,7 +40,7 @@ from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, 
 from esicatalog.web.exports import TARGETS, asked_modules
 from esicatalog.web.http import Page, check_names, status_of
 from esicatalog.web.links import BASE, device_path, identity_of_path
-from esicatalog.web.pages.nearest import nearest
+from esicatalog.web.pages.nearest import is_no_question_of_identify, nearest
 
 _LONGEST_NUMBER = 8
 _MOST_SLOTS = 24
@@ -79,7 +79,7 @@ async def device_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
         description = await asyncio.to_thread(catalog.device, identity)
     except NotFound:
         answer = await asyncio.to_thread(catalog.identify, *identity[:3])
-        if answer.device is not None and (identity.variant is not None or identity.without_revision):
+        if is_no_question_of_identify(identity, answer):
             raise
         return answer.as_json(), 404
     return await asyncio.to_thread(description_json, description, choice), 200

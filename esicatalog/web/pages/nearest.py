@@ -4,9 +4,14 @@ from collections.abc import Callable
 from typing import Any
 
 from esicatalog.api import Catalog
-from esicatalog.catalog.results import FoundDevice
+from esicatalog.catalog.results import FoundDevice, Identification
 from esicatalog.errors import NotFound
 from esicatalog.identity import Identity
+
+
+def is_no_question_of_identify(identity: Identity, answer: Identification) -> bool:
+    """Whether the product is described, yet not in this variant or not without revision: identify knows of neither."""
+    return answer.device is not None and (identity.variant is not None or identity.without_revision)
 
 
 def nearest(
@@ -14,16 +19,14 @@ def nearest(
 ) -> dict[str, Any]:
     """Why there is no description, and the nearest ones with the paths that lead on to them.
 
-    Where the product is described, yet not in this variant or not without revision, the error says it all: identify
-    knows of neither.
+    The error says it all where identify could not be asked for that.
     """
     answer = catalog.identify(*identity[:3])
     found = answer.device.device if answer.device is not None else None
-    beside_identify = found is not None and (identity.variant is not None or identity.without_revision)
     others = "Other revisions" if found is not None else "Products of this vendor with the nearest codes"
     return {
         "problem": str(error),
-        "reason": "" if beside_identify else answer.reason,
+        "reason": "" if is_no_question_of_identify(identity, answer) else answer.reason,
         "devices": [
             (title, [(path(device), device) for device in devices])
             for title, devices in (("Nearest", () if found is None else (found,)), (others, answer.candidates))
