@@ -72,10 +72,10 @@ def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, Fou
 def variants_with_slots(connection: sa.Connection, found: FoundDevice) -> tuple[int, ...]:
     """The variants of the identity of a device that describe slots."""
     described = sa.exists().where(slots.c.device_id == devices.c.id)
-    identity = (
-        devices.c.vendor_id.is_not_distinct_from(found.vendor_id),
-        devices.c.product_code.is_not_distinct_from(found.product_code),
-        devices.c.revision_no.is_not_distinct_from(found.revision_no),
+    identity = (  # None becomes IS NULL, which an index serves everywhere
+        devices.c.vendor_id == found.vendor_id,
+        devices.c.product_code == found.product_code,
+        devices.c.revision_no == found.revision_no,
     )
     query = sa.select(devices.c.variant).where(*identity, described).order_by(devices.c.variant)
     return tuple(connection.execute(query).scalars())
