@@ -49,11 +49,12 @@ def prepare_load(connection: sa.Connection) -> None:
 
 def _prepare_file(connection: sa.Connection, fills_empty: bool) -> None:
     connection.exec_driver_sql(f"PRAGMA journal_mode = {'DELETE' if fills_empty else 'WAL'}")
-    # A catalog that is being made has nothing to lose yet; it is written through at the end.
-    connection.exec_driver_sql(f"PRAGMA synchronous = {'OFF' if fills_empty else 'NORMAL'}")
     connection.exec_driver_sql(f"PRAGMA cache_size = -{_CACHE_KB}")
     connection.commit()
     finish_indexes(connection)
+    # A catalog that is being made has nothing to lose yet; it is written through with its indexes.
+    connection.exec_driver_sql(f"PRAGMA synchronous = {'OFF' if fills_empty else 'NORMAL'}")
+    connection.commit()
     if fills_empty:
         write_state(connection, _INDEXES_PENDING, "1")
         for index in secondary_indexes():
@@ -78,6 +79,9 @@ def finish_indexes(connection: sa.Connection) -> None:
     connection.commit()
     if not is_pending:
         return
+    # Workers go on reading while the disk takes most of the catalog; at the end everybody would wait for that.
+    connection.exec_driver_sql("PRAGMA synchronous = FULL")
+    connection.commit()
     with _foreign_keys_checked(connection.engine):
         # Changing a row begins a transaction, which making an index does not; Python's driver commits each by itself.
         write_state(connection, _INDEXES_PENDING, None)
@@ -99,6 +103,8 @@ def finish_load(connection: sa.Connection, changed: bool) -> None:
         write_state(connection, CONTENT_HASH, content_hash(connection))
         connection.commit()
         if connection.dialect.name == "sqlite":
+            # By itself each table that it looks at would be written through one by one.
+            connection.exec_driver_sql("BEGIN")
             connection.exec_driver_sql("PRAGMA optimize")
     connection.commit()
 
