@@ -131,6 +131,15 @@ def test_hiding_ends_with_the_description_that_hides(tmp_path):
     assert rows(db, "SELECT revision_no, hidden FROM devices") == [(1, 0)]
 
 
+def test_a_description_without_revision_hides_too(tmp_path):
+    hides = device("<HideType RevisionNo='1'/>", type_text="any").replace(' RevisionNo="#x1"', "", 1)
+    db = catalog_of(
+        tmp_path, esi(hides + device(revision="1", type_text="old") + device(revision="2", type_text="new"))
+    )
+    assert rows(db, "SELECT type FROM devices WHERE hidden ORDER BY type") == [("old",)]
+    assert types(db) == ["any", "new"]
+
+
 def test_a_revision_cannot_hide_itself(tmp_path):
     db = catalog_of(tmp_path, esi(device("<HideType RevisionNo='1'/>", revision="1")))
     assert types(db) == ["T1"]

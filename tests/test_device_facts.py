@@ -208,6 +208,30 @@ def test_a_fault_in_the_text_of_a_vendor_hides_nothing_beside_it(fault):
     assert alternative_assignments(found) == [NamedAssignment("A", False, {0: (0x1600,)})]
 
 
+def test_samples_of_an_op_mode_that_newer_tools_ignore_do_not_count():
+    modes = oversampling('MinCycleTime="1000"', 'DefaultFactor="10" MinCycleTime="10000"')
+    ignored = modes.replace("<TwinCAT>", '<TwinCAT IgnoreFromBuildNo="2200">', 1)
+    assert facts(ignored).min_cycle_ns == 100_000
+
+
+BOOT_WORDS = "0010000400140004"
+"""Receive mailbox at 0x1000 and send mailbox at 0x1400, 1024 bytes each."""
+
+
+@pytest.mark.parametrize(
+    ("eeprom", "has_bootstrap"),
+    [
+        (f"<ByteSize>2048</ByteSize><BootStrap>{BOOT_WORDS}</BootStrap>", True),
+        (f"<ByteSize>2048</ByteSize><BootStrap>{'00' * 8}</BootStrap>", False),
+        (f"<Data>{'11' * 0x28}{BOOT_WORDS}{'11' * 80}</Data>", True),
+        (f"<Data>{'11' * 0x28}{'00' * 8}{'11' * 80}</Data>", False),
+        ("<Data>0011</Data>", False),
+    ],
+)
+def test_the_bootstrap_mailbox_stands_in_a_whole_image_too(eeprom, has_bootstrap):
+    assert facts(f"<Eeprom>{eeprom}</Eeprom>").has_bootstrap is has_bootstrap
+
+
 def test_a_declared_cycle_counts_before_that_of_samples():
     """EL3773: 0x1C33:05 and an OpMode with oversampling."""
     both = sync_objects(("#x1C33", MS_1)) + oversampling('DefaultFactor="10" MinCycleTime="5000"')
@@ -255,6 +279,12 @@ def test_fsoe_by_the_names_of_process_data(name, entries, words):
 )
 def test_names_that_are_not_of_fsoe(entries):
     assert facts(named_pdo("Outputs", *entries)).fsoe is None
+
+
+def test_fsoe_by_a_name_in_any_language():
+    german = named_pdo("Safety", "CMD").replace("</Name>", "</Name><Name LcId='1031'>FSoE Telegramm</Name>", 1)
+    evidence = "PDO 0x1600 has the name 'FSoE Telegramm'; not a safety statement"
+    assert facts(german).fsoe_evidence == evidence
 
 
 def test_fsoe_by_the_number_of_the_safety_connection():

@@ -154,6 +154,10 @@ def op_mode(*times: str, activate: str = "#x300") -> str:
     return f"<Dc><OpMode><Name>DC</Name><AssignActivate>{activate}</AssignActivate>{''.join(times)}</OpMode></Dc>"
 
 
+def time_only(dc: str) -> str:
+    return dc.replace("<Dc>", '<Dc TimeLoopControlOnly="1">')
+
+
 CYCLE_0, NO_CYCLE_0 = '<CycleTimeSync0 Factor="1">0</CycleTimeSync0>', "<CycleTimeSync0>0</CycleTimeSync0>"
 
 
@@ -180,6 +184,10 @@ CYCLE_0, NO_CYCLE_0 = '<CycleTimeSync0 Factor="1">0</CycleTimeSync0>', "<CycleTi
         ),
         ("L50", op_mode(CYCLE_0, "<ShiftTimeSync1>0</ShiftTimeSync1>", activate="#x700"), None),
         ("L50", op_mode(CYCLE_0, '<CycleTimeSync1 Factor="1">0</CycleTimeSync1>', activate="#x700"), None),
+        # A device that has nothing but the time of the clocks makes no pulse, whatever its registers are given.
+        ("L50", time_only(op_mode(CYCLE_0, activate="#x700")), None),
+        ("L50", time_only(op_mode(CYCLE_0, "<CycleTimeSync1>5</CycleTimeSync1>", activate="#x700")), None),
+        ("L51", time_only(op_mode()), None),
     ],
 )
 def test_zero_is_no_length_and_no_time(tmp_path, rule_id, content, words):

@@ -19,7 +19,7 @@ _FLAGS: dict[str, tuple[sa.Column[Any], str]] = {
     "complete_access": (mailboxes.c.coe_complete_access, "CoE CompleteAccess declared"),
     "pdo_assign": (mailboxes.c.coe_pdo_assign, "CoE PdoAssign declared"),
     "pdo_config": (mailboxes.c.coe_pdo_config, "CoE PdoConfig declared"),
-    "bootstrap": (device_facts.c.has_bootstrap, "Eeprom/BootStrap declared"),
+    "bootstrap": (device_facts.c.has_bootstrap, "Eeprom declares a bootstrap mailbox"),
     "needs_dc": (device_facts.c.dc_needed, "every valid OpMode activates distributed clocks"),
     "no_lrw": (devices.c.use_lrd_lwr, "UseLrdLwr declared: no LRW frames"),
     "identification_reg134": (devices.c.identification_reg134, "IdentificationReg134 declared"),

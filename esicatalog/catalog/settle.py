@@ -207,7 +207,10 @@ def superseded_devices() -> sa.Select[tuple[int]]:
             & (columns.product_code == sa.func.coalesce(named.product_code, hiding.c.product_code))
             & (columns.revision_no == named.revision_no),
         )
-        .where((columns.product_code != hiding.c.product_code) | (columns.revision_no != hiding.c.revision_no))
+        .where(
+            columns.product_code.is_distinct_from(hiding.c.product_code)
+            | columns.revision_no.is_distinct_from(hiding.c.revision_no)
+        )
     )
 
 

@@ -6,8 +6,9 @@ from typing import Annotated
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.canonical import elements_naming
-from esicatalog.esi.numbers import MAX_STORED
-from esicatalog.esi.records.device import Device
+from esicatalog.esi.numbers import MAX_STORED, decode_hex_binary
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device, Eeprom
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.process_data import ProcessData
@@ -17,6 +18,7 @@ from esicatalog.model.sm_facts import INPUT, OUTPUT
 SYNC_PARAMETERS = (0x1C32, 0x1C33)
 _SYNC_TYPES, MINIMUM_CYCLE = 4, 5
 _COUNT = re.compile(r"\s*\d{1,18}\s*")
+_BOOTSTRAP_BYTES = slice(2 * 0x14, 2 * 0x18)
 """Thirty years and more are no cycle."""
 
 
@@ -77,9 +79,9 @@ def device_facts(
         uses_latch=any(signal.latch0_pdi or signal.latch1_pdi or signal.time_only for signal in signals),
         output_sync_types=sync[0x1C32].get(_SYNC_TYPES),
         input_sync_types=sync[0x1C33].get(_SYNC_TYPES),
-        min_cycle_ns=_min_cycle_ns(device, sync.values()),
+        min_cycle_ns=_min_cycle_ns(device, data.valid_op_modes, sync.values()),
         axis_count=len({item.axis for item in modes.evidence}),
-        has_bootstrap=device.eeprom is not None and bool((device.eeprom.boot_strap or "").strip("0")),
+        has_bootstrap=device.eeprom is not None and _has_bootstrap(device.eeprom),
         image_signature=data.image_signature,
         pdo_signature=data.pdo_signature,
         fsoe=fsoe.level if fsoe is not None else None,
@@ -96,12 +98,23 @@ def _sync_parameter(device: Device, index: int, views: DictionaryViews) -> dict[
     return {}
 
 
-def _min_cycle_ns(device: Device, sync: Iterable[dict[int, int]]) -> int | None:
+def _has_bootstrap(eeprom: Eeprom) -> bool:
+    """Whether the mailbox of state BOOT has offsets or sizes; words 0x14 to 0x17 of an image that is given whole.
+
+    ESI-FACTS section 13.
+    """
+    if eeprom.data is None:
+        return bool((eeprom.boot_strap or "").strip("0"))
+    image = decode_hex_binary(eeprom.data) or b""
+    return any(image[_BOOTSTRAP_BYTES])
+
+
+def _min_cycle_ns(device: Device, op_modes: Iterable[OpMode], sync: Iterable[dict[int, int]]) -> int | None:
     """The cycle that outputs and inputs both keep up with, else the smallest one that samples of an OpMode allow."""
     declared = [values[MINIMUM_CYCLE] for values in sync if values.get(MINIMUM_CYCLE, 0) > 0]
     if declared:
         return max(declared)
-    texts = (device.info_vendor_specific, device.dc_vendor_specific, *(m.vendor_specific for m in device.op_modes))
+    texts = (device.info_vendor_specific, device.dc_vendor_specific, *(m.vendor_specific for m in op_modes))
     sampled = [cycle for text in texts for cycle in _sampled_cycles(text)]
     return min(sampled, default=None)
 

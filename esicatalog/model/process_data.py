@@ -4,7 +4,7 @@ Revisions and variants of a product seldom differ in their PDOs, SyncManagers an
 computed once and kept.
 """
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from functools import cached_property
 
 import msgspec
@@ -63,13 +63,20 @@ class ProcessData:
     @cached_property
     def signals(self) -> list[SyncSignals]:
         """What the OpModes make of the clocks."""
-        return [generated_signals(mode, self._device.dc_time_loop_control_only) for mode in self.op_modes]
+        return self._signals_of(self.op_modes)
+
+    @cached_property
+    def valid_op_modes(self) -> Sequence[OpMode]:
+        """The OpModes that newer tools do not ignore; all when they would ignore all."""
+        return [mode for mode in self.op_modes if not is_superseded(mode)] or self.op_modes
 
     @cached_property
     def valid_signals(self) -> list[SyncSignals]:
-        """The same of those OpModes that newer tools do not ignore; of all when they would ignore all."""
-        modes = zip(self.op_modes, self.signals, strict=True)
-        return [signals for mode, signals in modes if not is_superseded(mode)] or self.signals
+        """What the OpModes that newer tools do not ignore make of the clocks."""
+        return self._signals_of(self.valid_op_modes)
+
+    def _signals_of(self, op_modes: Iterable[OpMode]) -> list[SyncSignals]:
+        return [generated_signals(mode, self._device.dc_time_loop_control_only) for mode in op_modes]
 
     def byte_size(self, transfer_direction: str) -> int | None:
         """Length of the default process image of all SyncManagers of one direction.

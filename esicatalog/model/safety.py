@@ -7,7 +7,6 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Dictionary
 from esicatalog.esi.records.module import Module
@@ -107,7 +106,7 @@ def _pdo_signs(pdo: Pdo) -> _Signs:
         high = f"{words} has SafetyConnNumber {pdo.safety_conn_number}"
     elif any(entry.safety_conn_number is not None for entry in pdo.entries):
         high = f"{words} has entries with SafetyConnNumber"
-    names = [display_text(pdo.names) or "", *[display_text(entry.names) or "" for entry in pdo.entries]]
+    names = [name.text for named in (pdo, *pdo.entries) for name in named.names]
     text = "\n".join(names)
     lowered = text.lower()
     # Few names have such words, and that is told fastest without an expression.

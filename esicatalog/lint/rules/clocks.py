@@ -35,10 +35,10 @@ def assign_activate(subject: ProcessSubject) -> Iterator[Found]:
 @rule("L50", INFORMATION, "ESC registers 0x0980, 0x0981: bit 0x0400 of AssignActivate makes SYNC1, not its times")
 def sync1_times(subject: ProcessSubject) -> Iterator[Found]:
     """Times of SYNC1 without the SYNC1 bit (the bit without times: W)."""
-    for number, mode in enumerate(subject.data.op_modes):
+    for number, (mode, signals) in enumerate(zip(subject.data.op_modes, subject.data.signals, strict=True)):
         if mode.assign_activate is None:
             continue
-        if sync_signals(mode.assign_activate).sync1:
+        if signals.sync1:
             if not (mode.cycle_time_sync1_ns or mode.cycle_time_sync1_factor or mode.shift_time_sync1_ns is not None):
                 yield Found(
                     f"{_words(number, mode)} makes SYNC1 (AssignActivate 0x{mode.assign_activate:04X}) "
@@ -46,7 +46,7 @@ def sync1_times(subject: ProcessSubject) -> Iterator[Found]:
                     _at(number),
                     WARNING,
                 )
-        elif mode.cycle_time_sync1_ns or mode.cycle_time_sync1_factor:
+        elif not mode.assign_activate & SYNC1_PULSE and (mode.cycle_time_sync1_ns or mode.cycle_time_sync1_factor):
             yield Found(
                 f"{_words(number, mode)} has CycleTimeSync1, but AssignActivate 0x{mode.assign_activate:04X} "
                 "makes no SYNC1",
@@ -57,8 +57,7 @@ def sync1_times(subject: ProcessSubject) -> Iterator[Found]:
 @rule("L51", WARNING, "ETG.2000 OpMode/CycleTimeSync0")
 def sync0_time_missing(subject: ProcessSubject) -> Iterator[Found]:
     """SYNC pulses without CycleTimeSync0, or with 0 and no Factor; a device that makes them itself needs none."""
-    for number, mode in enumerate(subject.data.op_modes):
-        signals = sync_signals(mode.assign_activate)
+    for number, (mode, signals) in enumerate(zip(subject.data.op_modes, subject.data.signals, strict=True)):
         makes_pulses = (signals.sync0 or signals.sync1) and not signals.sync_unit_pdi
         if makes_pulses and not (mode.cycle_time_sync0_ns or mode.cycle_time_sync0_factor):
             yield Found(
