@@ -106,7 +106,7 @@ def _pdo_signs(pdo: Pdo) -> _Signs:
         high = f"{words} has SafetyConnNumber {pdo.safety_conn_number}"
     elif any(entry.safety_conn_number is not None for entry in pdo.entries):
         high = f"{words} has entries with SafetyConnNumber"
-    names = [name.text for named in (pdo, *pdo.entries) for name in named.names]
+    names = [name.text for names in (pdo.names, *[entry.names for entry in pdo.entries]) for name in names]
     text = "\n".join(names)
     lowered = text.lower()
     # Few names have such words, and that is told fastest without an expression.
