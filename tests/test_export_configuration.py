@@ -567,10 +567,33 @@ def test_a_header_is_for_bus_cycles_at_which_sync1_is_longer_or_shorter_alike(mo
     ] == made
 
 
-def test_a_shift_that_may_bring_sync1_before_sync0_is_a_condition_of_its_own():
-    """At 1 ms the delay is 0.75 ms - 0.5 ms; at 0.5 ms SYNC1 would lie 0.25 ms before SYNC0."""
-    content = SMS + dc(("m", times("#x700", ">250000", 'Factor="-1">0', shift1="-500000")))
-    assert conditions(content, 1_000_000)[1:] == ["C >= 250000", "(C - 750000) >= 0"]
+WITHIN, MOVED = 270_000, 20_000
+
+
+@pytest.mark.parametrize(
+    ("sync0", "sync1", "shift_ns", "cycle_ns", "delay_ns", "made"),
+    [
+        # The delay starts again with the first SYNC0 after it: one of 270 µs would make SYNC1 every 500 µs.
+        (FACTOR_1, FACTOR_1, WITHIN, 1_000_000, WITHIN, ["(C - 270000) > 0"]),
+        (FACTOR_1, FACTOR_1, WITHIN, 250_000, MOVED, ["(270000 - C) >= 0", "(C * 2 - 270000) > 0"]),
+        (FACTOR_1, FACTOR_1, -30_000, 250_000, 220_000, ["(C - 30000) >= 0"]),
+        # Every second SYNC0: with a delay below one SYNC0 cycle it would come with each.
+        (FACTOR_1, 'Factor="2">0', -30_000, 250_000, 470_000, ["(C - 30000) >= 0"]),
+        # Two whole SYNC0 cycles, which move nothing.
+        (">250000", 'Factor="-1">0', -500_000, 1_000_000, 750_000, ["C >= 250000"]),
+    ],
+)
+def test_a_shift_that_is_not_within_a_cycle_of_sync0_does_not_change_the_rate_of_sync1(
+    sync0, sync1, shift_ns, cycle_ns, delay_ns, made
+):
+    content = SMS + dc(("m", times("#x700", sync0, sync1, shift1=str(shift_ns))))
+    found = configured(content, cycle_ns=cycle_ns)
+    assert found.clocks is not None
+    assert found.clocks.sync1_delay.in_ns(cycle_ns) == delay_ns
+    assert any(remark.startswith(f"ShiftTimeSync1, {shift_ns} ns, is not within") for remark in found.remarks) == (
+        not 0 <= shift_ns < found.clocks.sync0_cycle.in_ns(cycle_ns)
+    )
+    assert [condition for condition in conditions(content, cycle_ns) if "%" not in condition] == made
 
 
 @pytest.mark.parametrize("word", ["#x300", "#x500", "#x700"])

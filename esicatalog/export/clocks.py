@@ -1,6 +1,8 @@
 """Times of the distributed clocks for a chosen OpMode, as multiples of the bus cycle (ESI-FACTS section 11).
 
-SYNC1 is programmed as a delay after SYNC0: register 0x09A4 = SYNC1 period - SYNC0 period + ShiftTimeSync1.
+SYNC1 is programmed as a delay after SYNC0: register 0x09A4 = SYNC1 period - SYNC0 period + ShiftTimeSync1. The delay
+starts again with the first SYNC0 after it has passed, so a shift of whole SYNC0 cycles would not move SYNC1 but make it
+slower or faster.
 """
 
 import math
@@ -53,15 +55,16 @@ class Time(NamedTuple):
 
     def expression(self, cycle: str, divide: str = "/") -> str:
         """It as an expression in whole nanoseconds; ``cycle`` is the name of the bus cycle."""
-        parts = []
-        if self.cycles:
-            divided = cycle if self.cycles.denominator == 1 else f"{cycle} {divide} {self.cycles.denominator}"
-            factor = self.cycles.numerator
-            parts.append(divided if factor == 1 else f"{divided} * {factor}")
-        if self.ns or not parts:
-            parts.append(str(self.ns))
-        text = " + ".join(parts).replace("+ -", "- ")
-        return text if text.isidentifier() or text.isdigit() else f"({text})"
+        if not self.cycles:
+            return str(self.ns) if self.ns >= 0 else f"({self.ns})"
+        divided = cycle if self.cycles.denominator == 1 else f"{cycle} {divide} {self.cycles.denominator}"
+        factor = abs(self.cycles.numerator)
+        multiple = divided if factor == 1 else f"{divided} * {factor}"
+        if self.cycles < 0:
+            return f"({self.ns} - {multiple})"
+        if self.ns:
+            return f"({multiple} {'+' if self.ns > 0 else '-'} {abs(self.ns)})"
+        return multiple if multiple.isidentifier() else f"({multiple})"
 
 
 class Condition(NamedTuple):
@@ -116,18 +119,21 @@ class Clocks(NamedTuple):
             )
         # Where both are as long, SYNC1 comes with SYNC0 either way.
         longer = self.sync1_period.minus(self.sync0_cycle)
+        is_shorter = longer.in_ns(cycle_ns) < 0
         if longer.may_change_sign:
-            is_shorter = self.sync1_period.in_ns(cycle_ns) < self.sync0_cycle.in_ns(cycle_ns)
             period, sync0_cycle = (time.expression(cycle, divide) for time in (self.sync1_period, self.sync0_cycle))
             sign, otherwise = ("<=", "slower") if is_shorter else (">=", "faster")
             yield Condition(
                 f"{period} {sign} {sync0_cycle}",
                 f"SYNC1 is described {otherwise} than the SYNC0 cycle at this {cycle}: generate anew",
             )
-        if self.sync1_delay.may_change_sign and self.sync1_delay != longer:
-            yield Condition(
-                f"{self.sync1_delay.expression(cycle, divide)} >= 0", f"SYNC1 lies before SYNC0 at this {cycle}"
-            )
+        shift = self.sync1_delay if is_shorter else self.sync1_delay.minus(longer)
+        for time, sign in ((shift, ">= 0"), (self.sync0_cycle.minus(shift), "> 0")):
+            if time.may_change_sign:
+                yield Condition(
+                    f"{time.expression(cycle, divide)} {sign}",
+                    f"SYNC1 comes at another rate at this {cycle}, its shift is not within a SYNC0 cycle: generate anew",
+                )
 
 
 class Programmed(NamedTuple):
@@ -269,11 +275,16 @@ def _sync1_delay(op_mode: OpMode, sync0: Time, period: Time, cycle_ns: int, rema
     if period.in_ns(cycle_ns) < sync0.in_ns(cycle_ns):
         remarks.append("SYNC1 is described faster than SYNC0, which no slave controller generates: it follows SYNC0")
         period = sync0
-    delay = period.minus(sync0).plus(Time(ns=op_mode.shift_time_sync1_ns or 0))
-    early = -delay.in_ns(cycle_ns)
-    if early > 0 and sync0.in_ns(cycle_ns) > 0:
-        remarks.append("SYNC1 lies before SYNC0: it is programmed whole SYNC0 cycles later, at the same place")
-        delay = delay.plus(sync0.times(math.ceil(early / sync0.in_ns(cycle_ns))))
+    shift_ns, sync0_ns = op_mode.shift_time_sync1_ns or 0, sync0.in_ns(cycle_ns)
+    delay = period.minus(sync0).plus(Time(ns=shift_ns))
+    whole_cycles = shift_ns // sync0_ns if sync0_ns > 0 else 0
+    if whole_cycles:
+        remarks.append(
+            f"ShiftTimeSync1, {shift_ns} ns, is not within the SYNC0 cycle of {sync0_ns} ns: SYNC1 is programmed whole "
+            f"SYNC0 cycles {'earlier' if whole_cycles > 0 else 'later'}, at the same place; see that the device can "
+            "keep up with this bus cycle"
+        )
+        delay = delay.minus(sync0.times(whole_cycles))
     return delay
 
 
