@@ -228,12 +228,13 @@ class Catalog:
 
         Raises :class:`~esicatalog.errors.NotFound`.
         """
-        from esicatalog.catalog.devices import find_device
+        from esicatalog.catalog.devices import find_device, variants_with_slots
 
         wanted = parse_identity(identity) if isinstance(identity, str) else identity
         with self._connection() as connection:
-            number, found, _ = find_device(connection, wanted)
-            return self._export_subject(connection, number, found)
+            number, found, variant_count = find_device(connection, wanted)
+            subject = self._export_subject(connection, number, found)
+            return subject.beside(variants_with_slots(connection, found, variant_count))
 
     def export_subjects(self, vendor_id: int) -> "list[Subject]":
         """What generators get of all devices of a vendor, with codes and without: the preferred descriptions."""

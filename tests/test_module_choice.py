@@ -135,9 +135,22 @@ def test_slots_that_another_variant_describes(tmp_path):
     db = catalog_of(tmp_path, esi(device(f"<Sm>Outputs</Sm>{many}")), esi(device(SLOT), module("#x10", "M", 8)))
     words = ("--db", str(db), "--module", "0=0x10")
     refused = CliRunner().invoke(cli, ["show", "0xe5c:1:1", *words])
-    expected = "esicatalog: variant 1 of the device has no slots; described with slots: @2\n"
+    expected = "esicatalog: the device has no slots in this variant; variants with slots: @2\n"
     assert (refused.exit_code, refused.stderr) == (2, expected)
     assert CliRunner().invoke(cli, ["show", "0xe5c:1:1@2", *words]).exit_code == 0
+    refused = CliRunner().invoke(cli, ["export", "igh", "0xe5c:1:1", *words])
+    assert (refused.exit_code, refused.stderr) == (2, expected)
+    assert CliRunner().invoke(cli, ["export", "igh", "0xe5c:1:1@2", *words]).exit_code == 0
+
+
+def test_slots_that_another_description_of_the_document_has(tmp_path):
+    plain = device('<Sm>Outputs</Sm>')
+    (tmp_path / "a.xml").write_text(esi(plain + device(SLOT), module("#x10", "M", 8)))
+    words = ("--esi", str(tmp_path / "a.xml"), "--module", "0=0x10")
+    refused = CliRunner().invoke(cli, ["export", "igh", "0xe5c:1:1@1", *words])
+    expected = "esicatalog: the device has no slots in this variant; variants with slots: @2\n"
+    assert (refused.exit_code, refused.stderr) == (2, expected)
+    assert CliRunner().invoke(cli, ["export", "igh", "0xe5c:1:1@2", *words]).exit_code == 0
 
 
 async def test_the_picker_sends_and_marks_the_plugged_module(tmp_path):
