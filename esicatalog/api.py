@@ -228,12 +228,13 @@ class Catalog:
 
         Raises :class:`~esicatalog.errors.NotFound`.
         """
-        from esicatalog.catalog.devices import find_device
+        from esicatalog.catalog.devices import find_device, variants_with_slots
 
         wanted = parse_identity(identity) if isinstance(identity, str) else identity
         with self._connection() as connection:
-            number, found, _ = find_device(connection, wanted)
-            return self._export_subject(connection, number, found)
+            number, found, variant_count = find_device(connection, wanted)
+            subject = self._export_subject(connection, number, found)
+            return subject.beside(variants_with_slots(connection, found, variant_count))
 
     def export_subjects(self, vendor_id: int) -> "list[Subject]":
         """What generators get of all devices of a vendor, with codes and without: the preferred descriptions."""
@@ -267,12 +268,15 @@ class Catalog:
         with self._connection() as connection:
             yield from stored_findings(connection, rules)
 
-    def refused_documents(self) -> "Iterator[DocumentFinding]":
-        """The documents that the ingest could not read, each with the reason as a finding of L01."""
-        from esicatalog.catalog.stored_findings import refused_documents
+    def unchecked_documents(self, rules: "Iterable[Rule]") -> list[str]:
+        """The documents that :meth:`findings` of these rules says nothing of, though none has looked at them.
+
+        In words: those that the ingest could not read, and those that it refused where L01 is not among the rules.
+        """
+        from esicatalog.catalog.stored_findings import unchecked_documents
 
         with self._connection() as connection:
-            yield from refused_documents(connection)
+            return unchecked_documents(connection, rules)
 
     def check(self) -> "CheckResult":
         """Verify the database, its references and the stored content hash."""

@@ -1,6 +1,7 @@
 """Identities as people write them: numbers in any notation, ``VENDOR:PRODUCT[:REVISION][@VARIANT]``."""
 
 import re
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
@@ -122,6 +123,16 @@ def parse_plugged(text: str) -> tuple[int, ModuleChoice]:
         raise InputError(f"module {text[:_SHOWN]!r} is not SLOT=IDENT[/TYPE], e.g. 0=0x119800")
     number = parse_number(slot, "slot", 0xFFFF)
     return number, ModuleChoice(parse_number(ident, "module ident"), label if slash else None)
+
+
+def modules_by_slot(plugged: Iterable[tuple[int, ModuleChoice]]) -> dict[int, ModuleChoice]:
+    """The modules that are chosen, by slot. Raises :class:`InputError` for a slot that is given twice."""
+    modules: dict[int, ModuleChoice] = {}
+    for slot, module in plugged:
+        if slot in modules:
+            raise InputError(f"slot {slot} is given twice, with module {modules[slot]} and with module {module}")
+        modules[slot] = module
+    return modules
 
 
 def one_line(text: str) -> str:

@@ -16,12 +16,13 @@ from datasette.app import Datasette
 from datasette.utils import parse_metadata
 from lxml import html
 from snippets import device, esi
-from web_client import client, new_client
+from web_client import client
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.schema import metadata
 from esicatalog.catalog.views import FULL_TEXT, views
 from esicatalog.resources import resource
+from esicatalog.web.app import datasette_app
 from esicatalog.web.functions import hex0x, parse_hex
 
 DATASETTE_0 = datasette.__version__.startswith("0.")
@@ -181,13 +182,14 @@ async def test_device_without_codes_leads_to_its_row(tmp_path):
     assert answer.headers["location"] == "/catalog/devices/1"
 
 
-@pytest.mark.parametrize("path", ["/", "/catalog"])
+@pytest.mark.parametrize("path", ["/", "/catalog", f"/catalog{'' if DATASETTE_0 else '/-/query'}?sql=select+1"])
 async def test_descriptions_begin_with_the_device_pages(data_db, path):
     """Also behind a prefix, where a description in a file does not know it."""
     for prefix in ("/", "/prefix/"):
-        web = await new_client(data_db)
-        web.ds._settings["base_url"] = prefix
-        tree = html.fromstring((await web.get(path)).text)
+        application = datasette_app(data_db)
+        application._settings["base_url"] = prefix
+        await application.invoke_startup()
+        tree = html.fromstring((await application.client.get(path)).text)
         href = tree.xpath("//*[contains(@class, 'metadata-description')]//a/@href")[0]
         assert urllib.parse.urljoin(f"http://localhost{prefix.rstrip('/')}{path}", href) == (
             f"http://localhost{prefix}-/esi/"

@@ -60,6 +60,19 @@ def test_the_hook_of_the_l6n_drive(data, tmp_path, version):
 
 
 @needs_gcc
+@pytest.mark.parametrize("version", VERSIONS)
+def test_the_application_sees_that_commands_of_the_hook_failed(data, tmp_path, version):
+    """SOEM drops what the hook returns: 0x1601 is written five times, here for each of two slaves."""
+    header = soem_header(l6n(data, pdos=parse_pdo_choice("0x1601,0x1A01")), version)
+    prepare, arguments, includes, source = CALLS[version]
+    hook = f"l6n_po2so_config({arguments});"
+    body = f'{prepare}\n{hook}\n{hook}\nprintf("failed %d\\n", l6n_po2so_failed);'
+    for refused, count in ((0x1601, 10), (0x2000, 0)):
+        lines = output_of(tmp_path, header, body, (*includes, f"-DREFUSED={refused}"), source)
+        assert lines[-1] == f"failed {count}"
+
+
+@needs_gcc
 @pytest.mark.parametrize(
     ("mailbox", "attributes", "written"),
     [

@@ -365,6 +365,12 @@ def test_answers_are_sent_without_waiting_for_acknowledgements():
             assert connection.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY) != 0
 
 
+def names_no_slot_twice(case) -> bool:
+    """OpenAPI has no words for a part of texts that differs."""
+    slots = [int(text.partition("=")[0]) for text in case.query.get("module", [])]
+    return len(set(slots)) == len(slots)
+
+
 def test_openapi_says_what_the_routes_do(data_db):
     """Requests made from the document, sensible and broken ones, get the answers that the document promises."""
     api = schemathesis.openapi.from_asgi("/-/esi/openapi.json", datasette_app(data_db).app())
@@ -372,8 +378,11 @@ def test_openapi_says_what_the_routes_do(data_db):
     assert [operation.method for operation in operations] == ["get", "post", "get", "get"]
     for operation in operations:
         for mode in GenerationMode:
+            cases = operation.as_strategy(generation_mode=mode)
+            if mode is GenerationMode.POSITIVE:
+                cases = cases.filter(names_no_slot_twice)
 
-            @given(case=operation.as_strategy(generation_mode=mode))
+            @given(case=cases)
             @settings(max_examples=40, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
             def answered_as_promised(case):
                 # OpenAPI has no words for a parameter that needs another one; the descriptions say it
@@ -401,7 +410,9 @@ async def test_a_device_that_is_not_described(tmp_path, path, words):
     found = response.json()
     assert response.status_code == 404
     if isinstance(words, str):
-        assert found["error"].startswith(words)
+        assert found.pop("error").startswith(words)
+        asked = (await (await client(db)).get("/-/esi/identify.json?vendor=0xe5c&product=1&revision=1")).json()
+        assert found == {name: asked[name] for name in ("device", "variants", "candidates")}
     else:
         assert {"match": found["match"], "revision_no": found["query"]["revision_no"]} == words
     vendor, product, revision = path.split("/")

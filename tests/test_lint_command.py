@@ -142,6 +142,28 @@ def test_a_file_that_may_not_be_read_is_not_called_broken(tmp_path, monkeypatch,
     result = run(tmp_path, *options)
     assert (result.stdout, result.exit_code) == ("", 1)
     assert "a.xml: cannot be read: Permission denied\n" in result.stderr
+    db = tmp_path / "catalog.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([tmp_path / "a.xml"], jobs=1)
+    result = run("--db", db, *options)
+    assert (result.stdout, result.exit_code) == ("", 1)
+    words = "esicatalog: a.xml: cannot be read: Permission denied\n0 errors, 0 warnings, 0 infos\n"
+    assert result.stderr == words
+
+
+def test_a_member_that_cannot_be_unpacked_is_not_called_broken(tmp_path):
+    """One byte of what is stored is another one than when its checksum was taken."""
+    with zipfile.ZipFile(tmp_path / "vendor.zip", "w") as archive:
+        archive.writestr("a.xml", esi(device()))
+    packed = (tmp_path / "vendor.zip").read_bytes()
+    (tmp_path / "vendor.zip").write_bytes(packed.replace(b"Test vendor", b"Test vendox", 1))
+    db = tmp_path / "catalog.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([tmp_path / "vendor.zip"], jobs=1)
+    for what in ([tmp_path / "vendor.zip"], ["--db", db]):
+        result = run(*what)
+        assert (result.stdout, result.exit_code) == ("", 1)
+        assert "vendor.zip!a.xml: cannot be unpacked" in result.stderr
 
 
 def test_select_and_ignore(tmp_path):

@@ -349,6 +349,30 @@ def test_l44_looks_from_the_sub_item_that_reaches_furthest(tmp_path):
     ]
 
 
+def test_l44_says_what_to_correct(tmp_path):
+    """SubIndex 0 lies at bit 0 of the complete-access image; 8 + 16 + 32 bits do not fit into 48."""
+    sub_items = "".join(
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>{type_name}</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{offset}</BitOffs></SubItem>"
+        for number, (name, type_name, bits, offset) in enumerate([("n", "USINT", 8, 8), ("a", "UDINT", 32, 24)])
+    )
+    data_type = f"<DataType><Name>DT</Name><BitSize>48</BitSize>{sub_items}</DataType>"
+    found = linted(tmp_path, "L44", device(dictionary(TYPES + data_type, "")))
+    assert [item["message"] for item in found] == [
+        "SubIdx 0 of DataType DT has BitOffs 8: correct it to 0",
+        "SubItem 'a' of DataType DT ends at bit 56, behind its BitSize 48: correct BitOffs or one BitSize",
+    ]
+
+
+def test_l35_says_how_to_describe_what_is_filled_up(tmp_path):
+    """12 of 16 bits: 4 are left, which a mapping of the device may name as padding or not."""
+    found = linted(tmp_path, "L35", device(SYNC_MANAGERS + pdo("RxPdo", "#x1600", 12, attributes='Sm="2"')))
+    assert [item["message"] for item in found] == [
+        "SM 2: RxPdo 0x1600 of 12 bits; the last byte is filled up: where the device maps the other 4 too, "
+        "describe them by a padding entry (Index 0)"
+    ]
+
+
 @pytest.mark.parametrize(("index", "count"), [("#x1600", 0), ("#x1601", 1)])
 def test_l62_leaves_out_pdos_that_op_modes_list(tmp_path, index, count):
     listing = (

@@ -135,9 +135,22 @@ def test_slots_that_another_variant_describes(tmp_path):
     db = catalog_of(tmp_path, esi(device(f"<Sm>Outputs</Sm>{many}")), esi(device(SLOT), module("#x10", "M", 8)))
     words = ("--db", str(db), "--module", "0=0x10")
     refused = CliRunner().invoke(cli, ["show", "0xe5c:1:1", *words])
-    expected = "esicatalog: variant 1 of the device has no slots; described with slots: @2\n"
+    expected = "esicatalog: the device has no slots in this variant; variants with slots: @2\n"
     assert (refused.exit_code, refused.stderr) == (2, expected)
     assert CliRunner().invoke(cli, ["show", "0xe5c:1:1@2", *words]).exit_code == 0
+    refused = CliRunner().invoke(cli, ["export", "igh", "0xe5c:1:1", *words])
+    assert (refused.exit_code, refused.stderr) == (2, expected)
+    assert CliRunner().invoke(cli, ["export", "igh", "0xe5c:1:1@2", *words]).exit_code == 0
+
+
+def test_slots_that_another_description_of_the_document_has(tmp_path):
+    plain = device("<Sm>Outputs</Sm>")
+    (tmp_path / "a.xml").write_text(esi(plain + device(SLOT), module("#x10", "M", 8)))
+    words = ("--esi", str(tmp_path / "a.xml"), "--module", "0=0x10")
+    refused = CliRunner().invoke(cli, ["export", "igh", "0xe5c:1:1@1", *words])
+    expected = "esicatalog: the device has no slots in this variant; variants with slots: @2\n"
+    assert (refused.exit_code, refused.stderr) == (2, expected)
+    assert CliRunner().invoke(cli, ["export", "igh", "0xe5c:1:1@2", *words]).exit_code == 0
 
 
 async def test_the_picker_sends_and_marks_the_plugged_module(tmp_path):
@@ -176,3 +189,23 @@ async def test_exports_and_json_take_the_type(tmp_path):
     for path in (f"{COUPLER}.json", f"{COUPLER}/export/igh"):
         refused = await web.get(f"{path}?module=0%3D0x10")
         assert (refused.status_code, "ambiguous" in refused.json()["error"]) == (400, True)
+
+
+async def test_a_slot_is_given_once(tmp_path):
+    """The last one would count, and the bus would run with a module that was not meant."""
+    db = catalog_of(tmp_path, DOCUMENT)
+    (tmp_path / "a.xml").write_text(DOCUMENT)
+    twice = ["--module", "0=0x100", "--module", "1=0x100", "--module", "#x0=0x30/Twin#1"]
+    words = "slot 0 is given twice, with module 0x100 and with module 0x30/Twin#1"
+    stored = ["0xe5c:1:1", "--db", str(db)]
+    for command in (
+        ["show", *stored],
+        ["export", "igh", *stored],
+        ["export", "soem", "--esi", str(tmp_path / "a.xml")],
+    ):
+        refused = CliRunner().invoke(cli, [*command, *twice])
+        assert (refused.exit_code, refused.stderr, refused.stdout) == (2, f"esicatalog: {words}\n", "")
+    web = await client(db)
+    for path in (f"{COUPLER}.json", f"{COUPLER}/export/igh"):
+        answer = await web.get(f"{path}?module=0%3D0x100&module=0%3D0x30/Twin%231")
+        assert (answer.status_code, answer.json()) == (400, {"error": words})

@@ -294,12 +294,17 @@ async def test_json_of_a_device_that_is_not_described_is_that_of_identify(data_d
     assert answer.json()["match"] == match
 
 
-async def test_json_of_a_variant_that_is_not_there_says_so(data_db):
-    answer = await (await client(data_db)).get(f"{EYOU}@9.json")
-    assert (answer.status_code, answer.json()) == (
-        404,
-        {"error": "0x00001097:0x00002406:0x0000008f has no variant 9; it has one description only"},
-    )
+async def test_json_of_a_variant_that_is_not_there_names_those_that_are(tmp_path):
+    """As the page does; ``match`` would be exact, and to a question that was not asked."""
+    db = catalog_of(tmp_path, esi(device(name="A")), esi(device(name="B")))
+    answer = await (await client(db)).get("/-/esi/device/0xe5c/1/1@9.json")
+    found = answer.json()
+    words = "0x00000e5c:0x00000001:0x00000001 has no variant 9; its variants are @1 to @2"
+    assert (answer.status_code, found["error"]) == (404, words)
+    assert [(item["variant"], item["sources"][0]["line"]) for item in found["variants"]] == [(1, 1), (2, 1)]
+    assert {item["name"] for item in found["variants"]} == {"A", "B"}
+    assert (found["device"]["variant"], found["candidates"]) == (1, [])
+    assert "match" not in found
 
 
 async def test_virtual_sync_managers_are_named_so(tmp_path):

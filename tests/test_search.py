@@ -1,5 +1,6 @@
 """Which devices can do X: every filter against what the documents say."""
 
+import json
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ from snippets import device, dictionary, elements, esi, pdo, rows, write
 from test_cli import run
 from test_counts import find, number, tree
 from test_round_trip import container_of
+from web_client import client
 
 from esicatalog import Catalog, InputError
 from esicatalog.catalog.device_filter import DeviceFilter
@@ -114,7 +116,8 @@ WORDS = esi(
         ("test vendor", ["X9", "AX", "EL1100"]),
         ("EL1100 nothing", []),
         ("&", []),
-        ("", []),
+        ("", ["X9", "AX", "EL1100"]),
+        (" \t", ["X9", "AX", "EL1100"]),
         ('" OR *', []),
         ("NEAR(", []),
         ("_", []),
@@ -128,6 +131,16 @@ def test_words(tmp_path_factory, text, found):
     if not (db / "c.db").exists():
         catalog_of(db, WORDS)
     assert types(db / "c.db", text=text) == found
+
+
+async def test_a_blank_text_is_no_filter_at_any_door(tmp_path):
+    """Every field of a form is sent, and what is left blank there is not asked."""
+    db = catalog_of(tmp_path, WORDS)
+    for text in ("", " "):
+        listed = json.loads(run("devices", "--text", text, "--format", "json", db=db).stdout)
+        answered = (await (await client(db)).get("/-/esi/devices.json", params={"text": text})).json()
+        assert [item["type"] for item in listed] == ["X9", "AX", "EL1100"]
+        assert answered == listed
 
 
 def test_evidence_says_what_a_document_leaves_out(tmp_path):

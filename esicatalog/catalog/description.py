@@ -12,7 +12,6 @@ from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.results import DeviceSource, FoundDevice
 from esicatalog.catalog.siblings import Revision, revisions_of, same_layout
-from esicatalog.errors import InputError
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -55,14 +54,11 @@ class DeviceDescription(NamedTuple):
     """How many descriptions of this identity there are."""
     findings: tuple[SourceFinding, ...]
     variants_with_slots: tuple[int, ...] = ()
-    """Where this description has no slots: its other variants that have."""
+    """Of several descriptions of the identity, those that have slots."""
 
     def plugged(self, choice: Mapping[int, ModuleChoice]) -> list[PluggedModule]:
         """The default modules with these in their place. Raises :class:`InputError` for a choice that does not fit."""
-        if choice and self.variants_with_slots:
-            others = ", ".join(f"@{variant}" for variant in self.variants_with_slots)
-            raise InputError(f"variant {self.found.variant} of the device has no slots; described with slots: {others}")
-        return chosen_modules(self.device, self.modules, choice)
+        return chosen_modules(self.device, self.modules, choice, self.variants_with_slots)
 
     def default_position(self, choice: Mapping[int, ModuleChoice]) -> int | None:
         """Position of the OpMode that counts with these modules in place of the default ones.
@@ -94,7 +90,7 @@ def read_description(connection: sa.Connection, lookup: IdentityLookup, identity
         same_layout(connection, number),
         variant_count,
         _findings(connection, number),
-        variants_with_slots(connection, found) if variant_count > 1 and not device.slots else (),
+        variants_with_slots(connection, found, variant_count),
     )
 
 

@@ -30,7 +30,7 @@ class DeviceFilter(msgspec.Struct, frozen=True, kw_only=True):
     """Part of the vendor's name."""
     product_code: int | None = None
     text: str | None = None
-    """Words in vendor, type, name or identity."""
+    """Words in vendor, type, name or identity; blank = none, as a search box that is left so."""
     profile_no: int | None = None
     modes: tuple[str, ...] = ()
     """CiA 402 modes, all of them: verdict yes or likely on some axis, with some module."""

@@ -69,8 +69,10 @@ def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, Fou
     raise NotFound(f"{identity._replace(variant=None)} has no variant {wanted}; {last}")
 
 
-def variants_with_slots(connection: sa.Connection, found: FoundDevice) -> tuple[int, ...]:
-    """The variants of the identity of a device that describe slots."""
+def variants_with_slots(connection: sa.Connection, found: FoundDevice, variant_count: int) -> tuple[int, ...]:
+    """Of several variants of the identity of a device, those that describe slots."""
+    if variant_count == 1:
+        return ()
     described = sa.exists().where(slots.c.device_id == devices.c.id)
     identity = (  # None becomes IS NULL, which an index serves everywhere
         devices.c.vendor_id == found.vendor_id,

@@ -140,7 +140,7 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
         yield Condition(columns.vendor_id.in_(named), indexed=True)
     if wanted.product_code is not None:
         yield Condition(columns.product_code == wanted.product_code, indexed=True)
-    if wanted.text is not None:
+    if wanted.text is not None and wanted.text.strip():
         yield Condition(text_condition(wanted.text, connection.dialect.name), indexed=True)
     if wanted.profile_no is not None:
         yield content.profile(wanted.profile_no)

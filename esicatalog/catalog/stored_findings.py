@@ -2,6 +2,7 @@
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
 
 import sqlalchemy as sa
 
@@ -32,15 +33,33 @@ def stored_findings(connection: sa.Connection, rules: Iterable[Rule]) -> Iterato
     yield from lint_library(_facts(connection, names), chosen)
 
 
-def refused_documents(connection: sa.Connection) -> Iterator[DocumentFinding]:
-    """The documents that an ingest could not read: no rule has looked at them."""
-    yield from _refused(connection, _names(connection))
+def unchecked_documents(connection: sa.Connection, rules: Iterable[Rule]) -> list[str]:
+    """The documents that no rule has looked at and no finding of the chosen rules tells, each with the reason.
+
+    Those whose bytes an ingest did not get, for want of permission for instance: what they hold is unknown. Where
+    L01 is not chosen, those that it refused too.
+    """
+    is_told = any(rule.id == REFUSED for rule in rules)
+    rows = connection.execute(_failed(_is_unread()) if is_told else _failed()).all()
+    names = _names(connection) if rows else {}
+    return [f"{names[source_id]}: {message}" for source_id, message in rows]
 
 
 def _refused(connection: sa.Connection, names: Mapping[int, str]) -> Iterator[DocumentFinding]:
-    query = sa.select(sources.c.id, sources.c.message).where(sources.c.status == "failed")
-    for source_id, message in connection.execute(query.order_by(sources.c.member, sources.c.location)):
-        yield DocumentFinding(names[source_id], Finding(REFUSED, "E", message or "cannot be read", 0))
+    for source_id, message in connection.execute(_failed(~_is_unread())):
+        yield DocumentFinding(names[source_id], Finding(REFUSED, "E", message, 0))
+
+
+def _failed(*conditions: sa.ColumnElement[bool]) -> sa.Select[Any]:
+    """Row number and reason of the failed documents that fulfil the conditions."""
+    reason = sa.func.coalesce(sources.c.message, "cannot be read")
+    query = sa.select(sources.c.id, reason).where(sources.c.status == "failed", *conditions)
+    return query.order_by(sources.c.member, sources.c.location)
+
+
+def _is_unread() -> sa.ColumnElement[bool]:
+    """Whether nobody saw the bytes of a document."""
+    return sources.c.sha256.is_(None)
 
 
 def _names(connection: sa.Connection) -> dict[int, str]:

@@ -27,7 +27,7 @@ _CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant
 @db_option
 @click.option("--vendor", metavar="V", help="Vendor id (digits, 0x… or #…), or a part of the vendor's name.")
 @click.option("--product", "product_code", metavar="P", type=NUMBER, help="Product code.")
-@click.option("--text", metavar="T", help="Words in vendor, type, name or identity.")
+@click.option("--text", metavar="T", help="Words in vendor, type, name or identity; blank = all devices.")
 @click.option("--profile", "profile_no", metavar="N", type=NUMBER, help="Profile number, e.g. 402.")
 @click.option("--mode", "modes", metavar="CSV[,CSP]", type=MODES, default=(), help="Runs all these CiA 402 modes.")
 @click.option("--strict", is_flag=True, help="With --mode: only the verdict yes, not likely.")

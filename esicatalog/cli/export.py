@@ -16,7 +16,7 @@ from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subject
 from esicatalog.errors import InputError
 from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, parse_pdo_choice
 from esicatalog.export.soem import VERSIONS
-from esicatalog.identity import Identity
+from esicatalog.identity import Identity, modules_by_slot
 
 Option = Callable[[Callable[..., Any]], Callable[..., Any]]
 
@@ -89,7 +89,7 @@ def _choice(options: dict[str, Any]) -> Choice:
     """The choice in the options, which are taken out of them."""
     return Choice(
         pdos=parse_pdo_choice(pdo) if (pdo := options.pop("pdo")) is not None else (),
-        modules=dict(options.pop("modules")),
+        modules=modules_by_slot(options.pop("modules")),
         **{field: options.pop(field) for field in ("op_mode", "cycle_ns", "name", "alias", "position")},
     )
 

@@ -108,11 +108,9 @@ class _StoredRun:
     def findings(self) -> "Iterator[DocumentFinding]":
         """All findings; those across documents come last."""
         from esicatalog.api import Catalog
-        from esicatalog.lint.rules.reading import REFUSED
 
         with Catalog.open(self._db, read_only=True) as catalog:
-            if not any(rule.id == REFUSED for rule in self._rules):  # then no finding tells them
-                self.unreadable += [f"{item.document}: {item.finding.message}" for item in catalog.refused_documents()]
+            self.unreadable += catalog.unchecked_documents(self._rules)
             yield from catalog.findings(self._rules)
 
     def counts(self) -> str:

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import click
 
 from esicatalog.cli.common import IDENTITY, PLUGGED, db_option, format_option, print_json, reporting_errors
+from esicatalog.identity import modules_by_slot
 
 if TYPE_CHECKING:
     from esicatalog.identity import Identity, ModuleChoice
@@ -34,10 +35,11 @@ def command(identity: "Identity", db: str, modules: "tuple[tuple[int, ModuleChoi
     from esicatalog.catalog.description import description_json
     from esicatalog.cli.sheet import sheet_lines
 
+    choice = modules_by_slot(modules)
     with Catalog.open(db) as catalog:
         description = catalog.device(identity)
     if output_format == "json":
-        print_json(description_json(description, dict(modules)))
+        print_json(description_json(description, choice))
     else:
-        for line in sheet_lines(description, dict(modules)):
+        for line in sheet_lines(description, choice):
             click.echo(line)

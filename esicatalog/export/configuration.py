@@ -145,7 +145,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     subject.required_codes()
     _check_numbers(choice)
     device = subject.device
-    plugged = chosen_modules(device, subject.modules, choice.modules)
+    plugged = chosen_modules(device, subject.modules, choice.modules, subject.variants_with_slots)
     expanded = [expand_module(device, item) for item in plugged]
     position, op_mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
     op_mode = device.op_modes[position] if position is not None else None

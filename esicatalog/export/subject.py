@@ -30,6 +30,8 @@ class Subject(NamedTuple):
     """The vendor as the document writes it."""
     groups: tuple[Group, ...] = ()
     """All groups of the document."""
+    variants_with_slots: tuple[int, ...] = ()
+    """Of several descriptions of the identity, those that have slots."""
 
     @property
     def identity_text(self) -> str:
@@ -64,6 +66,10 @@ class Subject(NamedTuple):
     def of_document(self, vendor: Vendor | None, groups: Iterable[Group]) -> Self:
         """The same description with the vendor and groups of its document."""
         return self._replace(document_vendor=vendor, groups=tuple(groups))
+
+    def beside(self, variants_with_slots: tuple[int, ...]) -> Self:
+        """The same description among others of its identity, of which these variants have slots."""
+        return self._replace(variants_with_slots=variants_with_slots)
 
     def standing_in(self, reason: str) -> Self:
         """The same description, accepted for another revision."""
@@ -113,7 +119,8 @@ def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_
         latest = max((number for number in revisions if number is not None), default=None)
         fitting = [subject for subject in fitting if subject.revision_no == latest]
     if identity is not None and identity.variant is not None:
-        fitting = fitting[identity.variant - 1 : identity.variant]
+        with_slots = tuple(number for number, subject in enumerate(fitting, 1) if subject.device.slots)
+        fitting = [subject.beside(with_slots) for subject in fitting[identity.variant - 1 : identity.variant]]
     if len(fitting) == 1:
         return fitting[0]
     listed = ", ".join(f"{subject.identity_text} ({subject.device.type}; {subject.origin[0]})" for subject in subjects)

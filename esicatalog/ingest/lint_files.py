@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from esicatalog.catalog.digests import Digests
-from esicatalog.errors import DocumentError, InputError, NotAnEsiDocument, UnreadableDocument
+from esicatalog.errors import BrokenDocument, DocumentError, InputError, NotAnEsiDocument, UnreadableDocument
 from esicatalog.esi.containers import Container, open_container, resolve_reference
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import Reader
@@ -80,7 +80,7 @@ class FilesRun:
         container = self._container(found)
         pulled = self._reader.pulled(container, found.name)
         if pulled is None:
-            read, tree = self._reader.read_tree(container.read(found.name), found.name, container)
+            read, tree = self._reader.read_tree(_content(container, found.name), found.name, container)
         else:
             read, tree = pulled.document, _once(pulled.tree)
         self._document_count += 1
@@ -114,6 +114,14 @@ class FilesRun:
 
 def _documents(item: FoundDocument | FoundArchive) -> Iterable[FoundDocument]:
     return archive_members(item) if isinstance(item, FoundArchive) else (item,)
+
+
+def _content(container: Container, name: str) -> bytes:
+    """The bytes of a document. Raises :class:`UnreadableDocument`: what it holds is then unknown."""
+    try:
+        return container.read(name)
+    except BrokenDocument as error:
+        raise UnreadableDocument(str(error)) from error
 
 
 def _once(make: Callable[[], Result]) -> Callable[[], Result]:

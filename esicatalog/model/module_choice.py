@@ -42,10 +42,14 @@ def module_choices(modules: Sequence[Module]) -> list[ModuleChoice | None]:
 
 
 def chosen_modules(
-    device: Device, modules: Sequence[Module], choice: Mapping[int, ModuleChoice]
+    device: Device,
+    modules: Sequence[Module],
+    choice: Mapping[int, ModuleChoice],
+    variants_with_slots: Sequence[int] = (),
 ) -> list[PluggedModule]:
     """The default modules with the chosen ones in their place.
 
+    ``variants_with_slots`` are the descriptions of the same identity that have slots, to name where this one has none.
     Raises :class:`InputError` for a slot that does not exist, a module that does not fit, and an ident that several
     modules have that are configured in different ways.
     """
@@ -60,11 +64,18 @@ def chosen_modules(
             raise InputError(
                 f"the device has no slot {number}; its slots are 0 to {len(slots) - 1}"
                 if slots
-                else "the device has no slots"
+                else _without_slots(variants_with_slots)
             )
         fitting = [item for item in zip(modules, labels, strict=True) if accepts(slot, item[0])]
         plugged[number] = PluggedModule(number, slot, _meant(number, fitting, wanted))
     return [plugged[number] for number in sorted(plugged)]
+
+
+def _without_slots(variants_with_slots: Sequence[int]) -> str:
+    if not variants_with_slots:
+        return "the device has no slots"
+    others = ", ".join(f"@{variant}" for variant in variants_with_slots)
+    return f"the device has no slots in this variant; variants with slots: {others}"
 
 
 def _meant(slot_number: int, fitting: Sequence[tuple[Module, str]], wanted: ModuleChoice) -> Module:

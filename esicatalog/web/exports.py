@@ -23,7 +23,7 @@ from esicatalog.export.sii import sii_image
 from esicatalog.export.sii_limits import check_image
 from esicatalog.export.soem import soem_header
 from esicatalog.export.subject import Subject
-from esicatalog.identity import ModuleChoice, parse_number, parse_plugged
+from esicatalog.identity import ModuleChoice, modules_by_slot, parse_number, parse_plugged
 from esicatalog.sii.encode import encode_sii
 from esicatalog.web.http import check_names, status_of
 from esicatalog.web.links import identity_of_path
@@ -105,9 +105,12 @@ def _generated(request: Any, catalog: Catalog) -> Response:
 
 
 def asked_modules(request: Any) -> Mapping[int, ModuleChoice]:
-    """The modules that a request chooses, by slot; slots for which none is named keep what they have."""
+    """The modules that a request chooses, by slot; slots for which none is named keep what they have.
+
+    Raises :class:`~esicatalog.errors.InputError` for what is no such choice and for a slot that is given twice.
+    """
     texts = request.args.getlist("module")
-    return dict(parse_plugged(text) for text in texts if text.partition("=")[1:] != ("=", ""))
+    return modules_by_slot(parse_plugged(text) for text in texts if text.partition("=")[1:] != ("=", ""))
 
 
 def _choice(request: Any) -> Choice:

@@ -53,7 +53,7 @@ _IDENTITY_TEXT = {
     "examples": ["0x1097:0x2406", "0x1097:0x2406:0x8f", "0x1097:0x2406:-@2"],
 }
 _OPTIONAL_NUMBER = {**_NUMBER, "pattern": f"^({_UINT32_NUMBER})?$"}
-_VENDOR_NAME = "([1-9][0-9]*)?[^0-9#\\s][\\s\\S]*"
+_VENDOR_NAME = "\\s*([1-9][0-9]*)?[^0-9#\\s][\\s\\S]*"
 _VENDOR = {"type": "string", "pattern": f"^({_UINT32_NUMBER}|{_VENDOR_NAME})?$"}
 _LIMIT = {"type": "string", "pattern": "^[0-9]{0,5}$"}
 _BY_PARSER: dict[Callable[[str], Any], dict[str, Any]] = {
@@ -114,6 +114,7 @@ _ANSWER = {
     "warnings": _list({"type": "string"}),
     "slave": {"type": "object", "description": "Place and state of the slave; in answers about a scan only"},
 }
+_ERROR = {"error": {"type": "string"}}
 _ASKED_PRODUCT = {
     name: {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER]}
     for name in ("vendor", "product")
@@ -126,7 +127,8 @@ _SCHEMAS = {
     "Device": _object(_DEVICE),
     "DescribedDevice": _object({**_DEVICE, "sources": _list(_SOURCE)}),
     "Identification": _object(_ANSWER, optional=("slave",)),
-    "Error": _object({"error": {"type": "string"}}),
+    "Error": _object(_ERROR),
+    "OtherDescriptions": _object({**_ERROR, **{name: _ANSWER[name] for name in ("device", "variants", "candidates")}}),
     "Identity": {
         "anyOf": [_object(_ASKED), _object(_ASKED_PRODUCT) | {"additionalProperties": False}],
         "description": "Without a revision other members are refused: one of them may be meant as it",
@@ -184,7 +186,7 @@ _MODULE = {
     "in": "query",
     "required": False,
     "description": "Module in a slot, SLOT=IDENT, with /TYPE where several modules have that ident; the process image "
-    "is that with these modules",
+    "is that with these modules, one a slot",
     "schema": _list(
         {
             "type": "string",
@@ -263,9 +265,9 @@ def openapi_document(base_url: str) -> dict[str, Any]:
                     "responses": {
                         "200": _answers("The device", {"type": "object", "required": ["identity", "device"]}),
                         "404": _answers(
-                            "There is no such device: what identify.json answers, or an error where the product is "
-                            "described, but not in this variant or not without revision",
-                            {"oneOf": [_ref("Identification"), _ref("Error")]},
+                            "There is no such device: what identify.json answers; where the product is described, but "
+                            "not in this variant or not without revision, an error with the descriptions there are",
+                            {"oneOf": [_ref("Identification"), _ref("OtherDescriptions")]},
                         ),
                         **_ERRORS,
                     },

@@ -158,7 +158,7 @@ def sub_item_overlap(subject: DataTypeSubject) -> Iterator[Found]:
     first = sub_items[0]
     if first.subindex == 0 and first.bit_offset:
         yield Found(
-            f"SubIdx 0 of DataType {data_type.name} has BitOffs {first.bit_offset}; it lies at 0",
+            f"SubIdx 0 of DataType {data_type.name} has BitOffs {first.bit_offset}: correct it to 0",
             ("sub_items", 0, "bit_offset"),
         )
     areas = [
@@ -177,6 +177,6 @@ def sub_item_overlap(subject: DataTypeSubject) -> Iterator[Found]:
         if end > data_type.bit_size:
             yield Found(
                 f"SubItem {sub_items[number].name!r} of DataType {data_type.name} ends at bit {end}, "
-                f"behind its BitSize {data_type.bit_size}",
+                f"behind its BitSize {data_type.bit_size}: correct BitOffs or one BitSize",
                 ("sub_items", number),
             )

@@ -40,7 +40,7 @@ from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, 
 from esicatalog.web.exports import TARGETS, asked_modules
 from esicatalog.web.http import Page, check_names, status_of
 from esicatalog.web.links import BASE, device_path, identity_of_path
-from esicatalog.web.pages.nearest import is_no_question_of_identify, nearest
+from esicatalog.web.pages.nearest import nearest, nearest_json
 
 _LONGEST_NUMBER = 8
 _MOST_SLOTS = 24
@@ -70,18 +70,15 @@ async def device_page(request: Any, catalog: Catalog) -> Page:
 async def device_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
     """``/-/esi/device/V/P/R.json``: the JSON of ``esicatalog show --format json``.
 
-    404 for an identity that is not described: with the answer of ``identify.json``, which names the nearest one, or
-    with an error where the product is described, yet not in this variant or not without revision: that route knows
-    neither.
+    404 for an identity that is not described: with the answer of ``identify.json``, which names the nearest one. Where
+    the product is described, yet not in this variant or not without revision, that route knows neither: the answer is
+    an error with the descriptions that there are.
     """
     identity, choice = _asked(request)
     try:
         description = await asyncio.to_thread(catalog.device, identity)
-    except NotFound:
-        answer = await asyncio.to_thread(catalog.identify, *identity[:3])
-        if is_no_question_of_identify(identity, answer):
-            raise
-        return answer.as_json(), 404
+    except NotFound as error:
+        return await asyncio.to_thread(nearest_json, catalog, identity, error), status_of(error)
     return await asyncio.to_thread(description_json, description, choice), 200
 
 

@@ -9,18 +9,20 @@ from datasette import handle_exception, hookimpl
 from esicatalog.catalog.full_text import search_expression
 from esicatalog.catalog.views import FULL_TEXT
 from esicatalog.web.cells import cell, decimal_filters
+from esicatalog.web.descriptions import complete_links
 from esicatalog.web.functions import bound_work, hex0x, parse_hex
 from esicatalog.web.routes import ROUTES
 from esicatalog.web.state import MOUNTED_AS
 
 
 @hookimpl  # type: ignore[untyped-decorator]
-def startup() -> None:
-    """Keep errors off the console, where rich is installed.
+def startup(datasette: Any) -> Callable[[], Awaitable[None]]:
+    """Keep errors off the console, where rich is installed, and have descriptions lead to the pages from everywhere.
 
     Datasette has rich print what it answers, and rich fails at an error that was never raised: a 404 became a 500.
     """
     handle_exception.rich = None
+    return lambda: complete_links(datasette)
 
 
 @hookimpl(trylast=True)  # type: ignore[untyped-decorator]

@@ -5,6 +5,11 @@
 
 ec_slavet ec_slave[EC_MAXSLAVE];
 
+/* Index of an object that the slave does not let be written. */
+#ifndef REFUSED
+#define REFUSED 0
+#endif
+
 static int print_data(const void *p, int size)
 {
    for (int i = 0; i < size; i++)
@@ -17,7 +22,7 @@ int ec_SDOwrite(uint16 Slave, uint16 Index, uint8 SubIndex, boolean CA, int psiz
 {
    (void) Timeout;
    printf("sdo %u 0x%04x:%02x%s ", Slave, Index, SubIndex, CA ? " complete" : "");
-   return print_data(p, psize);
+   return print_data(p, psize) && Index != REFUSED;
 }
 
 int ec_SoEwrite(uint16 slave, uint8 driveNo, uint8 elementflags, uint16 idn, int psize, void *p, int timeout)

@@ -3,6 +3,11 @@
 
 #include "soem/soem.h"
 
+/* Index of an object that the slave does not let be written. */
+#ifndef REFUSED
+#define REFUSED 0
+#endif
+
 static int print_data(const void *p, int size)
 {
    for (int i = 0; i < size; i++)
@@ -18,7 +23,7 @@ int ecx_SDOwrite(
    (void) context;
    (void) Timeout;
    printf("sdo %u 0x%04x:%02x%s ", Slave, Index, SubIndex, CA ? " complete" : "");
-   return print_data(p, psize);
+   return print_data(p, psize) && Index != REFUSED;
 }
 
 int ecx_SoEwrite(
