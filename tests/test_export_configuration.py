@@ -532,6 +532,32 @@ def test_a_fixed_cycle_of_sync0_other_than_the_bus_cycle_is_told(cycle_ns, remar
     assert found.remarks == ((f"the OpMode fixes the SYNC0 cycle at 250000 ns: {remark}",) if remark else ())
 
 
+@pytest.mark.parametrize(("cycle_ns", "is_told"), [(None, True), (1_999_999, True), (2_000_000, False)])
+def test_a_bus_cycle_that_is_shorter_than_the_device_can_is_told(cycle_ns, is_told):
+    """0x1C32:05 is 2 ms (0x001E8480)."""
+    types = (
+        "<DataType><Name>DT1C32</Name><BitSize>48</BitSize><SubItem><SubIdx>0</SubIdx><Name>n</Name>"
+        "<Type>USINT</Type><BitSize>8</BitSize><BitOffs>0</BitOffs></SubItem><SubItem><SubIdx>5</SubIdx>"
+        "<Name>Minimum cycle time</Name><Type>UDINT</Type><BitSize>32</BitSize><BitOffs>16</BitOffs></SubItem>"
+        "</DataType>"
+    )
+    values = "<SubItem><Name>Minimum cycle time</Name><Info><DefaultData>80841E00</DefaultData></Info></SubItem>"
+    objects = (
+        "<Object><Index>#x1C32</Index><Name>SM output parameter</Name><Type>DT1C32</Type><BitSize>48</BitSize>"
+        f"<Info>{values}</Info></Object>"
+    )
+    found = configured(dictionary(types, objects) + SMS, cycle_ns=cycle_ns)
+    told = [remark for remark in found.remarks if "smallest bus cycle" in remark]
+    assert (
+        told
+        == [
+            "the device describes 2000000 ns as its smallest bus cycle, this is made for "
+            f"{cycle_ns or 1_000_000} ns: choose a longer one, or find out what this configuration of the device can do"
+        ]
+        * is_told
+    )
+
+
 def conditions(content: str, cycle_ns: int) -> list[str]:
     found = configured(content, cycle_ns=cycle_ns)
     assert found.clocks is not None

@@ -10,7 +10,7 @@ from esicatalog.catalog.conditions import Condition, Evidence, by_row, stated, t
 from esicatalog.catalog.schema import dc_modes, device_facts, devices, drive_modes, mailboxes
 from esicatalog.identity import Bounds
 from esicatalog.model.cia402 import CIA402
-from esicatalog.model.device_facts import MINIMUM_CYCLE, SYNC_PARAMETERS
+from esicatalog.model.sync_parameters import MINIMUM_CYCLE, SYNC_PARAMETERS
 from esicatalog.model.words import protocol_name
 
 _FSOE = "fsoe"

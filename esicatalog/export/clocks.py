@@ -132,7 +132,7 @@ class Clocks(NamedTuple):
             if time.may_change_sign:
                 yield Condition(
                     f"{time.expression(cycle, divide)} {sign}",
-                    f"SYNC1 comes at another rate at this {cycle}, its shift is not within a SYNC0 cycle: generate anew",
+                    f"SYNC1 comes at another rate at this {cycle}, which its shift does not fit into: generate anew",
                 )
 
 

@@ -18,11 +18,13 @@ from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import ChosenPdos, apply_choice
 from esicatalog.export.subject import Subject
+from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
 from esicatalog.model.pdo_facts import has_length
 from esicatalog.model.process_image import PlacedPdo, SmImage, process_image
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_direction
+from esicatalog.model.sync_parameters import min_cycle_ns, sync_parameters
 
 _CONTROL_BYTES = range(0x100)
 _MAX_INDEX, _MAX_SUBINDEX, _UINT32_MAX = 0xFFFF, 0xFF, 0xFFFF_FFFF
@@ -167,6 +169,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *(remark for image in images for remark in image.remarks),
         *_swap_remarks(images),
         *programmed.remarks,
+        *_too_short(device, programmed.cycle_ns),
         *command_remarks,
         *cycle_remarks(commands, names.axes, programmed.cycle_ns, _sync0_ns(programmed)),
         *mode_remarks(commands, names.axes, expanded, images),
@@ -191,6 +194,15 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
 def _sync0_ns(programmed: Programmed) -> Fraction | None:
     found = programmed.clocks
     return found.sync0_cycle.in_ns(programmed.cycle_ns) if found is not None and found.signals.sync0 else None
+
+
+def _too_short(device: Device, cycle_ns: int) -> Iterator[str]:
+    least_ns = min_cycle_ns(device, sync_parameters(device, DictionaryViews()))
+    if least_ns is not None and cycle_ns < least_ns:
+        yield (
+            f"the device describes {least_ns} ns as its smallest bus cycle, this is made for {cycle_ns} ns: choose a "
+            "longer one, or find out what this configuration of the device can do"
+        )
 
 
 def _check_numbers(choice: Choice) -> None:

@@ -12,17 +12,17 @@ from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.model.cia402 import AXIS_STEP
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
+from esicatalog.model.sync_parameters import SYNC_PARAMETERS
 
 START_TRANSITIONS = ("IP", "PS", "SO")
 """In the order of a start."""
 TRANSITIONS = (*START_TRANSITIONS, "SP", "OP", "OS")
 """The last three lead back."""
 MODULE_IDENT_LIST = 0xF030
-_SYNC_PARAMETERS = (0x1C32, 0x1C33)
 _NS_OF_CYCLE_UNIT = {
     ("SoE", 1, 0): 1_000,
     ("SoE", 2, 0): 1_000,
-    **{("CoE", index, 2): 1 for index in _SYNC_PARAMETERS},
+    **{("CoE", index, 2): 1 for index in SYNC_PARAMETERS},
 }
 """Where cycle times are written, and in which unit: S-0-0001 control unit cycle time and S-0-0002 communication cycle
 time (IEC 61800-7-204), cycle time of the SyncManager parameters (ETG.1020)."""
@@ -184,7 +184,7 @@ def cycle_remarks(
         if unit is None or command.complete_access or len(command.data) > _MAX_TIME_BYTES:
             continue
         written_ns = int.from_bytes(command.data, "little") * unit
-        by_sync0 = command.object_index in _SYNC_PARAMETERS and written_ns == sync0_ns
+        by_sync0 = command.object_index in SYNC_PARAMETERS and written_ns == sync0_ns
         if written_ns != cycle_ns and not by_sync0:
             tool = "; AdaptAutomatically: the configuration tool adapts the data" if command.adapt_automatically else ""
             yield (

@@ -1,26 +1,18 @@
 """What engineers filter devices by and no single element says: sizes, SYNC support, cycle, layout, safety."""
 
-import re
-from collections.abc import Iterable, Iterator
 from typing import Annotated
 
 from esicatalog.esi.binding import Doc, Record
-from esicatalog.esi.canonical import elements_naming
-from esicatalog.esi.numbers import MAX_STORED, decode_hex_binary
-from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device, Eeprom
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.safety import FsoeEvidence
 from esicatalog.model.sm_facts import INPUT, OUTPUT
+from esicatalog.model.sync_parameters import SYNC_TYPES, min_cycle_ns, sync_parameters
 
-SYNC_PARAMETERS = (0x1C32, 0x1C33)
-_SYNC_TYPES, MINIMUM_CYCLE = 4, 5
-_COUNT = re.compile(r"\s*\d{1,18}\s*")
 _BOOTSTRAP_BYTES = slice(2 * 0x14, 2 * 0x18)
-"""Thirty years and more are no cycle."""
-
 
 _SIZE = (
     "Bytes that the master {} in the default process image; 0 = none, NULL = PDOs without SyncManagers or too long for "
@@ -67,7 +59,7 @@ def device_facts(
 ) -> DeviceFacts:
     """Facts of a device from what else follows from it and from its dictionaries."""
     signals, valid = data.signals, data.valid_signals
-    sync = {index: _sync_parameter(device, index, views) for index in SYNC_PARAMETERS}
+    sync = sync_parameters(device, views)
     return DeviceFacts(
         output_bytes=data.byte_size(OUTPUT),
         input_bytes=data.byte_size(INPUT),
@@ -77,9 +69,9 @@ def device_facts(
         supports_sync0=any(signal.sync0 for signal in signals),
         supports_sync1=any(signal.sync1 for signal in signals),
         uses_latch=any(signal.latch0_pdi or signal.latch1_pdi or signal.time_only for signal in signals),
-        output_sync_types=sync[0x1C32].get(_SYNC_TYPES),
-        input_sync_types=sync[0x1C33].get(_SYNC_TYPES),
-        min_cycle_ns=_min_cycle_ns(device, data.valid_op_modes, sync.values()),
+        output_sync_types=sync[0x1C32].get(SYNC_TYPES),
+        input_sync_types=sync[0x1C33].get(SYNC_TYPES),
+        min_cycle_ns=min_cycle_ns(device, sync),
         axis_count=len({item.axis for item in modes.evidence}),
         has_bootstrap=device.eeprom is not None and _has_bootstrap(device.eeprom),
         image_signature=data.image_signature,
@@ -87,15 +79,6 @@ def device_facts(
         fsoe=fsoe.level if fsoe is not None else None,
         fsoe_evidence=fsoe.words if fsoe is not None else None,
     )
-
-
-def _sync_parameter(device: Device, index: int, views: DictionaryViews) -> dict[int, int]:
-    """Defaults of a SM synchronisation object by subindex."""
-    for profile in device.profiles:
-        entries = views.view(profile.dictionary).entries(index) if profile.dictionary is not None else None
-        if entries is not None:
-            return {entry.subindex: entry.default_int for entry in entries.values() if entry.default_int is not None}
-    return {}
 
 
 def _has_bootstrap(eeprom: Eeprom) -> bool:
@@ -107,29 +90,3 @@ def _has_bootstrap(eeprom: Eeprom) -> bool:
         return bool((eeprom.boot_strap or "").strip("0"))
     image = decode_hex_binary(eeprom.data) or b""
     return any(image[_BOOTSTRAP_BYTES])
-
-
-def _min_cycle_ns(device: Device, op_modes: Iterable[OpMode], sync: Iterable[dict[int, int]]) -> int | None:
-    """The cycle that outputs and inputs both keep up with, else the smallest one that samples of an OpMode allow."""
-    declared = [values[MINIMUM_CYCLE] for values in sync if values.get(MINIMUM_CYCLE, 0) > 0]
-    if declared:
-        return max(declared)
-    texts = (device.info_vendor_specific, device.dc_vendor_specific, *(m.vendor_specific for m in op_modes))
-    sampled = [cycle for text in texts for cycle in _sampled_cycles(text)]
-    return min(sampled, default=None)
-
-
-def _sampled_cycles(text: str | None) -> Iterator[int]:
-    """Bus cycles in TwinCAT's words: MinCycleTime on Oversampling is the smallest interval between two samples.
-
-    EL1262: 1000 ns, and one million samples a second in its data sheet; a cycle has DefaultFactor samples unless
-    another factor is chosen.
-    """
-    for element in elements_naming("MinCycleTime", text):
-        interval, samples = _count(element.get("MinCycleTime")), _count(element.get("DefaultFactor")) or 1
-        if interval and interval * samples <= MAX_STORED:
-            yield interval * samples
-
-
-def _count(text: str | None) -> int:
-    return int(text) if text is not None and _COUNT.fullmatch(text) else 0

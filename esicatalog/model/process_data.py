@@ -18,7 +18,7 @@ from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.process_image import SmImage, default_process_image
 from esicatalog.model.slot_indices import IndicesInSlots
 from esicatalog.model.slots import default_modules
-from esicatalog.model.sync import SyncSignals, default_position, generated_signals, is_superseded
+from esicatalog.model.sync import SyncSignals, default_position, generated_signals, valid_op_modes
 
 _MAX_KNOWN = 1_000
 
@@ -66,14 +66,9 @@ class ProcessData:
         return self._signals_of(self.op_modes)
 
     @cached_property
-    def valid_op_modes(self) -> Sequence[OpMode]:
-        """The OpModes that newer tools do not ignore; all when they would ignore all."""
-        return [mode for mode in self.op_modes if not is_superseded(mode)] or self.op_modes
-
-    @cached_property
     def valid_signals(self) -> list[SyncSignals]:
-        """What the OpModes that newer tools do not ignore make of the clocks."""
-        return self._signals_of(self.valid_op_modes)
+        """The same of those OpModes that newer tools do not ignore; of all when they would ignore all."""
+        return self._signals_of(valid_op_modes(self.op_modes))
 
     def _signals_of(self, op_modes: Iterable[OpMode]) -> list[SyncSignals]:
         return [generated_signals(mode, self._device.dc_time_loop_control_only) for mode in op_modes]

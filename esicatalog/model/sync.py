@@ -82,6 +82,11 @@ def is_superseded(op_mode: OpMode) -> bool:
     return any(element.get(attribute) for element in elements_naming(attribute, op_mode.vendor_specific))
 
 
+def valid_op_modes(op_modes: Sequence[OpMode]) -> Sequence[OpMode]:
+    """The OpModes that newer tools do not ignore; all when they would ignore all."""
+    return [mode for mode in op_modes if not is_superseded(mode)] or op_modes
+
+
 def op_modes_with_sync0(device: Device) -> list[OpMode]:
     """The OpModes that generate SYNC0 and are not superseded (ESI-FACTS section 11)."""
     time_only = device.dc_time_loop_control_only
