@@ -737,3 +737,20 @@ async def test_the_form_keeps_the_chosen_modules(data_db):
     tree = await page(data_db, f"{EYOU}?module=0%3D0x219800")
     form = tree.cssselect("section[aria-labelledby=exports] form")[0]
     assert ("module", "0=0x219800") in form.form_values()
+
+
+async def test_op_modes_that_newer_tools_ignore_are_marked(tmp_path):
+    """EL2262: 30 of 34 OpModes have IgnoreFromBuildNo, and their names come again."""
+    old = "<VendorSpecific><TwinCAT IgnoreFromBuildNo='2200'/></VendorSpecific>"
+    modes = "".join(
+        f"<OpMode><Name>DC</Name><AssignActivate>#x{word}</AssignActivate>{more}</OpMode>"
+        for word, more in (("700", old), ("300", ""))
+    )
+    db = catalog_of(tmp_path, esi(device(f"<Dc>{modes}</Dc>")))
+    shown = [line.split()[:3] for line in run("show", "0xe5c:1:1", db=db).stdout.splitlines() if " DC  " in line]
+    assert shown == [["0-", "DC", "0x0700"], ["1*", "DC", "0x0300"]]
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    superseded, default = (text for text in texts(tree, "summary") if text.startswith("DC"))
+    assert superseded.startswith("DC (superseded: newer tools ignore it) AssignActivate 0x0700")
+    assert default.startswith("DC (default) AssignActivate 0x0300")
+    assert "others: 0 'DC' (superseded)" in run("export", "soem", "0xe5c:1:1", db=db).stdout

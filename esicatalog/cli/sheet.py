@@ -20,7 +20,7 @@ from esicatalog.model.pdo_facts import pdo_bits, pdos_by_direction
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import generated_signals
+from esicatalog.model.sync import generated_signals, is_superseded
 from esicatalog.model.words import (
     INIT_CMD_PROTOCOLS,
     clock_words,
@@ -255,7 +255,7 @@ def _dc_modes(device: Device, default: int | None) -> Iterator[str]:
             words.append("DC time only")
         rows.append(
             [
-                "*" if position == default else "",
+                f"{position}{'*' if position == default else '-' if is_superseded(mode) else ''}",
                 mode.name or "",
                 _hex(mode.assign_activate),
                 "+".join(words) or "no DC",
@@ -266,8 +266,8 @@ def _dc_modes(device: Device, default: int | None) -> Iterator[str]:
                 mode.description or "",
             ]
         )
-    head = ("", "OpMode", "activate", "signals", "cycle 0", "shift 0 ns", "cycle 1", "shift 1 ns", "description")
-    yield from _section("DC modes (* = default)", head, rows)
+    head = ("at", "OpMode", "activate", "signals", "cycle 0", "shift 0 ns", "cycle 1", "shift 1 ns", "description")
+    yield from _section("DC modes (* = default, - = superseded: newer tools ignore it)", head, rows)
 
 
 def _cycle(nanoseconds: int | None, factor: int | None) -> str:

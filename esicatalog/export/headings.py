@@ -6,6 +6,7 @@ from esicatalog.catalog.results import hex32
 from esicatalog.esi.records.common import display_text
 from esicatalog.export.clocks import Clocks
 from esicatalog.export.configuration import Configuration
+from esicatalog.model.sync import is_superseded
 from esicatalog.version import __version__
 
 DRIVE_WARNING = (
@@ -44,7 +45,7 @@ def choice_lines(configuration: Configuration) -> Iterator[str]:
     if configuration.op_mode is not None:
         yield f"OpMode:   {op_mode_words(configuration)}"
         others = [
-            f"{position} {mode.name!r}"
+            f"{position} {mode.name!r}{' (superseded)' if is_superseded(mode) else ''}"
             for position, mode in enumerate(device.op_modes)
             if position != configuration.op_mode_position
         ]

@@ -26,7 +26,7 @@ from esicatalog.model.process_image import SmImage, alternative_assignments, ass
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import generated_signals
+from esicatalog.model.sync import generated_signals, is_superseded
 from esicatalog.model.words import (
     INIT_CMD_PROTOCOLS,
     clock_words,
@@ -133,6 +133,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
                 "mode": mode,
                 "signals": generated_signals(mode, device.dc_time_loop_control_only),
                 "is_default": position == default,
+                "is_superseded": is_superseded(mode),
                 "drawing": dc_timing_svg(mode),
             }
             for position, mode in enumerate(device.op_modes)
