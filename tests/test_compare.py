@@ -250,7 +250,19 @@ def test_another_default_op_mode_counts():
             "Synchron (position 0), AssignActivate 0x0000 (no DC)",
             "DC (position 0), AssignActivate 0x0300 (sync unit active, SYNC0), CycleTimeSync0 Factor 1",
             True,
-        )
+        ),
+        ("OpMode order", "Synchron, DC", "DC, Synchron", False),
+    ]
+
+
+def test_another_order_of_op_modes_is_told():
+    """A choice by position means another one then; by name it does not."""
+    second, third = op_mode("DC", "#x300"), op_mode("DC2", "#x700")
+    assert clocks(FREE + second + third, FREE + third + second) == [
+        ("OpMode order", "Synchron, DC, DC2", "Synchron, DC2, DC", False)
+    ]
+    assert clocks(FREE + second, FREE + third + second) == [
+        ("OpMode DC2", None, "AssignActivate 0x0700 (sync unit active, SYNC0, SYNC1)", False)
     ]
 
 

@@ -1,6 +1,7 @@
 """Comparison of the distributed clocks: OpModes, their signals, times and PDO lists, and which one is the default."""
 
 from collections.abc import Iterator
+from operator import itemgetter
 
 from esicatalog.esi.records.dc import OpMode, OpModePdo
 from esicatalog.esi.records.device import Device
@@ -114,7 +115,7 @@ _OP_MODE_TEXTS = (
 
 
 def compare_clocks(left: Device, right: Device) -> Iterator[Difference]:
-    """Flags of Dc, the default OpMode, and all OpModes.
+    """Flags of Dc, the default OpMode, their order, and all OpModes.
 
     OpModes are matched by name, those left over by equal content: a new name alone does not count, nor does an OpMode
     that only the right one has, unless it is the default.
@@ -124,6 +125,7 @@ def compare_clocks(left: Device, right: Device) -> Iterator[Difference]:
         return
     pairs = _matched_modes(left.op_modes, right.op_modes)
     yield from _compare_default(left, right, pairs)
+    yield from _compare_order(left, right, pairs)
     for ours, theirs in pairs:
         if ours is None or theirs is None:
             yield from compare_whole(DC, f"OpMode {either(ours, theirs).name}", ours, theirs, _OP_MODE, lost)
@@ -143,6 +145,17 @@ def _matched_modes(left: tuple[OpMode, ...], right: tuple[OpMode, ...]) -> list[
 
 def _content(mode: OpMode) -> tuple[str, ...]:
     return fact_words(mode, _OP_MODE), *(f"SM{item.no} {fact_words(item, _OP_MODE_SM)}" for item in mode.sm_assignments)
+
+
+def _compare_order(
+    left: Device, right: Device, pairs: list[tuple[OpMode | None, OpMode | None]]
+) -> Iterator[Difference]:
+    """The order of those that both have: a choice by position means another one."""
+    before, after = ({id(mode): at for at, mode in enumerate(device.op_modes)} for device in (left, right))
+    both = [(mode.name, before[id(mode)], after[id(other)]) for mode, other in pairs if mode and other]
+    said, also = (", ".join(f"{item[0]}" for item in sorted(both, key=itemgetter(side))) for side in (1, 2))
+    if said != also:
+        yield difference(DC, "OpMode order", said, also, False)
 
 
 def _compare_default(
