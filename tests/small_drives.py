@@ -3,12 +3,14 @@
 from esicatalog.esi.reader import Reader
 from esicatalog.model.drive_modes import DriveModes, DriveModeVerdict, drive_modes
 
+SMS = "".join(f"<Sm>{usage}</Sm>" for usage in ("MBoxOut", "MBoxIn", "Outputs", "Inputs"))
 
-def one_drive(body: str, profile: str = "402") -> DriveModes:
+
+def one_drive(body: str, profile: str = "402", sync_managers: str = SMS) -> DriveModes:
     """Modes of a drive with this content after its profile's opening."""
     text = f"""<EtherCATInfo><Vendor><Id>1</Id><Name>V</Name></Vendor><Descriptions><Groups/><Devices>
       <Device Physics="YY"><Type ProductCode="#x1" RevisionNo="#x1">D</Type><Name>D</Name><GroupType>G</GroupType>
-      <Profile><ProfileNo>{profile}</ProfileNo>{body}</Device></Devices></Descriptions></EtherCATInfo>"""
+      <Profile><ProfileNo>{profile}</ProfileNo>{body}{sync_managers}</Device></Devices></Descriptions></EtherCATInfo>"""
     device = Reader().read(text.encode()).document.infos[0].devices[0]
     return drive_modes(device)
 

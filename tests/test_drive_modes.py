@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 import snippets
-from small_drives import DC, dictionary, init_cmd, one_drive, rx_pdo, supported_modes, verdicts
+from small_drives import DC, dictionary, init_cmd, one_drive, rx_pdo, supported_modes, verdict_of, verdicts
 
 from esicatalog.esi.containers import Archive
 from esicatalog.esi.reader import Reader, read_esi
@@ -50,6 +50,18 @@ def enumerated(**texts: str) -> DriveModes:
 def test_a_value_counts_by_its_code_unless_its_text_says_otherwise():
     found = enumerated(v1="Position", v3="", v6="Preserved home", v8="CSP", v9="reserved", v10="Cyclic sync velocity")
     assert verdicts(found) == dict.fromkeys(("PP", "PV", "HM", "CSP"), "likely")
+
+
+def test_a_list_of_values_is_that_of_the_base_type_too():
+    types = "".join(
+        f"<DataType><Name>{name}</Name><BaseType>{base}</BaseType><BitSize>8</BitSize>{values}</DataType>"
+        for name, base, values in (
+            ("Mode", "Modes", ""),
+            ("Modes", "SINT", "<EnumInfo><Text>CSP</Text><Enum>8</Enum></EnumInfo>"),
+        )
+    )
+    found = one_drive(dictionary(MODES_OF_OPERATION.replace("SINT", "Mode"), types=types))
+    assert verdicts(found) == {"CSP": "likely"}
 
 
 @pytest.mark.parametrize(
@@ -482,6 +494,57 @@ def test_a_marked_object_yields_to_what_every_module_of_a_needed_slot_declares()
     )
     found = modular_drive(needed, CSV_MODULE + other, profile=placeholder())
     assert {item.mode: item.module_ident for item in found.verdicts if item.verdict == "yes"} == {"CSV": 2, "CST": 3}
+
+
+def writing(mode: int, mark: str = "") -> str:
+    """A mailbox that writes a mode's code to 0x6060."""
+    return init_cmd(mode).replace("<InitCmd>", f"<InitCmd{mark}>")
+
+
+MARKED = ' OverwrittenByModule="1"'
+BOTH_SETPOINTS = rx_pdo(("6040", 16), ("607A", 32), ("60FF", 32))
+
+
+def test_a_marked_init_cmd_yields_to_that_of_the_module():
+    """0x6060 holds 9 in operation: the device's command for 8 is not sent. The setpoint is that of the device's PDO."""
+    module = f'<Module><Type ModuleIdent="2">M</Type><Name>Module</Name>{writing(9)}</Module>'
+    profile = f"<Profile><ProfileNo>402</ProfileNo></Profile>{BOTH_SETPOINTS}{writing(8, MARKED)}"
+    found = modular_drive(slot(2, is_default=True), module, profile=profile, dc=DC)
+    csp, csv = verdict_of(found, "CSP"), verdict_of(found, "CSV")
+    assert (csp.verdict, csv.verdict) == ("likely", "yes")
+    assert csp.recipe.endswith("write 8 to it before operation, after the InitCmd that writes 9")
+    assert csv.recipe == (
+        "plug module 0x2 into slot 0 (default); RxPDO 0x1600 maps the setpoint; OpMode 'DC'; "
+        "0x6060 = 9 is written by an InitCmd"
+    )
+    assert [(item.mode, item.rank) for item in found.evidence if item.object_index == 0x6060] == [("CSV", "B1")]
+
+
+@pytest.mark.parametrize("is_default", [True, False])
+def test_a_marked_pdo_yields_to_that_of_the_module(is_default):
+    """Beside the module, which has the controlword alone in 0x1600, no setpoint is left; without it the device's is."""
+    module = drive_module(2, "6040", name="Outputs", moves=False)
+    profile = f"<Profile><ProfileNo>402</ProfileNo></Profile>{BOTH_SETPOINTS.replace('<RxPdo', '<RxPdo' + MARKED)}"
+    found = modular_drive(slot(2, is_default=is_default), module, profile=profile, dc=DC)
+    assert verdicts(found) == ({} if is_default else {"CSP": "likely", "CSV": "likely"})
+
+
+SUPERSEDED_DC = SUPERSEDED.replace("</AssignActivate>", '</AssignActivate><Sm No="2"><Pdo>#x1601</Pdo></Sm>')
+
+
+def test_a_module_asks_for_the_op_mode_that_tools_still_count():
+    """Of two of one name; the superseded one would assign another PDO."""
+    module = asking_for_dc(drive_module(2, "6040", "60FF", name="Outputs", moves=False))
+    both = SUPERSEDED_DC.replace("</Dc>", DC.removeprefix("<Dc>"))
+    csv = verdict_of(modular_drive(slot(2, is_default=True), module, dc=both), "CSV")
+    assert (csv.rx_pdo_is_default, csv.op_mode) == (True, "1")
+    assert "RxPDO 0x1600 maps the setpoint; OpMode 1 'DC'; " in csv.recipe
+
+
+def test_a_module_that_asks_for_an_op_mode_that_is_none_asks_for_nothing():
+    module = asking_for_dc(drive_module(2, "6040", "60FF", name="Outputs", moves=False)).replace(">DC<", ">DCx<")
+    csv = verdict_of(modular_drive(slot(2, is_default=True), module, dc=DC), "CSV")
+    assert (csv.verdict, csv.op_mode) == ("likely", "DC")
 
 
 def test_a_drive_behind_eight_slots_of_inputs_is_found():

@@ -1,9 +1,10 @@
 """Recipes for drive modes: they ask for nothing that the description rules out."""
 
 import pytest
-from small_drives import DC, dictionary, init_cmd, one_drive, rx_pdo, supported_modes, verdict_of
+from small_drives import DC, SMS, dictionary, init_cmd, one_drive, rx_pdo, supported_modes, verdict_of
 
 CSV = supported_modes("00010000")
+PDO_ASSIGN = '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
 PDO_CONFIG = '<Mailbox><CoE PdoConfig="1"/></Mailbox>'
 
 
@@ -47,7 +48,7 @@ def test_a_default_pdo_that_the_setpoint_excludes_does_not_stay(excluding):
     excludes = {excluding: other}
     pdos = in_rx_pdo("1600", ("6060", 8), excludes=excludes.get("1600", ""))
     pdos += in_rx_pdo("1601", ("60FF", 32), excludes=excludes.get("1601", ""), attributes="")
-    csv = verdict_of(one_drive(dictionary(CSV) + pdos), "CSV")
+    csv = verdict_of(one_drive(dictionary(CSV) + pdos + PDO_ASSIGN), "CSV")
     assert csv.recipe == (
         "RxPDO 0x1601 maps the setpoint; it is not assigned by default; "
         "0x6060 is in none of the assigned RxPDOs: write 9 to it before operation"
@@ -125,3 +126,131 @@ def test_a_record_is_mappable_by_its_members():
     found = one_drive(dictionary(supported_modes("40000000"), record, types=types) + PLAIN + PDO_CONFIG)
     assert verdict_of(found, "IP").recipe.startswith("map the setpoint 0x60C1 into an RxPDO; ")
     assert ("IP", "E") in {(item.mode, item.rank) for item in found.evidence}
+
+
+def op_modes(*modes: tuple[str, str, str]) -> str:
+    """OpModes by name, AssignActivate and what SM2 has in them, none for no list."""
+    lists = {pdos: f'<Sm No="2"><Pdo>{pdos}</Pdo></Sm>' if pdos else "" for _, _, pdos in modes}
+    items = "".join(
+        f"<OpMode><Name>{name}</Name><AssignActivate>{activate}</AssignActivate>{lists[pdos]}</OpMode>"
+        for name, activate, pdos in modes
+    )
+    return f"<Dc>{items}</Dc>"
+
+
+EXCLUSIVE = in_rx_pdo("1600", ("6040", 16), ("607A", 32), ("6060", 8), excludes="1601")
+EXCLUSIVE += in_rx_pdo("1601", ("6040", 16), ("60FF", 32), attributes="")
+
+
+def test_the_list_of_the_op_mode_that_a_recipe_names_wins():
+    """With 'DC' SM2 has 0x1601, whatever Sm of 0x1600 says (ESI-FACTS 0.5 and 18)."""
+    modes = op_modes(("SM", "0", ""), ("DC", "#x300", "#x1601"))
+    found = one_drive("</Profile>" + EXCLUSIVE + PDO_ASSIGN + modes)
+    csp, csv = verdict_of(found, "CSP"), verdict_of(found, "CSV")
+    assert csp.recipe == (
+        "RxPDO 0x1600 maps the setpoint; it is not assigned with OpMode 'DC'; OpMode 'DC'; "
+        "0x6060 is mapped in RxPDO 0x1600: set it to 8"
+    )
+    assert csv.recipe == (
+        "RxPDO 0x1601 maps the setpoint; OpMode 'DC'; "
+        "0x6060 is in none of the assigned RxPDOs: write 9 to it before operation"
+    )
+    assert (csp.rx_pdo_is_default, csv.rx_pdo_is_default) == (False, True)
+
+
+def test_0x6060_of_a_pdo_that_the_op_mode_drops_is_no_process_data():
+    pdos = in_rx_pdo("1600", ("6040", 16), ("607A", 32)) + in_rx_pdo("1602", ("6060", 8))
+    modes = op_modes(("SM", "0", ""), ("DC", "#x300", "#x1600"))
+    csp = verdict_of(one_drive("</Profile>" + pdos + modes), "CSP")
+    assert csp.recipe.endswith("0x6060 is in none of the assigned RxPDOs: write 8 to it before operation")
+
+
+def test_an_op_mode_is_named_so_that_an_export_takes_it():
+    """Of two of one name the position alone chooses."""
+    pdos = in_rx_pdo("1600", ("6040", 16), ("607A", 32))
+    csp = verdict_of(
+        one_drive("</Profile>" + pdos + op_modes(("SM", "0", ""), ("DC", "0", ""), ("DC", "#x300", ""))), "CSP"
+    )
+    assert csp.op_mode == "2"
+    assert "; OpMode 2 'DC'; " in csp.recipe
+
+
+PLAIN_AND_CSV = in_rx_pdo("1600", ("6040", 16), attributes='Sm="2" Fixed="1"')
+ADDED = in_rx_pdo("1601", ("60FF", 32), attributes='Fixed="1"')
+MANDATORY = PLAIN_AND_CSV.replace("<RxPdo ", '<RxPdo Mandatory="1" ')
+EXCLUDING = in_rx_pdo("1601", ("60FF", 32), attributes='Fixed="1"', excludes="1600")
+
+
+@pytest.mark.parametrize(
+    ("pdos", "sync_managers", "obstacle"),
+    [
+        (MANDATORY + EXCLUDING, SMS, "cannot be assigned beside 0x1600, which is mandatory"),
+        (
+            EXCLUDING.replace("<RxPdo ", '<RxPdo Sm="2" ') + MANDATORY,
+            SMS,
+            "cannot be assigned beside 0x1600, which is mandatory",
+        ),
+        (
+            PLAIN_AND_CSV + ADDED.replace("<RxPdo ", '<RxPdo Sm="4" '),
+            SMS + '<Sm Virtual="1">Outputs</Sm>',
+            "is described, not transported: SM4 is virtual",
+        ),
+        (PLAIN_AND_CSV + ADDED.replace("<RxPdo ", '<RxPdo Sm="3" '), SMS, "cannot be assigned: SM3 is for Inputs"),
+        (
+            PLAIN_AND_CSV + ADDED,
+            SMS.replace("<Sm>Outputs", '<Sm FixedAssignment="1">Outputs'),
+            "cannot be chosen: the assignment of SM2 is fixed",
+        ),
+        (PLAIN_AND_CSV + ADDED.replace("</RxPdo>", "<ExcludedSm>2</ExcludedSm></RxPdo>"), SMS, "may not go to SM2"),
+    ],
+)
+def test_a_pdo_that_the_description_rules_out_is_no_setpoint(pdos, sync_managers, obstacle):
+    """What an export refuses to assign."""
+    csv = verdict_of(one_drive(dictionary(CSV) + pdos + PDO_ASSIGN, sync_managers=sync_managers), "CSV")
+    assert (csv.verdict, csv.rx_pdo_index) == ("yes", None)
+    assert csv.recipe.split("; ")[0] == f"no setpoint: RxPDO 0x1601 has 0x60FF, but {obstacle}"
+
+
+def test_a_setpoint_in_a_pdo_that_is_ruled_out_may_be_mapped_into_another():
+    fixed = SMS.replace("<Sm>Outputs", '<Sm FixedAssignment="1">Outputs')
+    pdos = in_rx_pdo("1600", ("6040", 16)) + ADDED
+    csv = verdict_of(one_drive(dictionary(CSV, mappable("60FF")) + pdos + PDO_CONFIG, sync_managers=fixed), "CSV")
+    assert csv.recipe.startswith("map the setpoint 0x60FF into an RxPDO; ")
+
+
+def test_a_recipe_says_what_a_device_without_pdo_assign_may_do():
+    csv = verdict_of(one_drive(dictionary(CSV) + PLAIN_AND_CSV + ADDED), "CSV")
+    assert csv.recipe.startswith(
+        "RxPDO 0x1601 maps the setpoint; it is not assigned by default, and the device does not declare PdoAssign: "
+        "it may keep its default assignment; "
+    )
+
+
+def commands(*writes: tuple[str, int]) -> str:
+    """InitCmds that write to 0x6060, by transition."""
+    items = "".join(
+        f"<InitCmd><Transition>{transition}</Transition><Index>#x6060</Index><SubIndex>0</SubIndex>"
+        f"<Data>{mode:02X}</Data></InitCmd>"
+        for transition, mode in writes
+    )
+    return f"<Mailbox><CoE>{items}</CoE></Mailbox>"
+
+
+BOTH = in_rx_pdo("1600", ("6040", 16), ("607A", 32), ("60FF", 32))
+
+
+@pytest.mark.parametrize("writes", [(("PS", 8), ("SO", 9)), (("SO", 9), ("PS", 8)), (("PS", 8), ("PS", 9))])
+def test_the_last_write_of_a_start_counts(writes):
+    """IP, PS, SO are the order of a start, SO leads to OP (ESI-FACTS section 10)."""
+    found = one_drive("</Profile>" + BOTH + commands(*writes) + DC)
+    csp, csv = verdict_of(found, "CSP"), verdict_of(found, "CSV")
+    assert (csp.verdict, csv.verdict) == ("likely", "yes")
+    assert csp.recipe.endswith("write 8 to it before operation, after the InitCmd that writes 9")
+    assert csv.recipe.endswith("0x6060 = 9 is written by an InitCmd")
+
+
+@pytest.mark.parametrize("transition", ["OS", "SP", "OP"])
+def test_a_command_that_leads_back_starts_no_mode(transition):
+    """SP SafeOP to PreOP, OP OP to PreOP, OS OP to SafeOP (ESI-FACTS section 10)."""
+    found = one_drive("</Profile>" + BOTH + commands((transition, 6)) + DC)
+    assert "HM" not in {item.mode for item in (*found.evidence, *found.verdicts)}

@@ -685,6 +685,18 @@ def test_a_plugged_module_chooses_the_op_mode():
     assert configured(MODES + ONE_SLOT, asking, op_mode="free").op_mode_position == 0
 
 
+def test_a_module_that_asks_for_an_op_mode_that_is_none_is_named():
+    found = configured(MODES + ONE_SLOT, module("<DcOpModeName>DCx</DcOpModeName>"))
+    assert found.op_mode_position == 0
+    assert "a plugged module asks for OpMode 'DCx' (DcOpModeName), which the device does not have" in found.remarks
+
+
+def test_a_pdo_is_not_chosen_for_a_sync_manager_of_the_other_direction():
+    content = SMS + rx("#x1600", entry("#x6040", 16), attributes='Sm="3"')
+    with pytest.raises(InputError, match="PDO 0x1600 cannot be assigned: SM3 is for Inputs"):
+        configured(content, pdos=parse_pdo_choice("0x1600"))
+
+
 def init_cmd(transitions: str, index: str, data: str, extra: str = "") -> str:
     marks = "".join(f"<Transition>{name}</Transition>" for name in transitions.split())
     return f"<InitCmd {extra}>{marks}<Index>{index}</Index><SubIndex>1</SubIndex><Data>{data}</Data></InitCmd>"

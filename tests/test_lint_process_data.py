@@ -30,6 +30,12 @@ def test_l27_knows_what_a_sync_manager_is_for(tmp_path, kind, sm, role, in_modul
     assert [item["message"].partition("which is ")[2] for item in found] == ([f"{role}: correct Sm"] if role else [])
 
 
+def test_l27_finds_a_pdo_that_may_not_go_to_its_own_sync_manager(tmp_path):
+    assigned = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"', extra="<ExcludedSm>2</ExcludedSm>")
+    (found,) = linted(tmp_path, "L27", device(MAILBOX_AND_PROCESS_DATA + assigned))
+    assert found["message"].endswith("0x1600 is assigned to SM 2, which its ExcludedSm rules out: correct one of them")
+
+
 @pytest.mark.parametrize(
     ("sm", "index", "words"),
     [

@@ -7,8 +7,9 @@ from snippets import device, esi, only_device
 
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import SyncManager
+from esicatalog.esi.records.module import Module
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import default_op_mode, default_position, generated_signals, sync_signals
+from esicatalog.model.sync import default_op_mode, default_position, generated_signals, op_mode_choice, sync_signals
 
 
 @pytest.mark.parametrize(
@@ -89,6 +90,27 @@ def test_the_default_op_mode_is_the_first_valid_one(modes, default):
     op_modes = only_device(esi(device(f"<Dc>{xml}</Dc>"))).op_modes
     assert default_position(op_modes) == default
     assert default_op_mode(op_modes) is (op_modes[default] if default is not None else None)
+
+
+NAMED = ("DC", 'IgnoreFromBuildNo="100"'), ("SM", ""), ("DC", ""), ("", "")
+
+
+@pytest.mark.parametrize(("asked", "position"), [("DC", 2), ("SM", 1), ("DCx", 1), (None, 1)])
+def test_a_module_asks_for_the_first_valid_op_mode_of_a_name(asked, position):
+    assert default_position(named_modes(), [Module(dc_op_mode_name=asked)]) == position
+
+
+def test_an_op_mode_is_chosen_by_its_name_where_that_is_its_own():
+    assert [op_mode_choice(named_modes(), position) for position in range(4)] == ["0", "SM", "2", "3"]
+
+
+def named_modes() -> tuple[OpMode, ...]:
+    xml = "".join(
+        f"<OpMode><Name>{name}</Name><AssignActivate>0</AssignActivate>"
+        f"<VendorSpecific><TwinCAT {mode}/></VendorSpecific></OpMode>"
+        for name, mode in NAMED
+    )
+    return only_device(esi(device(f"<Dc>{xml}</Dc>"))).op_modes
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.export.choice import DEFAULT_CYCLE_NS
-from esicatalog.model.sync import SyncSignals, asked_positions, default_position, sync_signals
+from esicatalog.model.sync import SyncSignals, asked_op_modes, default_position, sync_signals
 
 _UINT32_MAX, _INT32_MAX = 0xFFFF_FFFF, 0x7FFF_FFFF
 _ASSIGN_ACTIVATE = range(0x1_0000)
@@ -165,17 +165,19 @@ def chosen_op_mode(device: Device, modules: tuple[Module, ...], wanted: str | No
 
 
 def _by_modules(device: Device, modules: tuple[Module, ...]) -> tuple[int | None, list[str]]:
-    default = default_position(device.op_modes)
-    asked = asked_positions(device.op_modes, modules)
-    if not asked:
-        return default, []
-    names = [repr(device.op_modes[position].name) for position in asked]
-    remarks = []
-    if asked[0] != default:
+    asked = asked_op_modes(device.op_modes, modules)
+    names = [repr(name) for name, position in asked.items() if position is not None]
+    remarks = [
+        f"a plugged module asks for OpMode {name!r} (DcOpModeName), which the device does not have"
+        for name, position in asked.items()
+        if position is None
+    ]
+    position = default_position(device.op_modes, modules)
+    if names and position != default_position(device.op_modes):
         remarks.append(f"OpMode {names[0]} is not the first valid one: a plugged module asks for it (DcOpModeName)")
-    if len(asked) > 1:
+    if len(names) > 1:
         remarks.append(f"plugged modules ask for different OpModes: {', '.join(names)}")
-    return asked[0], remarks
+    return position, remarks
 
 
 def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int | None) -> Programmed:

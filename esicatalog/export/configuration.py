@@ -18,6 +18,7 @@ from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import ChosenPdos, apply_choice
 from esicatalog.export.subject import Subject
+from esicatalog.model.assignment import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
 from esicatalog.model.pdo_facts import has_length
@@ -224,15 +225,14 @@ def _assignment_remarks(
     device: Device, chosen: ChosenPdos, default: Sequence[SmImage], images: Sequence[SmImage]
 ) -> Iterator[str]:
     """What the chosen assignment asks of the device beyond its default one."""
-    mailbox = device.mailbox
-    if chosen.assignment is None or (mailbox is not None and mailbox.coe_pdo_assign):
+    if chosen.assignment is None or declares_pdo_assign(device):
         return
     kept = {image.sm: _indices(image) for image in default}
     changed = [f"SM{image.sm}" for image in images if _indices(image) != kept.get(image.sm)]
     if changed:
         yield (
-            f"the PDOs of {', '.join(changed)} are not the default ones, and the device does not declare PdoAssign: "
-            "it may keep its default assignment, and then no offset here is right"
+            f"the PDOs of {', '.join(changed)} are not the default ones, and {NO_PDO_ASSIGN}, and then no offset here "
+            "is right"
         )
 
 

@@ -12,12 +12,9 @@ from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.model.cia402 import AXIS_STEP
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
+from esicatalog.model.start_up import TRANSITIONS, transition_of, written_places, yields
 from esicatalog.model.sync_parameters import SYNC_PARAMETERS
 
-START_TRANSITIONS = ("IP", "PS", "SO")
-"""In the order of a start."""
-TRANSITIONS = (*START_TRANSITIONS, "SP", "OP", "OS")
-"""The last three lead back."""
 MODULE_IDENT_LIST = 0xF030
 _NS_OF_CYCLE_UNIT = {
     ("SoE", 1, 0): 1_000,
@@ -89,15 +86,10 @@ def start_commands(
     remarks: list[str] = []
     commands = list(_module_list(device, plugged))
     of_modules = [(f"module in slot {item.slot_number}", item.module.mailbox) for item in expanded]
-    replaced = {
-        (command.object_index, command.subindex or 0)
-        for _, mailbox in of_modules
-        for command in (mailbox.coe_init_cmds if mailbox is not None else ())
-    }
+    replaced = written_places(item.module for item in expanded)
     for owner, mailbox in (("device", device.mailbox), *of_modules):
         for protocol, command in _init_cmds(mailbox):
-            place = (command.object_index, command.subindex or 0)
-            if owner == "device" and command.overwritten_by_module and place in replaced:
+            if owner == "device" and yields(command, replaced):
                 continue
             commands.extend(_at_transitions(owner, protocol, command, remarks))
     return tuple(sorted(commands, key=lambda command: TRANSITIONS.index(command.transition))), tuple(remarks)
@@ -126,7 +118,7 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
         return
     for transition in command.transitions:
         found = StartCommand(
-            transition.strip().upper(),
+            transition_of(transition),
             protocol,
             index,
             command.subindex or 0,

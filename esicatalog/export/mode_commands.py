@@ -2,27 +2,23 @@
 
 from collections.abc import Iterator, Sequence
 
-from esicatalog.export.init_cmds import START_TRANSITIONS, StartCommand
+from esicatalog.export.init_cmds import StartCommand
 from esicatalog.model.cia402 import AXIS_STEP, MODE_BY_CODE, MODES_OF_OPERATION, MODES_OF_OPERATION_OF_AXES
-from esicatalog.model.drive_evidence import (
-    module_names,
-    other_named_modes,
-    written_mode,
-)
+from esicatalog.model.drive_evidence import module_names, other_named_modes, written_mode
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import ExpandedModule
+from esicatalog.model.start_up import after_start, start_command
 
 
 def started_modes(commands: Sequence[StartCommand]) -> dict[int, bytes]:
     """What 0x6060 holds after the start-up commands, by its index on each axis."""
-    return {
-        command.object_index: command.data
+    return after_start(
+        (command.transition, command.object_index, command.data)
         for command in commands
         if command.protocol == "CoE"
-        and command.transition in START_TRANSITIONS
         and command.object_index in MODES_OF_OPERATION_OF_AXES
         and not (command.subindex or command.complete_access)
-    }
+    )
 
 
 def mode_remarks(
@@ -52,9 +48,9 @@ def _against_names(expanded: Sequence[ExpandedModule], of_axes: Sequence[int]) -
     """What rule L57 finds, for the modules that are plugged."""
     for item in expanded:
         mailbox, name = item.module.mailbox, module_names(item.module)
-        for command in mailbox.coe_init_cmds if mailbox is not None else ():
-            index = command.object_index or 0
-            mode = written_mode(command, index) if index in of_axes else None
+        for index in of_axes:
+            command = start_command(mailbox.coe_init_cmds, index) if mailbox is not None else None
+            mode = written_mode(command, index) if command is not None else None
             if mode is not None and (listed := other_named_modes(name, mode)):
                 yield (
                     f"slot {item.slot_number}: the start-up command writes 0x{index:04X} = {mode.code} ({mode.name}), "

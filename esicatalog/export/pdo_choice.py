@@ -9,14 +9,14 @@ from esicatalog.errors import InputError
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.pdo import Entry
 from esicatalog.export.choice import PdoChoice
 from esicatalog.export.entry_types import ObjectTable
+from esicatalog.model.assignment import AvailablePdo, assignment_place, available_pdos, mandatory_pdos
 from esicatalog.model.pdo_facts import PDO_FIELDS, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
 from esicatalog.model.process_image import Assignment, SmImage
-from esicatalog.model.slots import PluggedModule, expand_module
-from esicatalog.model.sm_facts import sm_role
+from esicatalog.model.slots import PluggedModule
 
 Owner = TypeVar("Owner", Device, Module)
 
@@ -28,22 +28,6 @@ class ChosenPdos(NamedTuple):
     plugged: tuple[PluggedModule, ...]
     assignment: Assignment | None
     remarks: tuple[str, ...] = ()
-
-
-class _Available(NamedTuple):
-    """A PDO that can be assigned; ``position`` counts among those of its direction in the device or module."""
-
-    direction: str
-    position: int
-    pdo: Pdo
-    plugged: PluggedModule | None
-
-    @property
-    def owner(self) -> str:
-        """Whose PDO it is, in words."""
-        if self.plugged is None:
-            return "the device"
-        return f"module 0x{self.plugged.module.module_ident or 0:X} in slot {self.plugged.slot_number}"
 
 
 def apply_choice(
@@ -61,7 +45,7 @@ def apply_choice(
     """
     if not chosen:
         return ChosenPdos(device, tuple(plugged), None)
-    available = _available(device, plugged)
+    available = available_pdos(device, plugged)
     picked = [(_find(available, item), item) for item in chosen]
     assignment: dict[int, list[int]] = {}
     own = {pdo.pdo_index for _, pdos in pdos_by_direction(device) for pdo in pdos}
@@ -72,7 +56,7 @@ def apply_choice(
     ]
     for found, item in picked:
         assignment.setdefault(_sync_manager(device, found), []).append(item.pdo_index)
-    _check_exclusions(available, assignment, default)
+    _check_exclusions(device, available, assignment, default)
     for found, item in picked:
         if item.entries:
             entries = _chosen_entries(device, found, item, objects)
@@ -86,24 +70,7 @@ def apply_choice(
     return ChosenPdos(device, tuple(plugged), assignment, tuple(remarks))
 
 
-def _available(device: Device, plugged: Iterable[PluggedModule]) -> list[_Available]:
-    of_modules = [
-        _Available(direction, position, pdo, item)
-        for item in plugged
-        for direction, pdos in pdos_by_direction(expand_module(device, item).module)
-        for position, pdo in enumerate(pdos)
-    ]
-    replaced = {item.pdo.pdo_index for item in of_modules}
-    own = [
-        _Available(direction, position, pdo, None)
-        for direction, pdos in pdos_by_direction(device)
-        for position, pdo in enumerate(pdos)
-        if not (pdo.overwritten_by_module and pdo.pdo_index in replaced)
-    ]
-    return own + of_modules
-
-
-def _find(available: Iterable[_Available], wanted: PdoChoice) -> _Available:
+def _find(available: Iterable[AvailablePdo], wanted: PdoChoice) -> AvailablePdo:
     """The PDO of an index, be it described by several that agree."""
     named = f"PDO 0x{wanted.pdo_index:04X}"
     described = [item for item in available if item.pdo.pdo_index == wanted.pdo_index]
@@ -119,28 +86,16 @@ def _find(available: Iterable[_Available], wanted: PdoChoice) -> _Available:
     return first
 
 
-def _sync_manager(device: Device, found: _Available) -> int:
-    """Its own SyncManager, else the first one for process data of its direction that it may go to."""
-    pdo = found.pdo
-    if pdo.sm is not None:
-        if 0 <= pdo.sm < len(device.sync_managers) and device.sync_managers[pdo.sm].virtual:
-            raise InputError(f"PDO 0x{pdo.pdo_index or 0:04X} is described, not transported: SM{pdo.sm} is virtual")
-        return pdo.sm
-    roles = [None if sm.virtual else sm_role(sm) for sm in device.sync_managers]
-    numbers = [n for n, role in enumerate(roles) if role is not None and role.pdo_direction == found.direction]
-    for number in numbers:
-        if number not in pdo.excluded_sms:
-            if device.sync_managers[number].fixed_assignment:
-                raise InputError(
-                    f"the assignment of SM{number} is fixed: PDO 0x{pdo.pdo_index or 0:04X} cannot be chosen"
-                )
-            return number
-    none = f"has no SyncManager: the device has none for a {found.direction}"
-    why = f"may not go to SM{numbers[0]}" if numbers else none
-    raise InputError(f"PDO 0x{pdo.pdo_index or 0:04X} {why}")
+def _sync_manager(device: Device, found: AvailablePdo) -> int:
+    place = assignment_place(device, found.direction, found.pdo)
+    if place.sm is None:
+        raise InputError(f"PDO 0x{found.pdo.pdo_index or 0:04X} {place.obstacle}")
+    return place.sm
 
 
-def _check_exclusions(available: Iterable[_Available], assignment: Assignment, default: Iterable[SmImage]) -> None:
+def _check_exclusions(
+    device: Device, available: Sequence[AvailablePdo], assignment: Assignment, default: Iterable[SmImage]
+) -> None:
     """Chosen PDOs among themselves, and against those that are assigned beside them without being chosen."""
     exclusions = symmetric_exclusions(item.pdo for item in available)
     beside = {
@@ -151,8 +106,8 @@ def _check_exclusions(available: Iterable[_Available], assignment: Assignment, d
     }
     beside |= {
         item.pdo.pdo_index: "is mandatory"
-        for item in available
-        if item.pdo.mandatory and not item.pdo.virtual and item.pdo.sm in assignment
+        for item in mandatory_pdos(device, available)
+        if item.pdo.sm in assignment or item.pdo.pdo_index in beside
     }
     chosen = {index for indices in assignment.values() for index in indices}
     for index in sorted(chosen):
@@ -164,7 +119,7 @@ def _check_exclusions(available: Iterable[_Available], assignment: Assignment, d
                 raise InputError(f"{words}, and 0x{rival:04X} {beside[rival]}")
 
 
-def _chosen_entries(device: Device, found: _Available, wanted: PdoChoice, objects: ObjectTable) -> tuple[Entry, ...]:
+def _chosen_entries(device: Device, found: AvailablePdo, wanted: PdoChoice, objects: ObjectTable) -> tuple[Entry, ...]:
     """The chosen entries in their order: those of the PDO, and objects that the dictionary lets into it."""
     if (obstacle := mapping_obstacle(device.mailbox, found.pdo)) is not None:
         raise InputError(f"entries of PDO 0x{wanted.pdo_index:04X} cannot be chosen: its mapping {obstacle}")
@@ -175,7 +130,7 @@ def _chosen_entries(device: Device, found: _Available, wanted: PdoChoice, object
     )
 
 
-def _mapped_object(found: _Available, wanted: PdoChoice, index: int, subindex: int, objects: ObjectTable) -> Entry:
+def _mapped_object(found: AvailablePdo, wanted: PdoChoice, index: int, subindex: int, objects: ObjectTable) -> Entry:
     declared = objects.entry(index, subindex)
     if declared is None or not is_mappable(declared, found.direction):
         raise InputError(
@@ -196,7 +151,7 @@ def _places(entries: Iterable[Entry]) -> list[tuple[int | None, int, int | None]
 
 
 def _with_entries(
-    device: Device, plugged: Sequence[PluggedModule], found: _Available, entries: tuple[Entry, ...]
+    device: Device, plugged: Sequence[PluggedModule], found: AvailablePdo, entries: tuple[Entry, ...]
 ) -> tuple[Device, tuple[PluggedModule, ...]]:
     """Device and modules with other entries in one PDO. Indices of a module are those of its slot already."""
     field = PDO_FIELDS[found.direction]

@@ -10,7 +10,7 @@ from typing import Annotated, NamedTuple
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import display_text
-from esicatalog.esi.records.dictionary import DataType, DeclaredValues, Flags, InfoSubItem, Object, SubItem
+from esicatalog.esi.records.dictionary import DataType, DeclaredValues, EnumInfo, Flags, InfoSubItem, Object, SubItem
 from esicatalog.model.access import access_word, normalised_pdo_mapping
 from esicatalog.model.base_types import BaseType, base_type
 from esicatalog.model.members import Member, MemberMemo, Members
@@ -103,6 +103,17 @@ def resolve_base(name: str | None, types: Mapping[str, DataType]) -> BaseType | 
             return None
         name = declared.base_type
     return None
+
+
+def enum_values(name: str | None, types: Mapping[str, DataType]) -> tuple[EnumInfo, ...]:
+    """The values that a type lists: its own, else those of the nearest type that it is based on."""
+    seen = set()
+    while name and name not in seen and (declared := types.get(name)) is not None:
+        if declared.enum_infos:
+            return declared.enum_infos
+        seen.add(name)
+        name = declared.base_type
+    return ()
 
 
 def resolve_object(declared: Object, types: Mapping[str, DataType]) -> ResolvedObject:

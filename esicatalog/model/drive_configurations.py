@@ -5,13 +5,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.slots import Slot
 from esicatalog.model.cia402 import AXIS_STEP, PROFILE_AREA
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.drive_evidence import module_names
-from esicatalog.model.drive_parts import Part, SlotsDeclaring, axes_of, yielding
-from esicatalog.model.process_image import SmImage, process_image
+from esicatalog.model.drive_parts import Part, SlotsDeclaring, assigned_rx_pdos, axes_of, beside_modules, yielding
+from esicatalog.model.pdo_facts import pdo_yields
+from esicatalog.model.process_image import SmImage, plugged_process_image
 from esicatalog.model.slots import (
     PluggedModule,
     SlotDependence,
@@ -24,14 +24,14 @@ from esicatalog.model.slots import (
     numbered_slots,
     slot_dependences,
 )
-from esicatalog.model.sync import default_op_mode, op_modes_with_sync0
+from esicatalog.model.sync import asked_op_modes, positions_with_sync0
 
 
 def device_parts(device: Device, known: DictionaryViews, images: Sequence[SmImage]) -> list[Part]:
     """Parts of the device itself, one for each axis; ``images`` is its default process image."""
     views = known.of(device.profiles)
-    assigned = _assigned(images, None)
-    sync0 = bool(op_modes_with_sync0(device))
+    assigned = assigned_rx_pdos(images, None)
+    sync0 = bool(positions_with_sync0(device))
     return [
         Part(
             axis_shift=axis * AXIS_STEP,
@@ -82,29 +82,20 @@ def _plugged(device: Device, modules: Sequence[Module]) -> Iterator[PluggedModul
 
 def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int, known: DictionaryViews) -> Part:
     module = expand_module(device, plugged).module
-    op_mode = default_op_mode(device.op_modes, [plugged.module])
+    asked = [position for position in asked_op_modes(device.op_modes, [module]).values() if position is not None]
+    with_sync0 = positions_with_sync0(device)
+    indices = {pdo.pdo_index for pdo in module.rx_pdos}
     return Part(
         axis_shift=shift,
         views=known.of(module.profiles),
         rx_pdos=module.rx_pdos,
-        assigned=_assigned(process_image(device, [plugged], op_mode), plugged.slot_number),
+        assigned=assigned_rx_pdos(plugged_process_image(device, [plugged]), plugged.slot_number),
         init_cmds=module.mailbox.coe_init_cmds if module.mailbox is not None else (),
         profiles=module.profiles if first == 0 else (),
-        sync0=any(module.dc_op_mode_name in (None, mode.name) for mode in op_modes_with_sync0(device)),
-        slot_number=plugged.slot_number,
-        module_ident=module.module_ident,
+        sync0=any(position in with_sync0 for position in asked) if asked else bool(with_sync0),
+        plugged=plugged,
         name=module_names(module),
-        dc_op_mode_name=module.dc_op_mode_name,
-    )
-
-
-def _assigned(images: Sequence[SmImage], slot_number: int | None) -> tuple[Pdo, ...]:
-    """RxPDOs of the device itself or of what is in a slot, as far as they are in its process image."""
-    return tuple(
-        placed.pdo
-        for image in images
-        for placed in image.pdos
-        if placed.direction == "RxPdo" and placed.slot_number == slot_number
+        beside=tuple([pdo for pdo in device.rx_pdos if not pdo_yields(pdo, indices)]),
     )
 
 
@@ -132,13 +123,35 @@ def _held(device: Device, modules: Sequence[Module]) -> Iterator[tuple[int, Slot
 
 
 def configurations(
-    own: Sequence[Part], plugged: Mapping[int, Sequence[Part]], declaring: SlotsDeclaring
+    device: Device,
+    own: Sequence[Part],
+    plugged: Mapping[int, Sequence[Part]],
+    declaring: SlotsDeclaring,
+    there: Iterable[PluggedModule],
 ) -> dict[int, list[list[Part]]]:
-    """Per axis the sets of parts that act together: the device's own, and with it each alternative module."""
+    """Per axis the sets of parts that act together: the device's own, and with it each alternative module.
+
+    ``there`` are the default modules. What is marked OverwrittenByModule yields to them and to the alternative.
+    """
+    is_marked = any(
+        any(pdo.overwritten_by_module for pdo in part.rx_pdos)
+        or any(command.overwritten_by_module for command in part.init_cmds)
+        for part in own
+    )
+    held = {item.slot_number: expand_module(device, item).module for item in there} if is_marked else {}
+
+    def beside(part: Part, *modules: PluggedModule) -> Part:
+        if not is_marked:
+            return part
+        in_slots = held | {item.slot_number: expand_module(device, item).module for item in modules}
+        return beside_modules(part, list(in_slots.values()))
+
     found = {}
     for axis in {part.axis for part in own} | plugged.keys():
-        base = [part for part in own if part.axis == axis]
-        found[axis] = [base]
+        of_axis = [part for part in own if part.axis == axis]
+        found[axis] = [[beside(part) for part in of_axis]]
         for module in plugged.get(axis, ()):
-            found[axis].append([*(yielding(part, declaring, module) for part in base), module])
+            alternative = [module.plugged] if module.plugged is not None else []
+            yielded = [beside(yielding(part, declaring, module), *alternative) for part in of_axis]
+            found[axis].append([*yielded, module])
     return found

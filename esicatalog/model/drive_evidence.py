@@ -26,7 +26,7 @@ from esicatalog.model.cia402 import (
     denies,
     named_modes,
 )
-from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.dictionary import ObjectEntry, enum_values
 from esicatalog.model.drive_parts import (
     Part,
     declaring_view,
@@ -38,6 +38,7 @@ from esicatalog.model.drive_parts import (
     setpoint_words,
     single_value,
 )
+from esicatalog.model.start_up import start_command, written_data
 
 YES, NO = "yes", "no"
 _OPTIONS = "options"
@@ -176,9 +177,8 @@ def _listed_values(part: Part, index: int) -> list[tuple[str, int | None, str]]:
     if view is None:
         return []
     declared = view.by_index[index]
-    data_type = view.types.by_name.get(declared.type or "")
-    enum_infos = data_type.enum_infos if data_type is not None else ()
-    found = [("values", item.value, display_text(item.texts) or "") for item in enum_infos]
+    listed = enum_values(declared.type, view.types.by_name)
+    found = [("values", item.value, display_text(item.texts) or "") for item in listed]
     for item in declared.properties:
         if (item.name or "").strip().lower() == _OPTIONS:
             found += [("options", parse_hex_dec(value), text) for value, text in _options(item.value or "").items()]
@@ -219,32 +219,35 @@ def _as_sint(number: int) -> int:
 
 
 def _init_commands(part: Part) -> Iterator[ModeEvidence]:
-    """InitCmds that write a mode code to 0x6060."""
+    """The InitCmd whose mode code 0x6060 has after a start."""
     index = part.at(MODES_OF_OPERATION)
-    for command in part.init_cmds:
-        mode = written_mode(command, index)
-        if mode is None:
-            continue
-        words = f"InitCmd {'/'.join(command.transitions)} writes 0x{index:04X} = {mode.code} ({mode.name})"
-        pdos = mapping_pdos(part, mode)
-        if listed := other_named_modes(part.name, mode):
-            text = f"{words}, but the module's name {part.name!r} lists {listed}"
-            yield _finding(part, mode, "C3", text, conflict=True, object_index=index)
-        elif pdos or not mode.setpoints:
-            mapped = f"; {mapping_words(pdos)} its setpoint {setpoint_words(part, mode)}" if pdos else ""
-            pdo_index = pdos[0].pdo_index if pdos else None
-            yield _finding(part, mode, "B1", words + mapped, object_index=index, pdo_index=pdo_index)
-        else:
-            text = f"{words}, but no RxPDO maps its setpoint {setpoint_words(part, mode)}"
-            yield _finding(part, mode, "C2", text, conflict=True, object_index=index)
+    command = start_command(part.init_cmds, index)
+    mode = written_mode(command, index) if command is not None else None
+    if command is None or mode is None:
+        return
+    words = f"InitCmd {'/'.join(command.transitions)} writes 0x{index:04X} = {mode.code} ({mode.name})"
+    pdos = mapping_pdos(part, mode) or mapping_pdos(part._replace(rx_pdos=part.beside), mode)
+    if listed := other_named_modes(part.name, mode):
+        text = f"{words}, but the module's name {part.name!r} lists {listed}"
+        yield _finding(part, mode, "C3", text, conflict=True, object_index=index)
+    elif pdos or not mode.setpoints:
+        mapped = f"; {mapping_words(pdos)} its setpoint {setpoint_words(part, mode)}" if pdos else ""
+        pdo_index = pdos[0].pdo_index if pdos else None
+        yield _finding(part, mode, "B1", words + mapped, object_index=index, pdo_index=pdo_index)
+    else:
+        text = f"{words}, but no RxPDO maps its setpoint {setpoint_words(part, mode)}"
+        yield _finding(part, mode, "C2", text, conflict=True, object_index=index)
 
 
 def written_mode(command: InitCmd, index: int) -> DriveMode | None:
     """The mode whose code an InitCmd writes to 0x6060 (of this axis: ``index``)."""
-    data = decode_hex_binary(command.data)
-    if command.object_index != index or (command.subindex or 0) != 0 or not data:
-        return None
-    return MODE_BY_CODE.get(int.from_bytes(data[:1], "little", signed=True))
+    data = written_data(command, index)
+    return MODE_BY_CODE.get(mode_code(data)) if data is not None else None
+
+
+def mode_code(data: bytes) -> int:
+    """What 0x6060 holds when this is written to it."""
+    return int.from_bytes(data[:1], "little", signed=True)
 
 
 def module_names(module: Module) -> str:

@@ -13,14 +13,15 @@ import msgspec
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.dictionary import DataType
 from esicatalog.esi.records.module import Module
 from esicatalog.model.cia402 import CIA402, DRIVE_MODES, DriveMode, denies, named_modes
+from esicatalog.model.dictionary import enum_values
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.drive_configurations import configurations, device_parts, module_parts, slots_declaring
 from esicatalog.model.drive_evidence import NO, RANKS, YES, ModeEvidence, find_evidence
 from esicatalog.model.drive_parts import Part, has_cia402, mapping_pdos, marked_objects, may_be_drive, yielding
 from esicatalog.model.drive_recipe import mode_recipe
+from esicatalog.model.drive_setup import ConfiguredDrive
 from esicatalog.model.process_image import SmImage, default_process_image
 from esicatalog.model.slots import default_modules
 
@@ -69,19 +70,21 @@ def drive_modes(
     drives = [module for module in modules if may_be_drive(module, views)]
     if not drives and not may_be_drive(device, views):
         return DriveModes(verdicts=tuple(_other_systems(device, views)))
-    own = device_parts(device, views, default_process_image(device, modules) if images is None else images)
+    there = default_modules(device, modules)
+    images = default_process_image(device, modules) if images is None else images
+    own = device_parts(device, views, images)
     own_axes = {part.axis for part in own if has_cia402(part)}
     marked = {index for part in own for index in marked_objects(part)}
     declaring = slots_declaring(device, modules, marked) if marked else {}
     own = [yielding(part, declaring) for part in own]
     plugged = module_parts(device, modules if own_axes else drives, views)
-    groups = configurations(own, plugged, declaring)
-    in_groups = [part for sets in groups.values() for parts in sets for part in parts]
-    by_part = _findings([*own, *chain.from_iterable(plugged.values()), *in_groups], own_axes)
+    groups = configurations(device, own, plugged, declaring, there)
+    by_part = _findings([part for sets in groups.values() for parts in sets for part in parts], own_axes)
     evidence = list(dict.fromkeys(chain.from_iterable(by_part.values())))
-    defaults = {(item.slot_number, item.module.module_ident) for item in default_modules(device, modules)}
+    defaults = {(item.slot_number, item.module.module_ident) for item in there}
+    drive = ConfiguredDrive(device, there, images)
     judged = [
-        _best(device, axis, mode, sets, by_part, defaults)
+        _best(drive, axis, mode, sets, by_part, defaults)
         for axis, sets in sorted(groups.items())
         for mode in DRIVE_MODES.values()
     ]
@@ -124,7 +127,7 @@ class _Judged(NamedTuple):
 
 
 def _best(
-    device: Device,
+    drive: ConfiguredDrive,
     axis: int,
     mode: DriveMode,
     configurations: list[list[Part]],
@@ -155,7 +158,7 @@ def _best(
         ]
         which = ["default" if is_default else "not the default", *alternatives]
         plug = f"plug module 0x{module.module_ident:X} into slot {module.slot_number} ({', '.join(which)})"
-    recipe = mode_recipe(device, mode, parts, plug)
+    recipe = mode_recipe(drive, mode, parts, plug)
     return msgspec.structs.replace(
         best,
         module_ident=module.module_ident if module is not None else None,
@@ -235,10 +238,12 @@ def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
     types = view.types.by_name
     named = {
         name: [
-            (mode, text) for text in _enum_texts(data_type) if not denies(text) for mode in sorted(named_modes(text))
+            (mode, text)
+            for text in [display_text(item.texts) or "" for item in enum_values(name, types)]
+            if not denies(text)
+            for mode in sorted(named_modes(text))
         ]
-        for name, data_type in types.items()
-        if data_type.enum_infos
+        for name in types
     }
     found: dict[str, tuple[int, str, str]] = {}
     for declared in view.dictionary.objects:
@@ -247,10 +252,6 @@ def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
             for mode, text in named.get(sub_item.type or "", ()):
                 found.setdefault(mode, (declared.object_index or 0, mode, text))
     return found
-
-
-def _enum_texts(data_type: DataType) -> list[str]:
-    return [display_text(item.texts) or "" for item in data_type.enum_infos]
 
 
 def _is_motion_terminal(profile_no: int | None, add_info: int | None) -> bool:

@@ -26,8 +26,11 @@ from esicatalog.model.cia402 import (
 )
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
-from esicatalog.model.pdo_facts import symmetric_exclusions
+from esicatalog.model.pdo_facts import pdo_yields, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import is_mappable
+from esicatalog.model.process_image import SmImage
+from esicatalog.model.slots import PluggedModule
+from esicatalog.model.start_up import written_places, yields
 
 _CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES)}
 """Axes by their controlword."""
@@ -48,15 +51,24 @@ class Part(NamedTuple):
     """Those that speak for this axis."""
     sync0: bool
     """Whether an OpMode that it can run in generates SYNC0."""
-    slot_number: int | None = None
-    """Slot that a module is in."""
-    module_ident: int | None = None
+    plugged: PluggedModule | None = None
+    """The module that it is about, None for the device itself."""
     name: str = ""
     """Names of a module: type and name."""
-    dc_op_mode_name: str | None = None
-    """OpMode that a module asks for."""
+    beside: tuple[Pdo, ...] = ()
+    """RxPDOs of the device that are there beside a module's."""
     replaced: frozenset[int] = frozenset()
     """Objects of the device in whose place those of modules count."""
+
+    @property
+    def slot_number(self) -> int | None:
+        """Slot that a module is in."""
+        return self.plugged.slot_number if self.plugged is not None else None
+
+    @property
+    def module_ident(self) -> int | None:
+        """Ident of a module."""
+        return self.plugged.module.module_ident if self.plugged is not None else None
 
     @property
     def axis(self) -> int:
@@ -157,6 +169,27 @@ def yielding(part: Part, declaring: SlotsDeclaring, plugged: Part | None = None)
         or (plugged is not None and _declares(plugged.views, index))
     )
     return part._replace(replaced=replaced) if replaced != part.replaced else part
+
+
+def beside_modules(part: Part, modules: Sequence[Module]) -> Part:
+    """A part of the device beside these modules, as they are in their slots: its marked PDOs and InitCmds yield."""
+    indices = {pdo.pdo_index for module in modules for _, pdos in pdos_by_direction(module) for pdo in pdos}
+    places = written_places(modules)
+    rx_pdos = tuple([pdo for pdo in part.rx_pdos if not pdo_yields(pdo, indices)])
+    init_cmds = tuple([command for command in part.init_cmds if not yields(command, places)])
+    if len(rx_pdos) == len(part.rx_pdos) and len(init_cmds) == len(part.init_cmds):
+        return part
+    return part._replace(rx_pdos=rx_pdos, init_cmds=init_cmds)
+
+
+def assigned_rx_pdos(images: Iterable[SmImage], slot_number: int | None) -> tuple[Pdo, ...]:
+    """RxPDOs of the device itself or of what is in a slot, as far as they are in a process image."""
+    return tuple(
+        placed.pdo
+        for image in images
+        for placed in image.pdos
+        if placed.direction == "RxPdo" and placed.slot_number == slot_number
+    )
 
 
 def _declares(views: Sequence[DictionaryView], index: int) -> bool:

@@ -7,12 +7,13 @@ says so instead.
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.pdo import Pdo
+from esicatalog.model.assignment import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.cia402 import MODES_OF_OPERATION, DriveMode
-from esicatalog.model.drive_evidence import written_mode
+from esicatalog.model.drive_evidence import mode_code
 from esicatalog.model.drive_parts import (
     Part,
+    assigned_rx_pdos,
     is_declared,
     mapping_pdo,
     mapping_pdos,
@@ -22,9 +23,9 @@ from esicatalog.model.drive_parts import (
     pdo_words,
     setpoint_words,
 )
-from esicatalog.model.pdo_facts import symmetric_exclusions
+from esicatalog.model.drive_setup import ConfiguredDrive, DriveSetup
 from esicatalog.model.pdo_mapping import mapping_obstacle
-from esicatalog.model.sync import default_op_mode, op_modes_with_sync0
+from esicatalog.model.start_up import start_command, written_data
 
 
 class Recipe(NamedTuple):
@@ -33,28 +34,63 @@ class Recipe(NamedTuple):
     pdos: tuple[Pdo, ...]
     """The RxPDOs that map the setpoint."""
     pdos_are_default: bool
+    """Whether they are assigned with its modules and OpMode, without being chosen."""
     op_mode: str | None
+    """What chooses the OpMode: its name or position."""
     words: str
 
 
-def mode_recipe(device: Device, mode: DriveMode, parts: Sequence[Part], plug: str | None = None) -> Recipe:
+def mode_recipe(drive: ConfiguredDrive, mode: DriveMode, parts: Sequence[Part], plug: str | None = None) -> Recipe:
     """The recipe for a mode of the parts that act together, a module last; ``plug`` says where that goes."""
-    part, pdos = next(((part, pdos) for part in reversed(parts) if (pdos := mapping_pdos(part, mode))), (parts[-1], []))
+    setup = drive.setup(mode, parts)
+    usable = [_usable(part, mode, setup) for part in parts]
+    part, pdos = _mapping(usable, mode)
     are_default = all(pdo in part.assigned for pdo in pdos)
+    setpoint = _setpoint(mode, parts, usable, setup) if mode.setpoints else None
+    steps = (plug, setpoint, setup.op_mode_words, _mode_of_operation(mode, parts[-1], pdos, setup))
+    return Recipe(tuple(pdos), are_default, setup.op_mode_choice, "; ".join(step for step in steps if step is not None))
+
+
+def _usable(part: Part, mode: DriveMode, setup: DriveSetup) -> Part:
+    """The part with what is assigned in a setup, and without the RxPDOs of the setpoint that cannot be."""
+    assigned = assigned_rx_pdos(setup.images, part.slot_number)
+    setpoint = {part.at(index) for index in mode.setpoints}
+    ruled_out = [
+        pdo
+        for pdo in part.rx_pdos
+        if pdo not in assigned and any(entry.entry_index in setpoint for entry in pdo.entries) and setup.obstacle(pdo)
+    ]
+    return part._replace(assigned=assigned, rx_pdos=tuple([pdo for pdo in part.rx_pdos if pdo not in ruled_out]))
+
+
+def _mapping(parts: Sequence[Part], mode: DriveMode) -> tuple[Part, Sequence[Pdo]]:
+    """The part whose RxPDOs map the setpoint, with them; of several the module."""
+    return next(((part, pdos) for part in reversed(parts) if (pdos := mapping_pdos(part, mode))), (parts[-1], ()))
+
+
+def _setpoint(mode: DriveMode, parts: Sequence[Part], usable: Sequence[Part], setup: DriveSetup) -> str:
+    """Which RxPDOs have the setpoint, how they come to be assigned, or why none has it."""
+    part, pdos = _mapping(usable, mode)
     if pdos:
+        words = f"{mapping_words(pdos)} the setpoint"
+        if all(pdo in part.assigned for pdo in pdos):
+            return words
         subject = "it is not" if len(pdos) == 1 else "not all are"
-        assigned = "" if are_default else f"; {subject} assigned by default"
-        setpoint: str | None = f"{mapping_words(pdos)} the setpoint{assigned}"
-    else:
-        setpoint = _to_be_mapped(device, mode, parts) if mode.setpoints else None
-    op_mode = parts[-1].dc_op_mode_name or _op_mode(device, mode)
-    chosen = f"OpMode {op_mode!r}" if op_mode is not None else None
-    steps = (plug, setpoint, chosen, _mode_of_operation(mode, parts, pdos))
-    return Recipe(tuple(pdos), are_default, op_mode, "; ".join(step for step in steps if step is not None))
+        doubt = "" if declares_pdo_assign(setup.device) else f", and {NO_PDO_ASSIGN}"
+        return f"{words}; {subject} assigned {setup.assigning}{doubt}"
+    objects = setpoint_words(parts[-1], mode)
+    problem = _mapping_problem(mode, usable, setup)
+    if problem is None:
+        return f"map the setpoint {objects} into an RxPDO"
+    of_part, described = _mapping(parts, mode)
+    for pdo in [pdo for pdo in described if pdo not in usable[parts.index(of_part)].rx_pdos]:
+        held = [index for index in map(of_part.at, mode.setpoints) if mapping_pdo(index, [pdo]) is not None]
+        return f"no setpoint: {pdo_words(pdo)} has {object_words(held)}, but {setup.obstacle(pdo)}"
+    return problem
 
 
-def _to_be_mapped(device: Device, mode: DriveMode, parts: Sequence[Part]) -> str:
-    """What is to do about a setpoint that no RxPDO maps as a whole, by the rules for choosing entries of PDOs."""
+def _mapping_problem(mode: DriveMode, parts: Sequence[Part], setup: DriveSetup) -> str | None:
+    """Why no RxPDO can be given a setpoint that none maps as a whole, by the rules for choosing entries of PDOs."""
     part = parts[-1]
     rx_pdos = [pdo for item in parts for pdo in item.rx_pdos if not pdo.virtual]
     missing = [index for index in map(part.at, mode.setpoints) if mapping_pdo(index, rx_pdos) is None]
@@ -68,36 +104,31 @@ def _to_be_mapped(device: Device, mode: DriveMode, parts: Sequence[Part]) -> str
     objects = setpoint_words(part, mode)
     if not rx_pdos:
         return f"no setpoint: the file describes no RxPDO to map {objects} into"
-    obstacles = dict.fromkeys(mapping_obstacle(device.mailbox, pdo) for pdo in rx_pdos)
+    obstacles = dict.fromkeys(mapping_obstacle(setup.device.mailbox, pdo) for pdo in rx_pdos)
     if None not in obstacles:
         why = " or ".join(f"its mapping {obstacle}" for obstacle in obstacles)
         return f"no setpoint: no RxPDO has {objects}, and none can be given it: {why}"
     if barred:
         return f"no RxPDO has the setpoint {objects}, and without a dictionary nothing says that it can be mapped"
-    return f"map the setpoint {objects} into an RxPDO"
+    return None
 
 
-def _op_mode(device: Device, mode: DriveMode) -> str | None:
-    """OpMode to choose: for cyclic modes the first valid one with SYNC0, else the default."""
-    with_sync0 = op_modes_with_sync0(device) if mode.cyclic else []
-    chosen = with_sync0[0] if with_sync0 else default_op_mode(device.op_modes)
-    return chosen.name if chosen is not None else None
-
-
-def _mode_of_operation(mode: DriveMode, parts: Sequence[Part], pdos: Sequence[Pdo]) -> str:
+def _mode_of_operation(mode: DriveMode, part: Part, pdos: Sequence[Pdo], setup: DriveSetup) -> str:
     """Where 0x6060 is set: process data overwrite in every cycle what an InitCmd or the user wrote once.
 
-    Looked for beside the setpoint first, then in what is assigned by default and may stay so beside it.
+    Looked for beside the setpoint first, then in what is assigned without a choice and may stay so beside it.
     """
-    rivals = symmetric_exclusions(pdo for part in parts for pdo in part.rx_pdos)
-    excluded = {index for pdo in pdos for index in rivals.get(pdo.pdo_index, ())}
-    for part in reversed(parts):
-        index = part.at(MODES_OF_OPERATION)
-        staying = [pdo for pdo in part.assigned if pdo.pdo_index not in excluded]
-        for candidates, how in ((pdos, ""), (staying, " (assigned by default)")):
-            if (pdo := mapping_pdo(index, candidates)) is not None:
-                return f"0x{index:04X} is mapped in {pdo_words(pdo)}{how}: set it to {mode.code}"
-    index = parts[-1].at(MODES_OF_OPERATION)
-    if any(written_mode(command, index) is mode for part in parts for command in part.init_cmds):
+    index = part.at(MODES_OF_OPERATION)
+    excluded = {rival for pdo in pdos for rival in setup.exclusions.get(pdo.pdo_index, ())}
+    assigned = [placed.pdo for image in setup.images for placed in image.pdos if placed.direction == "RxPdo"]
+    staying = [pdo for pdo in assigned if pdo.pdo_index not in excluded]
+    for candidates, how in ((pdos, ""), (staying, f" (assigned {setup.assigning})")):
+        if (pdo := mapping_pdo(index, candidates)) is not None:
+            return f"0x{index:04X} is mapped in {pdo_words(pdo)}{how}: set it to {mode.code}"
+    command = start_command(setup.commands, index)
+    data = written_data(command, index) if command is not None else None
+    code = mode_code(data) if data is not None else None
+    if code == mode.code:
         return f"0x{index:04X} = {mode.code} is written by an InitCmd"
-    return f"0x{index:04X} is in none of the assigned RxPDOs: write {mode.code} to it before operation"
+    after = f", after the InitCmd that writes {code}" if code is not None else ""
+    return f"0x{index:04X} is in none of the assigned RxPDOs: write {mode.code} to it before operation{after}"

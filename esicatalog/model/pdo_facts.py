@@ -1,6 +1,6 @@
 """Small facts about PDOs and their entries that every reader of the catalog needs."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from typing import Annotated
 
 from esicatalog.esi.binding import Doc, Record
@@ -66,6 +66,11 @@ _PADDING, _NO_PADDING = EntryFacts(is_padding=True), EntryFacts(is_padding=False
 def has_length(entry: Entry) -> bool:
     """Whether an entry says how many bits it takes; none is a number only for a gap, as real files have it."""
     return entry.bit_length is not None and (entry.bit_length > 0 or (entry.bit_length == 0 and not entry.entry_index))
+
+
+def pdo_yields(pdo: Pdo, of_modules: Container[int | None]) -> bool:
+    """Whether a PDO of the device gives way to one of modules, whose indices are given (ESI-FACTS section 12)."""
+    return bool(pdo.overwritten_by_module) and pdo.pdo_index in of_modules
 
 
 def symmetric_exclusions(pdos: Iterable[Pdo]) -> Mapping[int | None, tuple[int, ...]]:

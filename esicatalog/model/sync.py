@@ -87,10 +87,14 @@ def valid_op_modes(op_modes: Sequence[OpMode]) -> Sequence[OpMode]:
     return [mode for mode in op_modes if not is_superseded(mode)] or op_modes
 
 
-def op_modes_with_sync0(device: Device) -> list[OpMode]:
-    """The OpModes that generate SYNC0 and are not superseded (ESI-FACTS section 11)."""
+def positions_with_sync0(device: Device) -> list[int]:
+    """Positions of the OpModes that generate SYNC0 and are not superseded (ESI-FACTS section 11)."""
     time_only = device.dc_time_loop_control_only
-    return [mode for mode in device.op_modes if generated_signals(mode, time_only).sync0 and not is_superseded(mode)]
+    return [
+        position
+        for position, op_mode in enumerate(device.op_modes)
+        if generated_signals(op_mode, time_only).sync0 and not is_superseded(op_mode)
+    ]
 
 
 def default_op_mode(op_modes: Sequence[OpMode], modules: Iterable[Module] = ()) -> OpMode | None:
@@ -100,19 +104,33 @@ def default_op_mode(op_modes: Sequence[OpMode], modules: Iterable[Module] = ()) 
 
 
 def default_position(op_modes: Sequence[OpMode], modules: Iterable[Module] = ()) -> int | None:
-    """Position of the default OpMode: the first that plugged modules ask for, else the first one that is not
-    superseded, else the first.
-    """
-    for position in asked_positions(op_modes, modules):
-        return position
-    for position, op_mode in enumerate(op_modes):
-        if not is_superseded(op_mode):
+    """Position of the default OpMode: the first that plugged modules ask for, else the first valid one."""
+    for position in asked_op_modes(op_modes, modules).values():
+        if position is not None:
             return position
-    return 0 if op_modes else None
+    return _first_valid(op_modes, range(len(op_modes)))
 
 
-def asked_positions(op_modes: Sequence[OpMode], modules: Iterable[Module]) -> list[int]:
-    """Positions of the OpModes that modules ask for by DcOpModeName, each once (ESI-FACTS section 12)."""
+def asked_op_modes(op_modes: Sequence[OpMode], modules: Iterable[Module]) -> dict[str, int | None]:
+    """The names that modules ask for (DcOpModeName), each with the position of its OpMode (ESI-FACTS section 12).
+
+    Of several OpModes of one name the first valid one is meant. None for a name that no OpMode has.
+    """
     asked = dict.fromkeys(module.dc_op_mode_name for module in modules if module.dc_op_mode_name)
-    names = [op_mode.name for op_mode in op_modes] if asked else []
-    return [names.index(name) for name in asked if name in names]
+    return {
+        name: _first_valid(op_modes, [position for position, mode in enumerate(op_modes) if mode.name == name])
+        for name in asked
+    }
+
+
+def _first_valid(op_modes: Sequence[OpMode], positions: Sequence[int]) -> int | None:
+    """The first of some OpModes that is not superseded, the first of all where each is; None without any."""
+    valid = (position for position in positions if not is_superseded(op_modes[position]))
+    return next(valid, positions[0] if positions else None)
+
+
+def op_mode_choice(op_modes: Sequence[OpMode], position: int) -> str:
+    """What chooses an OpMode: its name, or its position where it has none or others have the same."""
+    names = [(op_mode.name or "").strip() for op_mode in op_modes]
+    name = names[position]
+    return name if name and names.count(name) == 1 else str(position)

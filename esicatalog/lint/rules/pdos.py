@@ -20,7 +20,7 @@ def _words(direction: str, index: int | None) -> str:
 
 @rule("L27", ERROR, "ETG.2000 Pdo/@Sm: position of the Sm element; RxPdo go to Outputs, TxPdo to Inputs")
 def sync_manager_of_pdo(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
-    """A PDO is assigned to a SyncManager that does not exist, runs the other way or carries the mailbox."""
+    """A PDO is assigned to a SyncManager that does not exist, runs the other way, has the mailbox or is excluded."""
     if isinstance(subject, ProcessSubject):
         targets = [("", subject.data.sync_managers)]
     else:
@@ -30,12 +30,21 @@ def sync_manager_of_pdo(subject: ProcessSubject | ModuleSubject) -> Iterator[Fou
             number = placed.pdo.sm
             if number is None:
                 continue
-            words = f"{_words(placed.direction, placed.pdo.pdo_index)} is assigned to SM {number}"
+            words = _sm_words(placed)
             if not 0 <= number < len(sync_managers):
                 words += f"{of}, which has {len(sync_managers)} SyncManagers"
                 yield Found(f"{words}: correct Sm", (*placed.place, "sm"))
             elif not may_transport(sync_managers[number], placed.direction):
                 yield Found(f"{words}{of}, which is {sync_managers[number].usage}: correct Sm", (*placed.place, "sm"))
+    for placed in subject.pdos:
+        if placed.pdo.sm in placed.pdo.excluded_sms:
+            yield Found(
+                f"{_sm_words(placed)}, which its ExcludedSm rules out: correct one of them", (*placed.place, "sm")
+            )
+
+
+def _sm_words(placed: DeclaredPdo) -> str:
+    return f"{_words(placed.direction, placed.pdo.pdo_index)} is assigned to SM {placed.pdo.sm}"
 
 
 @rule("L28", WARNING, "ETG.1000.6: a PDO mapping object exists once")

@@ -1,0 +1,98 @@
+"""Which PDOs can be assigned: those of the device and of what is in its slots, where they go, and what rules them out.
+
+Rules of ESI-FACTS sections 8, 9 and 12, for what exports are given to assign and for what recipes ask for.
+"""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.model.pdo_facts import pdo_yields, pdos_by_direction
+from esicatalog.model.slots import PluggedModule, expand_module
+from esicatalog.model.sm_facts import may_transport, sm_role
+
+NO_PDO_ASSIGN = "the device does not declare PdoAssign: it may keep its default assignment"
+"""What speaks against every other assignment of a device without CoE/@PdoAssign."""
+
+
+class AvailablePdo(NamedTuple):
+    """A PDO that can be assigned; ``position`` counts among those of its direction in the device or module."""
+
+    direction: str
+    position: int
+    pdo: Pdo
+    plugged: PluggedModule | None
+
+    @property
+    def owner(self) -> str:
+        """Whose PDO it is, in words."""
+        if self.plugged is None:
+            return "the device"
+        return f"module 0x{self.plugged.module.module_ident or 0:X} in slot {self.plugged.slot_number}"
+
+
+class Place(NamedTuple):
+    """Where a PDO goes that is chosen: a SyncManager, or what is in the way, as the end of a sentence about the PDO."""
+
+    sm: int | None
+    obstacle: str = ""
+
+
+def available_pdos(device: Device, plugged: Iterable[PluggedModule]) -> list[AvailablePdo]:
+    """The PDOs of the device, without those that yield to modules (OverwrittenByModule), and of the modules."""
+    of_modules = [
+        AvailablePdo(direction, position, pdo, item)
+        for item in plugged
+        for direction, pdos in pdos_by_direction(expand_module(device, item).module)
+        for position, pdo in enumerate(pdos)
+    ]
+    replaced = {item.pdo.pdo_index for item in of_modules}
+    own = [
+        AvailablePdo(direction, position, pdo, None)
+        for direction, pdos in pdos_by_direction(device)
+        for position, pdo in enumerate(pdos)
+        if not pdo_yields(pdo, replaced)
+    ]
+    return own + of_modules
+
+
+def assignment_place(device: Device, direction: str, pdo: Pdo) -> Place:
+    """Its own SyncManager, else the first one for process data of its direction that it may go to."""
+    managers = device.sync_managers
+    if pdo.sm is not None:
+        own = managers[pdo.sm] if 0 <= pdo.sm < len(managers) else None
+        if own is not None and own.virtual:
+            return Place(None, f"is described, not transported: SM{pdo.sm} is virtual")
+        if own is not None and not may_transport(own, direction):
+            return Place(None, f"cannot be assigned: SM{pdo.sm} is for {own.usage}")
+        return Place(pdo.sm)
+    numbers = [number for number, sm in enumerate(managers) if _transports(sm, direction)]
+    allowed = [number for number in numbers if number not in pdo.excluded_sms]
+    if not numbers:
+        return Place(None, f"has no SyncManager: the device has none for a {direction}")
+    if not allowed:
+        return Place(None, f"may not go to SM{numbers[0]}")
+    if managers[allowed[0]].fixed_assignment:
+        return Place(None, f"cannot be chosen: the assignment of SM{allowed[0]} is fixed")
+    return Place(allowed[0])
+
+
+def _transports(sync_manager: SyncManager, direction: str) -> bool:
+    role = sm_role(sync_manager)
+    return role is not None and role.pdo_direction == direction and not sync_manager.virtual
+
+
+def mandatory_pdos(device: Device, available: Iterable[AvailablePdo]) -> list[AvailablePdo]:
+    """The PDOs that have to stay in their SyncManagers whatever is chosen beside them."""
+    return [
+        item
+        for item in available
+        if item.pdo.mandatory and not item.pdo.virtual and item.pdo.sm is not None
+        if assignment_place(device, item.direction, item.pdo).sm is not None
+    ]
+
+
+def declares_pdo_assign(device: Device) -> bool:
+    """Whether a master may write the assignment (CoE/@PdoAssign, ESI-FACTS section 10)."""
+    return device.mailbox is not None and bool(device.mailbox.coe_pdo_assign)

@@ -1,0 +1,145 @@
+"""What an export of a recipe would make: its modules, its OpMode, the process image and the commands that follow."""
+
+from collections.abc import Sequence
+from functools import cached_property
+from itertools import chain
+
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.model.assignment import AvailablePdo, assignment_place, available_pdos, mandatory_pdos
+from esicatalog.model.cia402 import DriveMode
+from esicatalog.model.drive_parts import Part
+from esicatalog.model.pdo_facts import symmetric_exclusions
+from esicatalog.model.process_image import SmImage, process_image
+from esicatalog.model.slots import PluggedModule, expand_module
+from esicatalog.model.start_up import written_places, yields
+from esicatalog.model.sync import asked_op_modes, default_position, op_mode_choice, positions_with_sync0
+
+
+class DriveSetup:
+    """A device with certain modules in an OpMode, no PDOs chosen."""
+
+    def __init__(
+        self, device: Device, plugged: Sequence[PluggedModule], position: int | None, images: Sequence[SmImage] | None
+    ) -> None:
+        self.device = device
+        self._plugged = plugged
+        self._position = position
+        self._images = images
+
+    @cached_property
+    def images(self) -> Sequence[SmImage]:
+        """Its process image."""
+        if self._images is not None:
+            return self._images
+        return process_image(self.device, self._plugged, _op_mode(self.device, self._position))
+
+    @cached_property
+    def exclusions(self) -> dict[int | None, tuple[int, ...]]:
+        """The PDOs that may not be assigned beside each."""
+        return dict(symmetric_exclusions(item.pdo for item in self._available))
+
+    @cached_property
+    def _available(self) -> list[AvailablePdo]:
+        return available_pdos(self.device, self._plugged)
+
+    @cached_property
+    def _staying(self) -> set[int | None]:
+        """Indices of the mandatory PDOs in its process image."""
+        assigned = {placed.pdo.pdo_index for image in self.images for placed in image.pdos}
+        return assigned & {item.pdo.pdo_index for item in mandatory_pdos(self.device, self._available)}
+
+    @property
+    def op_mode_choice(self) -> str | None:
+        """What chooses its OpMode."""
+        return op_mode_choice(self.device.op_modes, self._position) if self._position is not None else None
+
+    @property
+    def op_mode_words(self) -> str | None:
+        """Its OpMode in words, with what chooses it first."""
+        op_mode = _op_mode(self.device, self._position)
+        if op_mode is None:
+            return None
+        if not op_mode.name:
+            return f"OpMode {self._position}"
+        is_chosen_by_name = self.op_mode_choice == op_mode.name.strip()
+        return f"OpMode {op_mode.name!r}" if is_chosen_by_name else f"OpMode {self._position} {op_mode.name!r}"
+
+    @property
+    def assigning(self) -> str:
+        """What assigns the PDOs of its process image, as the end of a sentence: that OpMode, or nothing special."""
+        default = default_position(self.device.op_modes, [item.module for item in self._plugged])
+        is_default = _assigns_alike(self.device, self._position, default)
+        return "by default" if is_default or self.op_mode_words is None else f"with {self.op_mode_words}"
+
+    def obstacle(self, pdo: Pdo) -> str | None:
+        """Why an RxPDO that is not in the process image cannot be chosen beside it, None when it can."""
+        place = assignment_place(self.device, "RxPdo", pdo)
+        if place.sm is None:
+            return place.obstacle
+        rivals = self._staying.intersection(self.exclusions.get(pdo.pdo_index, ()))
+        for rival in sorted(index for index in rivals if index is not None):
+            return f"cannot be assigned beside 0x{rival:04X}, which is mandatory"
+        return None
+
+    @cached_property
+    def commands(self) -> tuple[InitCmd, ...]:
+        """Its InitCmds in the order in which they are sent at one transition."""
+        mailboxes = [module.mailbox for module in self._modules if module.mailbox is not None]
+        places = written_places(self._modules)
+        own = self.device.mailbox.coe_init_cmds if self.device.mailbox is not None else ()
+        staying = [command for command in own if not yields(command, places)]
+        return (*staying, *chain.from_iterable(mailbox.coe_init_cmds for mailbox in mailboxes))
+
+    @cached_property
+    def _modules(self) -> list[Module]:
+        return [expand_module(self.device, item).module for item in self._plugged]
+
+
+class ConfiguredDrive:
+    """A device whose setups are made once each; ``there`` are its default modules, ``images`` what they make."""
+
+    def __init__(self, device: Device, there: Sequence[PluggedModule], images: Sequence[SmImage]) -> None:
+        self.device = device
+        self._there = there
+        self._images = images
+        self._default = default_position(device.op_modes, [item.module for item in there])
+        self._setups: dict[tuple[int | None, int, int | None], DriveSetup] = {}
+
+    def setup(self, mode: DriveMode, parts: Sequence[Part]) -> DriveSetup:
+        """That for a mode of the parts that act together, a module last."""
+        chosen = parts[-1].plugged
+        others = {item.slot_number: item for item in self._there}
+        plugged = others if chosen is None else others | {chosen.slot_number: chosen}
+        by_slot = [plugged[number] for number in sorted(plugged)]
+        position = self._position(mode, [chosen, *by_slot] if chosen is not None else by_slot)
+        key = (chosen.slot_number, id(chosen.module), position) if chosen is not None else (None, 0, position)
+        if key not in self._setups:
+            is_default = all(item in self._there for item in by_slot)
+            images = self._images if is_default and _assigns_alike(self.device, position, self._default) else None
+            self._setups[key] = DriveSetup(self.device, by_slot, position, images)
+        return self._setups[key]
+
+    def _position(self, mode: DriveMode, plugged: Sequence[PluggedModule]) -> int | None:
+        """Of the OpMode that a module asks for, else for cyclic modes the first one with SYNC0, else the default."""
+        modules = [item.module for item in plugged]
+        asked = asked_op_modes(self.device.op_modes, modules).values()
+        with_sync0 = positions_with_sync0(self.device) if mode.cyclic else []
+        if with_sync0 and all(position is None for position in asked):
+            return with_sync0[0]
+        return default_position(self.device.op_modes, modules)
+
+
+def _op_mode(device: Device, position: int | None) -> OpMode | None:
+    return device.op_modes[position] if position is not None else None
+
+
+def _assigns_alike(device: Device, one: int | None, other: int | None) -> bool:
+    """Whether two OpModes make the same process image of the same modules: neither lists PDOs, or they are the same."""
+    if one == other:
+        return True
+    both = (_op_mode(device, one), _op_mode(device, other))
+    return not any(op_mode.sm_assignments for op_mode in both if op_mode is not None)

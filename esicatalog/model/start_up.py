@@ -1,0 +1,59 @@
+"""What InitCmds have written when a device is in operation, and which of the device's own yield to those of modules."""
+
+from collections.abc import Collection, Iterable
+from typing import TypeVar
+
+from esicatalog.esi.numbers import decode_hex_binary
+from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.module import Module
+
+START_TRANSITIONS = ("IP", "PS", "SO")
+"""In the order of a start (ESI-FACTS section 10)."""
+TRANSITIONS = (*START_TRANSITIONS, "SP", "OP", "OS")
+"""The last three lead back."""
+
+Written = TypeVar("Written")
+
+Write = tuple[str, int, Written]
+"""Transition, object and what is written to it."""
+
+
+def transition_of(text: str) -> str:
+    """A transition as it is meant, whatever its spelling."""
+    return text.strip().upper()
+
+
+def after_start(writes: Iterable[Write[Written]]) -> dict[int, Written]:
+    """What was last written to each object in the course of a start: transition by transition, in the order given."""
+    due = [item for item in writes if item[0] in START_TRANSITIONS]
+    due.sort(key=lambda item: START_TRANSITIONS.index(item[0]))
+    return {index: written for _, index, written in due}
+
+
+def written_data(command: InitCmd, index: int) -> bytes | None:
+    """What a command writes to an object that is a single value, None when it writes nothing to it."""
+    if command.object_index != index or command.subindex or command.complete_access:
+        return None
+    return decode_hex_binary(command.data) or None
+
+
+def start_command(commands: Iterable[InitCmd], index: int) -> InitCmd | None:
+    """The command whose value an object has in operation, None where no start writes it."""
+    due = [command for command in commands if written_data(command, index) is not None]
+    return after_start(
+        (transition_of(transition), index, command) for command in due for transition in command.transitions
+    ).get(index)
+
+
+def written_places(modules: Iterable[Module]) -> set[tuple[int | None, int]]:
+    """The objects that the InitCmds of modules write, each with its subindex."""
+    return {
+        (command.object_index, command.subindex or 0)
+        for module in modules
+        for command in (module.mailbox.coe_init_cmds if module.mailbox is not None else ())
+    }
+
+
+def yields(command: InitCmd, places: Collection[tuple[int | None, int]]) -> bool:
+    """Whether a command of the device is left out for those of modules that write ``places`` (ESI-FACTS section 12)."""
+    return bool(command.overwritten_by_module) and (command.object_index, command.subindex or 0) in places
