@@ -12,9 +12,10 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.export.choice import PdoChoice
 from esicatalog.export.entry_types import ObjectTable
+from esicatalog.model.pdo_assignment import Assignment
 from esicatalog.model.pdo_facts import PDO_FIELDS, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
-from esicatalog.model.process_image import Assignment, SmImage
+from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sm_facts import sm_role
 
