@@ -242,6 +242,25 @@ def test_places_in_the_default_image(tmp_path):
     ]
 
 
+def test_a_length_that_is_not_described_is_no_number(tmp_path):
+    """Variable content before 16 bits: neither is the size known nor the place; inputs there are none."""
+    empty = '<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name></RxPdo>'
+    db = catalog_of(tmp_path, esi(device(SM + empty + pdo("RxPdo", "#x1601", 16, attributes='Sm="0"'))))
+    assert rows(db, "SELECT output_bytes, input_bytes FROM device_facts") == [(None, 0)]
+    query = "SELECT assigned_by_default, image_bit_offset, image_byte_bit FROM device_pdo_entries"
+    assert rows(db, query) == [(1, None, None)]
+    with Catalog.open(db) as catalog:
+        assert [len(catalog.devices(bytes_out=Bounds(0, most))) for most in (0, 2, None)] == [0, 0, 0]
+        assert len(catalog.devices(bytes_in=Bounds(0, 0))) == 1
+    result = run("show", "0xe5c:1", "--db", db, "--format", "json")
+    (image,) = json.loads(result.stdout)["process_image"]
+    assert (image["byte_size"], image["bit_size"], image["size"]) == (None, None, "at least 2 bytes (16 bits)")
+    assert [entry["bit_offset"] for entry in image["entries"]] == [None]
+    shown = run("show", "0xe5c:1", "--db", db).stdout
+    assert "SM0 Outputs: at least 2 bytes (16 bits)" in shown
+    assert "?         16    0x7000:01" in shown
+
+
 def test_lengths_without_end_stop_no_query(tmp_path):
     """Three entries of 2^63 - 1 bits: their sum is no number of a database. Beside them 3 and 5 bits, -4 take none."""
     huge = 2**63 - 1

@@ -49,11 +49,22 @@ def test_a_difference_names_area_place_kind_and_values():
 
 
 def test_kinds_follow_the_side_that_has_it():
-    with_size, without = '<Sm DefaultSize="8">Outputs</Sm>', "<Sm>Outputs</Sm>"
+    with_size, without = '<Sm DefaultSize="8">MBoxOut</Sm>', "<Sm>MBoxOut</Sm>"
     (added,) = compared(esi(device(without)), esi(device(with_size)))
     (removed,) = compared(esi(device(with_size)), esi(device(without)))
     assert (added.kind, added.left, added.right) == ("added", None, "8 bytes")
     assert (removed.kind, removed.left, removed.right) == ("removed", "8 bytes", None)
+
+
+def test_sizes_that_are_not_known_are_no_numbers():
+    """Variable content in front of 8 bits: the size is at least theirs, and they have no place."""
+    known = "<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1601", 8, attributes='Sm="0"')
+    empty = '<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name></RxPdo>'
+    found = {item.place: item for item in compared(esi(device(known)), esi(device(known + empty)))}
+    assert (found["SM0 size"].left, found["SM0 size"].right) == ("1 byte (8 bit)", "at least 1 byte (8 bit)")
+    assert not [place for place in found if place.startswith("SM0 at")], "what lies before it stays"
+    found = {item.place: item for item in compared(esi(device("<Sm>Outputs</Sm>" + empty)), esi(device(known)))}
+    assert found["SM0 size"].left == "unknown length"
 
 
 def test_texts_never_count():

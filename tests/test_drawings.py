@@ -166,6 +166,20 @@ def test_an_empty_image_says_so():
     assert process_image_legend(image()) == ""
 
 
+def test_what_has_no_known_place_is_not_drawn():
+    first = '<RxPdo Sm="2"><Index>#x1600</Index><Name>R</Name></RxPdo>'
+    second = pdo("RxPdo", "#x1601", 16, attributes='Sm="2"')
+    for content, drawn_entries, said in (
+        (first + second, 0, "Not drawn: no entry has a known place."),
+        (second + first, 1, "Not drawn: what follows, whose place is not known."),
+    ):
+        owner = read(esi(device(SMS + content))).document.infos[0].devices[0]
+        found = next(image for image in default_process_image(owner) if image.sm == 2)
+        root = drawn(process_image_svg(found))
+        assert (len(groups(root, "entry")), said in words(root)) == (drawn_entries, True)
+        assert root.get("aria-label") == "Outputs, SM2: at least 2 bytes, 1 entry"
+
+
 def test_the_inner_bytes_of_a_long_entry_share_a_row():
     root = drawn(process_image_svg(image([entry(4), entry(4), entry(8 * 1500), entry(8)])))
     assert [text.text for text in root.iter(f"{SVG}text") if "offset" in text.get("class")] == [

@@ -136,6 +136,32 @@ def test_layouts_with_the_same_entries_say_in_what_they_differ(tmp_path, there, 
     assert "modules" not in warning
 
 
+VARIABLE = '<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name></RxPdo>'
+
+
+@pytest.mark.parametrize(
+    ("here", "there", "words"),
+    [
+        (
+            "<Sm>Outputs</Sm>" + VARIABLE + pdo("RxPdo", "#x1601", 8, 16, attributes='Sm="0"'),
+            "<Sm>Outputs</Sm>" + VARIABLE + pdo("RxPdo", "#x1601", 16, 8, attributes='Sm="0"'),
+            "in PDOs of unknown length, or behind them",
+        ),
+        (
+            '<Sm DefaultSize="4">Outputs</Sm><Sm>Inputs</Sm>' + pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"'),
+            '<Sm DefaultSize="8">Outputs</Sm><Sm>Inputs</Sm>' + pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"'),
+            "SyncManagers without PDOs have DefaultSize SM0 4 here, SM0 8 there",
+        ),
+    ],
+)
+def test_layouts_differ_where_no_place_is_known(tmp_path, here, there, words):
+    text = esi(device(here, revision="#x1") + device(there, revision="#x2") + device(there, revision="#x3"))
+    db = catalog_of(tmp_path, text)
+    (warning,) = answer(db, 0xE5C, 1, 1).warnings
+    assert warning.endswith(words)
+    assert rows(db, "SELECT layout_changed FROM device_revisions ORDER BY revision_no") == [(0,), (1,), (0,)]
+
+
 def test_an_empty_sync_manager_more_is_the_same_layout(tmp_path):
     content = "<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0"')
     empty = content.replace("</Sm>", "</Sm><Sm Virtual='1'>Inputs</Sm>")

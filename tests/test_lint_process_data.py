@@ -53,6 +53,15 @@ def test_l52_knows_what_a_sync_manager_is_for(tmp_path, sm, index, words):
     assert [item["message"] for item in found] == ([f"OpMode 1 'DC' {words}"] if words else [])
 
 
+@pytest.mark.parametrize(("limit", "count"), [('OSMax="10"', 1), ('OSMax="20"', 0), ("", 0)])
+def test_l52_knows_how_often_a_pdo_may_be_sampled(tmp_path, limit, count):
+    listed = '<Sm No="3"><Pdo OSFac="20">#x1A00</Pdo></Sm>'
+    mode = f"<OpMode><Name>DC</Name><AssignActivate>0</AssignActivate>{listed}</OpMode>"
+    content = MAILBOX_AND_PROCESS_DATA + pdo("TxPdo", "#x1A00", 8, attributes=limit)
+    found = linted(tmp_path, "L52", device(f"{content}<Dc>{mode}</Dc>"))
+    assert [item["message"] for item in found] == ["OpMode 1 'DC' samples PDO 0x1A00 20 times, its OSMax is 10"] * count
+
+
 @pytest.mark.parametrize(
     ("rule_id", "role", "control", "count"),
     [
@@ -93,6 +102,47 @@ def test_l65_says_what_assigns(tmp_path, mode, words):
     found = linted(tmp_path, "L65", device(ASSIGNED_0X1600 + MAILBOX_AND_PROCESS_DATA + pdos + modes))
     said = f"0x1C12 assigns 0x1600 by default, {words}: which of them counts depends on the master"
     assert [item["message"] for item in found] == ([said] if words else [])
+
+
+@pytest.mark.parametrize(("first", "second", "words"), [("0016", "0116", None), ("0116", "0016", "0x1601, 0x1600")])
+def test_l65_knows_the_order(tmp_path, first, second, words):
+    """In document order 0x1600 lies first; 0x1C12:01 and :02 may have it otherwise, and then no place is the same."""
+    sub_item = (
+        "<SubItem><SubIdx>{0}</SubIdx><Name>P{0}</Name><Type>UINT</Type><BitSize>16</BitSize><BitOffs>{0}6</BitOffs>"
+    )
+    value = "<SubItem><Name>P</Name><Info><DefaultData>{}</DefaultData></Info></SubItem>"
+    assigned = dictionary(
+        "<DataType><Name>DT1C12</Name><BitSize>48</BitSize>"
+        "<SubItem><SubIdx>0</SubIdx><Name>N</Name><Type>USINT</Type><BitSize>8</BitSize><BitOffs>0</BitOffs></SubItem>"
+        f"{sub_item.format(1)}</SubItem>{sub_item.format(2)}</SubItem></DataType>",
+        "<Object><Index>#x1C12</Index><Name>O</Name><Type>DT1C12</Type><BitSize>48</BitSize><Info>"
+        f"{value.format('02')}{value.format(first)}{value.format(second)}</Info></Object>",
+    )
+    pdos = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("RxPdo", "#x1601", 16, attributes='Sm="2"')
+    found = linted(tmp_path, "L65", device(assigned + MAILBOX_AND_PROCESS_DATA + pdos))
+    said = (
+        f"0x1C12 assigns {words} by default, Sm=2 assigns 0x1600, 0x1601 in that order: which of them counts depends "
+        "on the master"
+    )
+    assert [item["message"] for item in found] == ([said] if words else [])
+
+
+@pytest.mark.parametrize(
+    ("sm", "listed", "count"),
+    [
+        (2, "", 1),
+        (6, "", 0),
+        (2, '<Sm No="5"><Pdo>#x1601</Pdo></Sm>', 0),
+    ],
+    ids=["both exchanged", "one on a virtual SyncManager", "one moved by the OpMode"],
+)
+def test_l31_knows_what_is_exchanged(tmp_path, sm, listed, count):
+    pdos = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"', extra="<Exclude>#x1601</Exclude>") + pdo(
+        "RxPdo", "#x1601", 8, attributes=f'Sm="{sm}"', extra="<Exclude>#x1600</Exclude>"
+    )
+    mode = f"<Dc><OpMode><Name>DC</Name><AssignActivate>0</AssignActivate>{listed}</OpMode></Dc>"
+    virtual = '<Sm Virtual="1">Outputs</Sm>'
+    assert len(linted(tmp_path, "L31", device(MAILBOX_AND_PROCESS_DATA + virtual + pdos + mode))) == count
 
 
 def excluding(index: str, excluded: str, sm: str = 'Sm="2"', attributes: str = 'DependOnSlot="1"') -> str:

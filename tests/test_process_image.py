@@ -30,7 +30,7 @@ def test_pdos_are_concatenated_bit_by_bit():
     assert (image.bit_size, image.byte_size) == (9, 2)
 
 
-@given(st.lists(st.lists(st.integers(1, 64), max_size=5), max_size=5))
+@given(st.lists(st.lists(st.integers(1, 64), min_size=1, max_size=5), max_size=5))
 def test_bytes_are_rounded_once_per_sync_manager(lengths):
     content = "".join(pdo("TxPdo", f"#x{0x1A00 + n:X}", *bits, attributes='Sm="3"') for n, bits in enumerate(lengths))
     image = images(content)[3]
@@ -386,3 +386,132 @@ def test_module_classes_reach_modules():
     info = read(esi(device(slot), modules)).document.infos[0]
     assert [m.module_ident for m in reachable_modules(info.devices[0], info.modules)] == [1, 3]
     assert default_modules(info.devices[0], info.modules) == []
+
+
+def moved(own: str, listed: str):
+    """Images of 0x1A00 (16 bit) with Sm=3 and 0x1A01 (32 bit), where SM4 is for inputs too."""
+    sms = SMS + "<Sm>Inputs</Sm>"
+    pdos = pdo("TxPdo", "#x1A00", 16, attributes=f'Sm="3" {own}') + pdo("TxPdo", "#x1A01", 32, attributes='Sm="3"')
+    info = read(esi(device(f"{sms}{pdos}<Dc>{op_mode(listed)}</Dc>"))).document.infos[0]
+    return {image.sm: image for image in default_process_image(info.devices[0])}
+
+
+@pytest.mark.parametrize(
+    ("own", "listed"),
+    [
+        ("", '<Sm No="4"><Pdo>#x1A00</Pdo></Sm>'),
+        ('Mandatory="1"', '<Sm No="3"><Pdo>#x1A01</Pdo></Sm><Sm No="4"><Pdo>#x1A00</Pdo></Sm>'),
+    ],
+)
+def test_a_pdo_goes_where_the_op_mode_lists_it_and_nowhere_else(own, listed):
+    """ESI-FACTS section 0.5: the lists of the default OpMode win over Sm."""
+    found = moved(own, listed)
+    assert (indices(found[3]), found[3].byte_size) == ([0x1A01], 4)
+    assert (indices(found[4]), found[4].byte_size) == ([0x1A00], 2)
+    assert found[3].remarks == found[4].remarks == ()
+
+
+def test_a_list_that_no_sync_manager_can_have_moves_nothing():
+    found = moved("", '<Sm No="2"><Pdo>#x1A00</Pdo></Sm>')
+    assert (indices(found[2]), indices(found[3])) == ([], [0x1A00, 0x1A01])
+
+
+def test_an_assignment_takes_a_pdo_from_the_list_of_the_op_mode():
+    listed = op_mode('<Sm No="4"><Pdo>#x1A00</Pdo></Sm>')
+    content = pdo("TxPdo", "#x1A00", 16, attributes='Sm="3"') + f"<Dc>{listed}</Dc>"
+    owner = read(esi(device(f"{SMS}<Sm>Inputs</Sm>{content}"))).document.infos[0].devices[0]
+    found = process_image(owner, (), owner.op_modes[0], {3: [0x1A00]})
+    assert {image.sm: indices(image) for image in found} == {2: [], 3: [0x1A00], 4: []}
+
+
+def test_what_a_virtual_sync_manager_has_excludes_nothing_of_others():
+    virtual = SMS + '<Sm Virtual="1">Outputs</Sm>'
+    content = pdo("RxPdo", "#x1600", 48, attributes='Sm="2"', extra="<Exclude>#x1601</Exclude>") + pdo(
+        "RxPdo", "#x1601", 32, attributes='Sm="4" Mandatory="1"', extra="<Exclude>#x1600</Exclude>"
+    )
+    info = read(esi(device(virtual + content))).document.infos[0]
+    found = {image.sm: image for image in default_process_image(info.devices[0])}
+    assert (indices(found[2]), found[2].byte_size, found[2].remarks) == ([0x1600], 6, ())
+    assert found[4].remarks == ("PDO 0x1601 is described, not transported: SM4 is virtual",)
+
+
+GAP = "<Entry><Index>0</Index><BitLen>0</BitLen></Entry>"
+EMPTY = '<RxPdo Sm="2"><Index>{}</Index><Name>R</Name></RxPdo>'
+
+
+def test_nothing_is_known_of_what_lies_behind_a_pdo_without_entries():
+    """ESI-FACTS section 9: a PDO without Entry has variable content. 12 bits lie before it, 8 somewhere behind."""
+    first, last = (pdo("RxPdo", index, bits, attributes='Sm="2"') for index, bits in (("#x1600", 12), ("#x1602", 8)))
+    found = images(first + EMPTY.format("#x1601") + last + EMPTY.format("#x1603"))
+    image = found[2]
+    assert [[entry.bit_offset for entry in placed.entries] for placed in image.pdos] == [[0], [], [None], []]
+    assert (image.byte_size, image.bit_size, image.byte_words) == (None, 20, "at least 3 bytes")
+    assert image.remarks == (
+        "PDO 0x1601, 0x1603 of SM2 have no described entries: how long they are and where the entries behind them lie "
+        "is not known",
+    )
+    assert found[3].byte_size == 0
+
+
+def test_nothing_is_known_of_what_lies_behind_an_entry_without_length():
+    entry = "<Entry><Index>#x6040</Index>{}</Entry>"
+    content = entry.format("") + entry.format("<BitLen>32</BitLen>")
+    image = images(f'<RxPdo Sm="2"><Index>#x1600</Index><Name>R</Name>{content}</RxPdo>')[2]
+    assert [placed.bit_offset for placed in image.pdos[0].entries] == [0, None]
+    assert (image.byte_size, image.byte_words) == (None, "at least 4 bytes")
+    assert image.remarks[0].startswith("PDO 0x1600 of SM2 has entries without a usable BitLen: how long it is")
+
+
+def test_a_ref_names_entries_that_are_described_elsewhere():
+    image = images('<RxPdo Ref="R" Fixed="1" Sm="2"/>' + pdo("RxPdo", "#x1601", 16, attributes='Sm="2"'))[2]
+    assert (image.pdos[1].entries[0].bit_offset, image.byte_size) == (None, None)
+
+
+@pytest.mark.parametrize(
+    "none",
+    [
+        EMPTY.format("#x1600").replace("</RxPdo>", f"{GAP}</RxPdo>"),
+        EMPTY.format("#x1600").replace("<RxPdo", '<RxPdo Fixed="1"'),
+    ],
+)
+def test_a_pdo_of_no_bits_has_a_known_length(none):
+    """Fixed is a list of entries that nobody may change: without entries it stays empty (EL1252, "Reserved")."""
+    image = images(none + pdo("RxPdo", "#x1601", 16, attributes='Sm="2"'))[2]
+    assert image.pdos[1].entries[0].bit_offset == 0
+    assert image.byte_size == 2
+
+
+def test_no_place_is_known_behind_what_no_sync_manager_holds():
+    content = pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="32768"')
+    image = images(content + pdo("RxPdo", "#x1601", 8, attributes='Sm="2"'))[2]
+    assert (image.pdos[0].entries[0].bit_offset, image.byte_size) == (None, None)
+
+
+@pytest.mark.parametrize(
+    ("sm", "size"),
+    [
+        ('<Sm DefaultSize="16">Outputs</Sm>', None),
+        ('<Sm DefaultSize="0">Outputs</Sm>', 0),
+        ('<Sm DefaultSize="16" Virtual="1">Outputs</Sm>', 0),
+    ],
+)
+def test_a_sync_manager_with_a_size_and_no_pdo_exchanges_what_nothing_describes(sm, size):
+    """ESI-FACTS section 18: without PDOs nothing is exchanged, unless there is a DefaultSize."""
+    owner = read(esi(device(sm))).document.infos[0].devices[0]
+    (image,) = default_process_image(owner)
+    words = "SM0 has DefaultSize 16 and no PDO: what it exchanges is not described"
+    assert (image.byte_size, image.remarks) == (size, (words,) if size is None else ())
+    (image,) = process_image(owner, assignment={0: []})
+    assert (image.byte_size, image.remarks) == (0, ()), "whoever assigns nothing knows it"
+
+
+def test_the_own_factor_counts_where_the_op_mode_lists_a_pdo_without_one():
+    """docs/igh.md: as many samples as the OpMode lists for it, else those of its own OSFac."""
+    sampled = pdo("TxPdo", "#x1A00", 16, attributes='Sm="3" OSFac="4" OSIndexInc="1"')
+    listed = op_mode('<Sm No="3"><Pdo>#x1A00</Pdo></Sm>')
+    image = images(f"{sampled}<Dc>{listed}</Dc>")[3]
+    assert (image.pdos[0].repeat, image.byte_size) == (4, 8)
+    assert image.remarks == (
+        "PDO 0x1A00: the OpMode, which lists PDOs, says nothing about its oversampling; its own OSFac 4 counts, and "
+        "SYNC0 has to fit it",
+    )

@@ -13,7 +13,7 @@ from esicatalog.model.drive_evidence import ModeEvidence
 from esicatalog.model.drive_modes import DriveModeVerdict
 from esicatalog.model.process_image import SmImage
 
-PdoPlace = tuple[int, list[int]]
+PdoPlace = tuple[int, list[int | None]]
 """SyncManager of an assigned PDO and the bit offset of each of its entries."""
 PdoPlaces = Mapping[tuple[str, int], PdoPlace]
 """Places of a device's own PDOs in its default process image, by direction and position."""
@@ -43,7 +43,7 @@ def positioned(record_type: type[Record], records: Iterable[Record]) -> list[Row
 
 
 def pdo_places(images: Iterable[SmImage]) -> PdoPlaces:
-    """Where the device's own PDOs lie; of oversampled entries the first sample."""
+    """Where the device's own PDOs lie, as far as that is known; of oversampled entries the first sample."""
     return {
         (pdo.direction, pdo.position): (image.sm, [place.bit_offset for place in pdo.entries[: len(pdo.pdo.entries)]])
         for image in images

@@ -171,8 +171,9 @@ def _image_json(image: SmImage) -> dict[str, Any]:
     return {
         "sm": image.sm,
         "usage": image.usage,
-        "bit_size": image.bit_size,
+        "bit_size": image.bit_size if image.has_known_size else None,
         "byte_size": image.byte_size,
+        "size": image.size_words,
         "remarks": list(image.remarks),
         "entries": [
             {

@@ -32,9 +32,15 @@ _SOURCES = (
 )
 _LAYOUT = (
     "SELECT p.image_sm, e.image_bit_offset, e.entry_index, coalesce(e.subindex, 0), e.bit_length FROM pdos p "
-    "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND p.image_sm IS NOT NULL "
+    "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND e.image_bit_offset IS NOT NULL "
     "ORDER BY p.image_sm, e.image_bit_offset"
 )
+_WITHOUT_PLACE = (
+    "SELECT p.image_sm, p.pdo_index, e.entry_index, coalesce(e.subindex, 0), e.bit_length FROM pdos p "
+    "LEFT JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND p.image_sm IS NOT NULL "
+    "AND e.image_bit_offset IS NULL ORDER BY p.image_sm, p.direction, p.position, e.position"
+)
+"""Assigned PDOs without entries, and entries behind what has no known length."""
 _HAS_MODULES = "SELECT 1 FROM device_modules WHERE device_id = ? LIMIT 1"
 _BESIDE_LAYOUT = (
     (
@@ -42,6 +48,12 @@ _BESIDE_LAYOUT = (
         "SELECT 'SM' || s.position, coalesce(nullif(s.usage, ''), 'of no use') FROM sync_managers s "
         "WHERE s.device_id = ? AND EXISTS "
         "(SELECT 1 FROM pdos p WHERE p.device_id = s.device_id AND p.image_sm = s.position) ORDER BY s.position",
+    ),
+    (
+        "SyncManagers without PDOs have DefaultSize {} here, {} there",
+        "SELECT 'SM' || s.position, s.default_size FROM sync_managers s WHERE s.device_id = ? AND s.default_size > 0 "
+        "AND NOT EXISTS (SELECT 1 FROM pdos p WHERE p.device_id = s.device_id AND p.image_sm = s.position) "
+        "ORDER BY s.position",
     ),
     (
         "the same entries are sampled otherwise: {} here, {} there",
@@ -196,6 +208,9 @@ class IdentityLookup:
                     f"SM{sm} byte {byte_bit(bit_offset)} is {ours.get(place, 'nothing')} here, "
                     f"{theirs.get(place, 'nothing')} there"
                 )
+        without, also = (list(self._query(_WITHOUT_PLACE, (device_id,))) for device_id in (here, there))
+        if without != also:
+            return "in PDOs of unknown length, or behind them"
         if any(list(self._query(_HAS_MODULES, (device_id,))) for device_id in (here, there)):
             return "in PDOs of modules"
         for words, statement in _BESIDE_LAYOUT:

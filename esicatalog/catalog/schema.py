@@ -293,7 +293,9 @@ pdo_entries = _part(
     "pdo_entries",
     "pdos",
     "Entries of PDOs, padding included, OSFac not expanded.",
-    _integer("image_bit_offset", "Bits before it in its SyncManager's default process image; NULL = not in it"),
+    _integer(
+        "image_bit_offset", "Bits before it in its SyncManager's default process image; NULL = not in it or not known"
+    ),
 )
 _MAPPED = ("entry_index", "subindex", "bit_length", "pdo_id")
 sa.Index("ix_pdo_entries_mapping", *(pdo_entries.c[name] for name in _MAPPED))

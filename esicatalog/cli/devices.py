@@ -41,8 +41,18 @@ _CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant
 @click.option("--no-lrw", is_flag=True, help="Cannot handle LRW frames.")
 @click.option("--identification", type=click.Choice(IDENTIFICATIONS), help="Returns an explicit identification so.")
 @click.option("--physics", metavar="YY", help="Ports A to D: Y MII, K E-bus, H fast hot connect, blank unused.")
-@click.option("--bytes-in", metavar="[<=|>=]N", type=BOUNDS, help="Input bytes of the default process image.")
-@click.option("--bytes-out", metavar="[<=|>=]N", type=BOUNDS, help="Output bytes of the default process image.")
+@click.option(
+    "--bytes-in",
+    metavar="[<=|>=]N",
+    type=BOUNDS,
+    help="Input bytes of the default process image, where they are known.",
+)
+@click.option(
+    "--bytes-out",
+    metavar="[<=|>=]N",
+    type=BOUNDS,
+    help="Output bytes of the default process image, where they are known.",
+)
 @click.option("--min-cycle-ns", metavar="[<=|>=]N", type=BOUNDS, help="Smallest bus cycle that the file tells.")
 @click.option("--e-bus-ma", metavar="[<=|>=]N", type=BOUNDS, help="E-bus current; negative = supplies.")
 @click.option("--axes", metavar="[<=|>=]N", type=BOUNDS, help="Number of CiA 402 axes.")

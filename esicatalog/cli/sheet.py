@@ -179,7 +179,7 @@ def _process_image(images: list[SmImage], heading: str) -> Iterator[str]:
             for pdo in image.pdos
             for placed in pdo.entries
         ]
-        title = f"{heading}, SM{image.sm} {image.usage or ''}: {image.byte_size} bytes ({image.bit_size} bits)"
+        title = f"{heading}, SM{image.sm} {image.usage or ''}: {image.size_words}"
         yield ""
         yield title
         for line in table_lines(rows, ("byte.bit", "bits", "entry", "type", "name", "PDO")) if rows else []:

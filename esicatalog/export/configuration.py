@@ -18,10 +18,10 @@ from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import ChosenPdos, apply_choice
 from esicatalog.export.subject import Subject
-from esicatalog.model.assignment import NO_PDO_ASSIGN, declares_pdo_assign
+from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
-from esicatalog.model.pdo_facts import has_length
+from esicatalog.model.pdo_facts import has_length, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage, process_image
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_direction
@@ -38,14 +38,14 @@ class MappedEntry(NamedTuple):
     subindex: int
     bit_length: int
     bit_offset: int
-    """In its SyncManager."""
+    """In its SyncManager; 0 where that is not known."""
     name: str
     """As the vendor wrote it, empty when there is none."""
     identifier: str
     """Unique in the device; empty for a gap."""
     value: ValueType
     is_placed: bool = True
-    """Whether ``bit_offset`` holds on the bus; behind a PDO without described entries nothing tells the place."""
+    """Whether ``bit_offset`` is known; behind a PDO without described entries nothing tells the place."""
 
     @property
     def is_gap(self) -> bool:
@@ -68,6 +68,8 @@ class AssignedPdo(NamedTuple):
     fixed: bool
     slot_number: int | None
     entries: tuple[MappedEntry, ...]
+    is_described: bool
+    """Whether its content is known, be it none."""
 
 
 class SmConfiguration(NamedTuple):
@@ -91,13 +93,13 @@ class SmConfiguration(NamedTuple):
     @property
     def placed_bit_size(self) -> int:
         """Bits whose place is known: those before the first PDO without described entries."""
-        described = itertools.takewhile(lambda pdo: pdo.entries, self.pdos)
+        described = itertools.takewhile(lambda pdo: pdo.is_described, self.pdos)
         return sum(entry.bit_length for pdo in described for entry in pdo.entries)
 
     @property
     def is_described(self) -> bool:
         """Whether all content of its PDOs is known; without PDOs there is none."""
-        return bool(self.pdos) and all(pdo.entries for pdo in self.pdos)
+        return bool(self.pdos) and all(pdo.is_described for pdo in self.pdos)
 
     @property
     def entries(self) -> Iterator[MappedEntry]:
@@ -271,12 +273,9 @@ def _sync_managers(
         elif (control := described.control_byte or 0) not in _CONTROL_BYTES:
             remarks.append(f"SM{number} has the ControlByte {control:#x}, which does not fit its register of 8 bits")
         pdos: list[AssignedPdo] = []
-        is_placed = True
         for at, placed in enumerate(placed_pdos):
             names = [identifiers.get((number, at, n), "") for n in range(len(placed.entries))]
-            pdos.append(_assigned_pdo(placed, names, objects, is_placed))
-            is_placed = is_placed and bool(pdos[-1].entries)
-        remarks.extend(_not_described(number, pdos))
+            pdos.append(_assigned_pdo(placed, names, objects))
         direction = _direction(number, described, pdos, remarks)
         yield SmConfiguration(
             number,
@@ -285,16 +284,6 @@ def _sync_managers(
             described,
             tuple(pdos),
             image.bit_size if image is not None else 0,
-        )
-
-
-def _not_described(number: int, pdos: Sequence[AssignedPdo]) -> Iterator[str]:
-    indices = [f"0x{pdo.pdo_index:04X}" for pdo in pdos if not pdo.entries]
-    if indices:
-        has, it_is, it = ("has", "it is", "it") if len(indices) == 1 else ("have", "they are", "them")
-        yield (
-            f"PDO {', '.join(indices)} of SM{number} {has} no described entries: how long {it_is} and where the "
-            f"entries behind {it} lie is not known"
         )
 
 
@@ -311,7 +300,7 @@ def _direction(number: int, described: SyncManager | None, pdos: Sequence[Assign
     return direction
 
 
-def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: ObjectTable, is_placed: bool) -> AssignedPdo:
+def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: ObjectTable) -> AssignedPdo:
     pdo = placed.pdo
     name = " ".join((display_text(pdo.names) or "").split())
     if pdo.pdo_index is None or not 0 < pdo.pdo_index <= _MAX_INDEX:
@@ -337,11 +326,13 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
                 index,
                 subindex if index else 0,
                 bit_length,
-                item.bit_offset,
+                item.bit_offset or 0,
                 text if index else "",
                 entry_identifier,
                 value,
-                is_placed,
+                item.bit_offset is not None,
             )
         )
-    return AssignedPdo(pdo.pdo_index, name, placed.direction, bool(pdo.fixed), placed.slot_number, tuple(entries))
+    return AssignedPdo(
+        pdo.pdo_index, name, placed.direction, bool(pdo.fixed), placed.slot_number, tuple(entries), is_described(pdo)
+    )

@@ -52,7 +52,7 @@ def image_layout(configuration: Configuration, direction: str) -> ImageLayout:
         byte_size += _bytes(sm.placed_bit_size)
         bit_size += sm.placed_bit_size
         if not sm.is_described:
-            end = next(pdo for pdo in sm.pdos if not pdo.entries)
+            end = next(pdo for pdo in sm.pdos if not pdo.is_described)
             remarks.append(_end_words(direction, byte_size, f"PDO 0x{end.pdo_index:04X} of SM{sm.number}"))
             break
     else:

@@ -12,10 +12,11 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.export.choice import PdoChoice
 from esicatalog.export.entry_types import ObjectTable
-from esicatalog.model.assignment import AvailablePdo, assignment_place, available_pdos, mandatory_pdos
+from esicatalog.model.assignable_pdos import AvailablePdo, assignment_place, available_pdos, mandatory_pdos
+from esicatalog.model.pdo_assignment import Assignment
 from esicatalog.model.pdo_facts import PDO_FIELDS, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
-from esicatalog.model.process_image import Assignment, SmImage
+from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import PluggedModule
 
 Owner = TypeVar("Owner", Device, Module)
@@ -45,7 +46,7 @@ def apply_choice(
     """
     if not chosen:
         return ChosenPdos(device, tuple(plugged), None)
-    available = available_pdos(device, plugged)
+    available = available_pdos(device, plugged).pdos
     picked = [(_find(available, item), item) for item in chosen]
     assignment: dict[int, list[int]] = {}
     own = {pdo.pdo_index for _, pdos in pdos_by_direction(device) for pdo in pdos}

@@ -23,13 +23,13 @@ from esicatalog.model.compare_facts import (
 )
 from esicatalog.model.compare_words import (
     h4,
-    index_words,
     listed,
     ns,
     supported,
     text,
     yes_no,
 )
+from esicatalog.model.pdo_facts import index_words
 from esicatalog.model.sync import default_position, sync_signals
 
 _SIGNALS = {

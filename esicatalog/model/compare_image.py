@@ -8,7 +8,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.compare_facts import PROCESS_IMAGE, Difference, difference, either, matched
 from esicatalog.model.compare_pdos import mapped_words
-from esicatalog.model.compare_words import byte_count, counted, shown_text
+from esicatalog.model.compare_words import counted, shown_text
 from esicatalog.model.pdo_facts import entry_facts
 from esicatalog.model.process_image import SmImage, byte_bit, default_process_image
 
@@ -28,7 +28,8 @@ def compare_images(
 ) -> Iterator[Difference]:
     """The default process images (default OpMode, default modules) by SyncManager.
 
-    Padding is no place of its own: where the entries lie is what the master's program relies on.
+    Padding is no place of its own: where the entries lie is what the master's program relies on. What lies behind a PDO
+    of unknown length has none.
     """
     images, others = default_process_image(left, left_modules), default_process_image(right, right_modules)
     for ours, theirs in matched(images, others, lambda image: image.sm):
@@ -41,7 +42,9 @@ def compare_images(
 
 
 def _size_words(image: SmImage | None) -> str | None:
-    return f"{byte_count(image.byte_size)} ({image.bit_size} bit)" if image is not None else None
+    if image is None or not (image.bit_size or image.has_known_size):
+        return image.byte_words if image is not None else None
+    return f"{image.byte_words} ({image.bit_size} bit)"
 
 
 def _compare_places(place: str, left: SmImage, right: SmImage) -> Iterator[Difference]:
@@ -67,7 +70,7 @@ def _places(image: SmImage) -> dict[int, _Placed]:
         )
         for pdo in image.pdos
         for placed in pdo.entries
-        if not entry_facts(placed.entry).is_padding
+        if placed.bit_offset is not None and not entry_facts(placed.entry).is_padding
     }
 
 

@@ -21,13 +21,13 @@ from esicatalog.model.compare_facts import (
 )
 from esicatalog.model.compare_words import (
     hex_data,
-    index_words,
     listed,
     records,
     supported,
     text,
     yes_no,
 )
+from esicatalog.model.pdo_facts import index_words
 
 _MAILBOX = (
     Fact("data_link_layer", "DataLinkLayer", lost, yes_no),

@@ -27,7 +27,6 @@ from esicatalog.model.compare_facts import (
 from esicatalog.model.compare_words import (
     counted,
     h8,
-    index_words,
     listed,
     records,
     shown_text,
@@ -43,6 +42,7 @@ from esicatalog.model.dictionary import (
     type_table,
     used_types,
 )
+from esicatalog.model.pdo_facts import index_words
 from esicatalog.model.scan_compare import access_text
 
 _READ, _WRITE = ALL_STATES, ALL_STATES << 3

@@ -21,8 +21,8 @@ from esicatalog.model.compare_facts import (
     matched,
     never,
 )
-from esicatalog.model.compare_words import counted, index_words, listed, shown_text, sync_manager, text, yes_no
-from esicatalog.model.pdo_facts import entry_facts, pdo_bits, symmetric_exclusions
+from esicatalog.model.compare_words import counted, listed, shown_text, sync_manager, text, yes_no
+from esicatalog.model.pdo_facts import entry_facts, index_words, pdo_bits, symmetric_exclusions
 from esicatalog.model.process_image import NamedAssignment, alternative_assignments
 
 

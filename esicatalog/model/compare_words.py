@@ -86,10 +86,5 @@ def records(value: Any) -> str | None:
     return text(record_words(value)) if value is not None else None
 
 
-def index_words(index: int | None) -> str:
-    """An index of an object or PDO."""
-    return f"0x{index:04X}" if index is not None else "without index"
-
-
 h2, h4, h8 = hexadecimal(2), hexadecimal(4), hexadecimal(8)
 ns, ms = unit("ns"), unit("ms")

@@ -15,8 +15,8 @@ from esicatalog.model.sync_parameters import SYNC_TYPES, min_cycle_ns, sync_para
 _BOOTSTRAP_BYTES = slice(2 * 0x14, 2 * 0x18)
 
 _SIZE = (
-    "Bytes that the master {} in the default process image; 0 = none, NULL = PDOs without SyncManagers or too long for "
-    "them"
+    "Bytes that the master {} in the default process image; 0 = none, NULL = not known: PDOs without SyncManagers, too "
+    "long for them or of a length that is not described, or a SyncManager with DefaultSize and no PDO"
 )
 
 
@@ -48,7 +48,9 @@ class DeviceFacts(Record):
     ] = None
     axis_count: Annotated[int, Doc("Axes with CiA 402 evidence, those of modules for further slots included")] = 0
     has_bootstrap: Annotated[bool, Doc("The EEPROM description has a bootstrap mailbox")] = False
-    image_signature: Annotated[str | None, Doc("Digest of the default process image: equal = same layout")] = None
+    image_signature: Annotated[
+        str | None, Doc("Digest of the default process image: equal = same layout, as far as it is described")
+    ] = None
     pdo_signature: Annotated[str | None, Doc("Digest of all PDOs with their entries: equal = same PDO set")] = None
     fsoe: Annotated[str | None, Doc("Evidence of FSoE: high or medium; not a safety statement")] = None
     fsoe_evidence: Annotated[str | None, Doc("That evidence in words")] = None

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.assignment import NO_PDO_ASSIGN, declares_pdo_assign
+from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.cia402 import MODES_OF_OPERATION, DriveMode
 from esicatalog.model.drive_evidence import mode_code
 from esicatalog.model.drive_parts import (

@@ -9,7 +9,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.assignment import AvailablePdo, assignment_place, available_pdos, mandatory_pdos
+from esicatalog.model.assignable_pdos import AvailablePdo, assignment_place, available_pdos, mandatory_pdos
 from esicatalog.model.cia402 import DriveMode
 from esicatalog.model.drive_parts import Part
 from esicatalog.model.pdo_facts import symmetric_exclusions
@@ -44,7 +44,7 @@ class DriveSetup:
 
     @cached_property
     def _available(self) -> list[AvailablePdo]:
-        return available_pdos(self.device, self._plugged)
+        return available_pdos(self.device, self._plugged).pdos
 
     @cached_property
     def _staying(self) -> set[int | None]:

@@ -44,6 +44,11 @@ class EntryFacts(Record):
     is_padding: Annotated[bool, Doc("Padding gap: index 0, only the length counts")] = False
 
 
+def index_words(index: int | None) -> str:
+    """An index of an object or PDO."""
+    return f"0x{index:04X}" if index is not None else "without index"
+
+
 def pdo_bits(pdo: Pdo) -> int:
     """Bits of one sample of a PDO; a length below 0 takes no room."""
     return sum([max(entry.bit_length or 0, 0) for entry in pdo.entries])
@@ -71,6 +76,18 @@ def has_length(entry: Entry) -> bool:
 def pdo_yields(pdo: Pdo, of_modules: Container[int | None]) -> bool:
     """Whether a PDO of the device gives way to one of modules, whose indices are given (ESI-FACTS section 12)."""
     return bool(pdo.overwritten_by_module) and pdo.pdo_index in of_modules
+
+
+def is_described(pdo: Pdo) -> bool:
+    """Whether it is known how long a PDO is.
+
+    One without entries has variable content (ESI-FACTS section 9), but not where it is Fixed: its list of entries is
+    empty then and stays so (EL1252: "Reserved", and DefaultSize counts the other PDOs). An old Ref names entries that
+    are described elsewhere.
+    """
+    if not pdo.entries:
+        return bool(pdo.fixed) and pdo.ref is None
+    return all(has_length(entry) for entry in pdo.entries)
 
 
 def symmetric_exclusions(pdos: Iterable[Pdo]) -> Mapping[int | None, tuple[int, ...]]:

@@ -15,6 +15,7 @@ from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.model.memo import IdentityMemo, identities
+from esicatalog.model.pdo_facts import is_described
 from esicatalog.model.process_image import SmImage, default_process_image
 from esicatalog.model.slot_indices import IndicesInSlots
 from esicatalog.model.slots import default_modules
@@ -76,32 +77,32 @@ class ProcessData:
     def byte_size(self, transfer_direction: str) -> int | None:
         """Length of the default process image of all SyncManagers of one direction.
 
-        None for PDOs without SyncManagers, and where the PDOs are longer than a SyncManager can be.
+        None for PDOs without SyncManagers, and where the length of one of these is not known.
         """
         images = [image for image in self.images if image.transfer_direction == transfer_direction]
         pdos = (self.rx_pdos, self.tx_pdos, *(module.rx_pdos or module.tx_pdos for module in self.modules))
-        if any(image.overflow for image in images) or (any(pdos) and not self.sync_managers):
+        sizes = [image.byte_size for image in images if image.byte_size is not None]
+        if len(sizes) < len(images) or (any(pdos) and not self.sync_managers):
             return None
-        return sum([image.byte_size for image in images])
+        return sum(sizes)
 
     @cached_property
     def image_signature(self) -> str | None:
         """Digest of the default process image, None where it is empty or longer than SyncManagers can be.
 
-        SyncManagers that exchange nothing do not belong to it: a virtual one more is the same layout.
+        SyncManagers that exchange nothing do not belong to it: a virtual one more is the same layout. Of those of
+        unknown length counts what is described, with the PDOs whose length is not.
         """
-        images = [image for image in self.images if image.bit_size]
-        if not images or any(image.overflow for image in self.images):
+        if not any(image.bit_size for image in self.images) or any(image.overflow for image in self.images):
             return None
-        layout = [
-            (
-                image.sm,
-                image.usage,
-                [(placed.bit_offset, *_layout(placed.entry)) for pdo in image.pdos for placed in pdo.entries],
-            )
-            for image in images
-        ]
-        return digest(_encode(layout)).hex()
+        return digest(_encode([*map(self._image_layout, filter(_may_exchange, self.images))])).hex()
+
+    def _image_layout(self, image: SmImage) -> Sequence[object]:
+        entries = [(placed.bit_offset, *_layout(placed.entry)) for pdo in image.pdos for placed in pdo.entries]
+        if image.has_known_size:
+            return image.sm, image.usage, entries
+        unknown = [pdo.pdo.pdo_index for pdo in image.pdos if not is_described(pdo.pdo)]
+        return image.sm, image.usage, entries, unknown or self.sync_managers[image.sm].default_size
 
     @cached_property
     def pdo_signature(self) -> str | None:
@@ -111,6 +112,10 @@ class ProcessData:
             for pdos in (self.rx_pdos, self.tx_pdos)
         ]
         return digest(_encode(layout)).hex() if self.rx_pdos or self.tx_pdos else None
+
+
+def _may_exchange(image: SmImage) -> bool:
+    return bool(image.bit_size) or not image.has_known_size
 
 
 def _layout(entry: Entry) -> tuple[int | None, int, int | None]:

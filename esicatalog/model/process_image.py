@@ -1,10 +1,9 @@
-"""Process image: which PDOs are assigned, and where every entry lies (ESI-FACTS sections 0, 9, 12 and 18).
+"""Process image: where every entry of the assigned PDOs lies (ESI-FACTS sections 0, 9, 12 and 18).
 
-A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the SyncManager: then that list counts, with
-the mandatory ones, which have to stay.
 PDOs follow each other bit by bit in document order; a SyncManager is as long as all its bits, rounded up once.
 An oversampled PDO repeats its entries: as often as the OpMode says, else by its own OSFac, each sample OSIndexInc
-further. What a virtual SyncManager has is described, not transported, like a virtual PDO.
+further. How long a PDO with variable content is, or one with an entry without BitLen, is not known, nor where lies
+what follows it.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -18,22 +17,29 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
-from esicatalog.model.pdo_facts import pdo_bits, pdos_by_direction, symmetric_exclusions
-from esicatalog.model.slots import MAX_INDEX, PluggedModule, default_modules, expand_module
-from esicatalog.model.sm_facts import may_transport, sm_role, transfer_direction
+from esicatalog.model.assignable_pdos import AvailablePdo
+from esicatalog.model.pdo_assignment import Assignment, SmAssignment, assigned_pdos, has_default_image
+from esicatalog.model.pdo_facts import (
+    has_length,
+    index_words,
+    is_described,
+    pdo_bits,
+    pdos_by_direction,
+    symmetric_exclusions,
+)
+from esicatalog.model.slots import MAX_INDEX, PluggedModule, default_modules
+from esicatalog.model.sm_facts import transfer_direction
 from esicatalog.model.sync import default_op_mode
 
 MAX_SM_BYTES = 0xFFFF
 """A SyncManager's length is a 16 bit number of bytes (ESC register 0x0802)."""
 
-Assignment = Mapping[int, Sequence[int]]
-"""PDO indices in order, by SyncManager number."""
-
 
 class PlacedEntry(NamedTuple):
     """An entry in the process image of a SyncManager, at the index that it has in its slot and sample."""
 
-    bit_offset: int
+    bit_offset: int | None
+    """None behind a PDO or an entry whose length is not known."""
     entry: Entry
 
 
@@ -60,8 +66,7 @@ class PlacedPdo(NamedTuple):
 class SmImage(NamedTuple):
     """Process image of one SyncManager.
 
-    ``overflow`` says, also among the remarks, what is left out because no SyncManager is that long. Its size is unknown
-    then.
+    ``overflow`` says, also among the remarks, what is left out because no SyncManager is that long.
     """
 
     sm: int
@@ -70,13 +75,34 @@ class SmImage(NamedTuple):
     """output or input, see :func:`~esicatalog.model.sm_facts.transfer_direction`."""
     pdos: tuple[PlacedPdo, ...]
     bit_size: int
+    """All bits that are described."""
     remarks: tuple[str, ...]
     overflow: str | None = None
+    has_known_size: bool = True
+    """Whether the described bits are all; the remarks say why not."""
 
     @property
-    def byte_size(self) -> int:
-        """Length in bytes: all bits, rounded up once."""
+    def byte_size(self) -> int | None:
+        """Length in bytes: all bits, rounded up once; None where it is not known."""
+        return self.described_bytes if self.has_known_size else None
+
+    @property
+    def described_bytes(self) -> int:
+        """Bytes that the described bits take; the image may be longer."""
         return (self.bit_size + 7) // 8
+
+    @property
+    def byte_words(self) -> str:
+        """Its length as all sheets and pages say it: "6 bytes", "at least 6 bytes" or "unknown length"."""
+        if not self.bit_size and not self.has_known_size:
+            return "unknown length"
+        words = f"{self.described_bytes} byte" + ("" if self.described_bytes == 1 else "s")
+        return words if self.has_known_size else f"at least {words}"
+
+    @property
+    def size_words(self) -> str:
+        """The same with the bits that are described."""
+        return f"{self.byte_words} ({self.bit_size} bits)" if self.bit_size or self.has_known_size else self.byte_words
 
 
 class NamedAssignment(NamedTuple):
@@ -85,15 +111,6 @@ class NamedAssignment(NamedTuple):
     name: str
     is_default: bool
     pdo_indices: dict[int, tuple[int, ...]]
-
-
-class _Candidate(NamedTuple):
-    direction: str
-    position: int
-    pdo: Pdo
-    slot_number: int | None
-    module: Module | None
-    pdo_group: int | None
 
 
 def default_process_image(device: Device, modules: Sequence[Module] = ()) -> list[SmImage]:
@@ -117,100 +134,9 @@ def process_image(
     ``assignment`` wins over the OpMode's list, that over Pdo@Sm; mandatory PDOs that either leaves out are added. The
     OpMode's oversampling factors count whoever assigns the PDO, since its SYNC0 runs that often.
     """
-    problems, candidates = _candidates(device, plugged)
-    lists = _lists(op_mode)
-    wanted = {number: [pdo_index for pdo_index, _ in items] for number, items in lists.items()} | {**(assignment or {})}
-    factors = {pdo_index: factor for items in lists.values() for pdo_index, factor in items}
-    assigned: dict[int, list[int]] = {}
-    remarks: dict[int, list[str]] = {}
-    for number, indices in wanted.items():
-        assigned[number], remarks[number] = _with_mandatory(number, indices, candidates)
-    numbers = {c.pdo.sm for c in candidates if c.pdo.sm is not None} | assigned.keys()
-    numbers |= {number for number, sm in enumerate(device.sync_managers) if _has_default(sm)}
-    chosen: dict[int, list[_Candidate]] = {}
-    for number in sorted(numbers):
-        said = remarks[number] = [*problems, *remarks.get(number, ())]
-        chosen[number] = _chosen(_sync_manager(device, number), number, candidates, assigned.get(number), said)
-    rivals = _Rivals(candidate.pdo for of_sm in chosen.values() for candidate in of_sm)
-    return [_image(device, number, of_sm, factors, rivals, remarks[number]) for number, of_sm in chosen.items()]
-
-
-def _has_default(sm: SyncManager) -> bool:
-    """Whether it has a default process image, be it empty."""
-    role = sm_role(sm)
-    return role is not None and not role.is_mailbox and not role.is_dynamic
-
-
-def _with_mandatory(number: int, wanted: Sequence[int], candidates: list[_Candidate]) -> tuple[list[int], list[str]]:
-    mandatory = [c.pdo.pdo_index for c in candidates if c.pdo.sm == number and c.pdo.mandatory and not c.pdo.virtual]
-    missing = [index for index in dict.fromkeys(mandatory) if index is not None and index not in wanted]
-    return [*missing, *wanted], [f"PDO {_hex(index)} is mandatory: assigned too" for index in missing]
-
-
-def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> tuple[list[str], list[_Candidate]]:
-    """All PDOs that could be assigned; a module's PDO takes the place of one marked OverwrittenByModule."""
-    problems: list[str] = []
-    of_modules: list[_Candidate] = []
-    for item in plugged:
-        expanded = expand_module(device, item)
-        problems.extend(expanded.problems)
-        for direction, pdos in pdos_by_direction(expanded.module):
-            of_modules += [
-                _Candidate(direction, position, pdo, item.slot_number, item.module, item.module.module_pdo_group)
-                for position, pdo in enumerate(pdos)
-            ]
-    overwritten = {candidate.pdo.pdo_index for candidate in of_modules}
-    own = [
-        _Candidate(direction, position, pdo, None, None, device.module_pdo_group)
-        for direction, pdos in pdos_by_direction(device)
-        for position, pdo in enumerate(pdos)
-        if not (pdo.overwritten_by_module and pdo.pdo_index in overwritten)
-    ]
-    candidates = own + of_modules
-    if device.module_pdo_groups:
-        candidates.sort(key=lambda candidate: candidate.pdo_group if candidate.pdo_group is not None else -1)
-    return problems, candidates
-
-
-def _lists(op_mode: OpMode | None) -> dict[int, list[tuple[int, int]]]:
-    """The PDOs of an OpMode with their oversampling factors, by SyncManager."""
-    return {
-        item.no: [(pdo.pdo_index, pdo.os_fac or 1) for pdo in item.pdos if pdo.pdo_index is not None]
-        for item in (op_mode.sm_assignments if op_mode is not None else ())
-        if item.no is not None and item.pdos
-    }
-
-
-def _sync_manager(device: Device, number: int) -> SyncManager | None:
-    return device.sync_managers[number] if 0 <= number < len(device.sync_managers) else None
-
-
-def _chosen(
-    sm: SyncManager | None,
-    number: int,
-    candidates: list[_Candidate],
-    assigned: Sequence[int] | None,
-    remarks: list[str],
-) -> list[_Candidate]:
-    """The PDOs of a SyncManager; those of the other direction are not exchanged there (ESI-FACTS section 18)."""
-    if assigned is not None:
-        by_index: dict[int | None, list[_Candidate]] = {}
-        for candidate in candidates:
-            by_index.setdefault(candidate.pdo.pdo_index, []).append(candidate)
-        indices = dict.fromkeys(assigned)
-        remarks += [f"PDO 0x{index:04X} is listed but not described" for index in indices if index not in by_index]
-        meant = [by_index[index] for index in indices if index in by_index]
-    else:
-        meant = [[candidate] for candidate in candidates if candidate.pdo.sm == number]
-    chosen = []
-    for alike in meant:
-        fitting = next((item for item in alike if sm is None or may_transport(sm, item.direction)), None)
-        if fitting is not None:
-            chosen.append(fitting)
-        elif sm is not None:
-            other = f"PDO {_hex(alike[0].pdo.pdo_index)} is left out: it is a {alike[0].direction}"
-            remarks.append(f"{other}, SM{number} is for {sm.usage}")
-    return chosen
+    assigned = assigned_pdos(device, plugged, op_mode, assignment)
+    rivals = _Rivals(item.pdo for of_sm in assigned.sync_managers for item in of_sm.pdos)
+    return [_image(device, of_sm, assigned.factors, rivals) for of_sm in assigned.sync_managers]
 
 
 class _Rivals:
@@ -219,7 +145,7 @@ class _Rivals:
     def __init__(self, pdos: Iterable[Pdo]) -> None:
         known = list(pdos)
         self._exclusions = symmetric_exclusions(known)
-        self._mandatory = {pdo.pdo_index for pdo in known if pdo.mandatory and not pdo.virtual}
+        self._mandatory = {pdo.pdo_index for pdo in known if pdo.mandatory}
         self._taken: set[int | None] = set()
 
     def rival(self, pdo: Pdo) -> int | None:
@@ -232,50 +158,71 @@ class _Rivals:
         self._taken.add(pdo.pdo_index)
 
 
-def _image(
-    device: Device,
-    number: int,
-    chosen: Iterable[_Candidate],
-    factors: Mapping[int, int],
-    rivals: _Rivals,
-    remarks: list[str],
-) -> SmImage:
-    sm = _sync_manager(device, number)
+def _image(device: Device, assigned: SmAssignment, factors: Mapping[int, int | None], rivals: _Rivals) -> SmImage:
+    number, sm, remarks = assigned.number, assigned.sync_manager, assigned.remarks
     builder = _ImageBuilder(device, factors, rivals, remarks)
-    for candidate in chosen:
-        if sm is not None and sm.virtual and not candidate.pdo.virtual:
-            remarks.append(f"PDO {_hex(candidate.pdo.pdo_index)} is described, not transported: SM{number} is virtual")
-        else:
-            builder.place(candidate)
+    for pdo in assigned.pdos:
+        builder.place(pdo)
     builder.align(None)
-    usage = sm.usage if sm is not None else None
-    direction = transfer_direction(sm, [placed.direction for placed in builder.placed])
-    return SmImage(number, usage, direction, tuple(builder.placed), builder.bit_size, tuple(remarks), builder.overflow)
+    has_known_size = builder.is_known
+    remarks += _unknown_words(number, builder.placed)
+    if sm is not None and not assigned.is_named and _is_left_open(sm):
+        has_known_size = False
+        remarks.append(f"SM{number} has DefaultSize {sm.default_size} and no PDO: what it exchanges is not described")
+    return SmImage(
+        number,
+        sm.usage if sm is not None else None,
+        transfer_direction(sm, [placed.direction for placed in builder.placed]),
+        tuple(builder.placed),
+        builder.bit_size,
+        tuple(remarks),
+        builder.overflow,
+        has_known_size,
+    )
+
+
+def _is_left_open(sm: SyncManager) -> bool:
+    """Whether a SyncManager without PDOs exchanges something all the same (ESI-FACTS section 18)."""
+    return bool(sm.default_size) and not sm.virtual and has_default_image(sm)
+
+
+def _unknown_words(number: int, placed: Iterable[PlacedPdo]) -> Iterator[str]:
+    """Which PDOs have no known length; what is left out for its length has its own words."""
+    unknown = [item.pdo for item in placed if not is_described(item.pdo)]
+    for what, pdos in (
+        ("no described entries", [pdo for pdo in unknown if not pdo.entries]),
+        ("entries without a usable BitLen", [pdo for pdo in unknown if pdo.entries]),
+    ):
+        if pdos:
+            has, it_is, it = ("has", "it is", "it") if len(pdos) == 1 else ("have", "they are", "them")
+            indices = ", ".join(index_words(pdo.pdo_index) for pdo in pdos)
+            yield (
+                f"PDO {indices} of SM{number} {has} {what}: how long {it_is} and where the entries behind {it} lie is "
+                "not known"
+            )
 
 
 class _ImageBuilder:
     """Puts PDOs one behind the other, bit by bit; groups of module PDOs end on their alignment."""
 
-    def __init__(self, device: Device, factors: Mapping[int, int], rivals: _Rivals, remarks: list[str]) -> None:
+    def __init__(self, device: Device, factors: Mapping[int, int | None], rivals: _Rivals, remarks: list[str]) -> None:
         self._factors = factors
         self._groups = device.module_pdo_groups
         self._rivals = rivals
         self._remarks = remarks
-        self._group: _Candidate | None = None
+        self._group: AvailablePdo | None = None
         self._group_start = 0
         self.placed: list[PlacedPdo] = []
         self.bit_size = 0
+        self.is_known = True
         self.overflow: str | None = None
 
-    def place(self, candidate: _Candidate) -> None:
-        """Add a PDO unless it is virtual or excluded by one that came before or, itself not so, is mandatory."""
+    def place(self, candidate: AvailablePdo) -> None:
+        """Add a PDO unless it is excluded by one that came before or, itself not so, is mandatory."""
         pdo = candidate.pdo
-        if pdo.virtual:
-            self._remarks.append(f"PDO {_hex(pdo.pdo_index)} is virtual: described, not transported")
-            return
         rival = self._rivals.rival(pdo)
         if rival is not None:
-            self._remarks.append(f"PDO {_hex(pdo.pdo_index)} is left out: {_hex(rival)} excludes it")
+            self._remarks.append(f"PDO {index_words(pdo.pdo_index)} is left out: {index_words(rival)} excludes it")
             return
         self.align(candidate)
         repeat = self._repeat(pdo)
@@ -284,8 +231,10 @@ class _ImageBuilder:
             return
         entries = []
         for entry in _sampled(pdo, repeat, self._remarks):
-            entries.append(PlacedEntry(self.bit_size, entry))
+            entries.append(PlacedEntry(self.bit_size if self.is_known else None, entry))
             self.bit_size += max(entry.bit_length or 0, 0)
+            self.is_known = self.is_known and has_length(entry)
+        self.is_known = self.is_known and is_described(pdo)
         self.placed.append(
             PlacedPdo(
                 candidate.direction,
@@ -301,12 +250,12 @@ class _ImageBuilder:
 
     def _repeat(self, pdo: Pdo) -> int:
         factor = self._factors.get(pdo.pdo_index) if pdo.pdo_index is not None else None
-        if factor is None:
+        if not factor:
             factor = pdo.os_fac or 1
             if factor > 1 and self._factors:
                 self._remarks.append(
-                    f"PDO {_hex(pdo.pdo_index)}: the OpMode, which lists others, says nothing about its oversampling; "
-                    f"its own OSFac {factor} counts, and SYNC0 has to fit it"
+                    f"PDO {index_words(pdo.pdo_index)}: the OpMode, which lists PDOs, says nothing about its "
+                    f"oversampling; its own OSFac {factor} counts, and SYNC0 has to fit it"
                 )
         return max(factor, 1)
 
@@ -315,12 +264,13 @@ class _ImageBuilder:
         if self.bit_size + bits <= MAX_SM_BYTES * 8:
             return True
         self.overflow = (
-            f"PDO {_hex(index)} of {bits} bits is left out: a SyncManager holds {MAX_SM_BYTES} bytes at most"
+            f"PDO {index_words(index)} of {bits} bits is left out: a SyncManager holds {MAX_SM_BYTES} bytes at most"
         )
         self._remarks.append(self.overflow)
+        self.is_known = False
         return False
 
-    def align(self, following: _Candidate | None) -> None:
+    def align(self, following: AvailablePdo | None) -> None:
         """At the end of a module PDO group, fill up to its alignment with the group's own PDO."""
         ended = self._group
         if following is not None and ended is not None and following.pdo_group == ended.pdo_group:
@@ -329,7 +279,7 @@ class _ImageBuilder:
             group = self._groups[ended.pdo_group]
             missing = -(self.bit_size - self._group_start) % (max(group.alignment or 1, 1) * 8)
             index = group.rx_pdo if ended.direction == "RxPdo" else group.tx_pdo
-            if missing and group.alignment and self._has_room(index, missing):
+            if missing and group.alignment and self.is_known and self._has_room(index, missing):
                 gap = Entry(entry_index=0, bit_length=missing)
                 filler = Pdo(pdo_index=index, entries=(gap,))
                 entries = (PlacedEntry(self.bit_size, gap),)
@@ -367,7 +317,7 @@ def _sampled(pdo: Pdo, repeat: int, remarks: list[str]) -> Iterator[Entry]:
     reached = [(entry.entry_index or 0) + step * (repeat - 1) for entry in pdo.entries if entry.entry_index]
     if any(not 0 < index <= MAX_INDEX for index in reached) and step and repeat > 1:
         remarks.append(
-            f"PDO {_hex(pdo.pdo_index)}: OSIndexInc {step} leads out of 16 bits in {repeat} samples; left out"
+            f"PDO {index_words(pdo.pdo_index)}: OSIndexInc {step} leads out of 16 bits in {repeat} samples; left out"
         )
         step = 0
     yield from pdo.entries
@@ -395,10 +345,6 @@ def alternative_assignments(device: Device) -> list[NamedAssignment]:
     return found
 
 
-def _hex(index: int | None) -> str:
-    return f"0x{index:04X}" if index is not None else "without index"
-
-
-def byte_bit(bit_offset: int) -> str:
-    """An offset as engineers write it: byte.bit."""
-    return f"{bit_offset // 8}.{bit_offset % 8}"
+def byte_bit(bit_offset: int | None) -> str:
+    """An offset as engineers write it: byte.bit; a question mark where it is not known."""
+    return f"{bit_offset // 8}.{bit_offset % 8}" if bit_offset is not None else "?"

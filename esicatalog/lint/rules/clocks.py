@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from esicatalog.esi.records.dc import OpMode, OpModeSm
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
-from esicatalog.lint.subjects import ModuleSubject, ProcessSubject, is_absent
+from esicatalog.lint.subjects import DeclaredPdo, ModuleSubject, ProcessSubject, is_absent
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import SYNC0_PULSE, SYNC1_PULSE, is_superseded, sync_signals
@@ -74,20 +74,20 @@ def _without(element: str, given_ns: int | None) -> str:
 
 @rule("L52", WARNING, "ETG.2000 OpMode: names select it, Sm/@No and Pdo refer to the device")
 def op_mode_references(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
-    """An OpMode names an unknown SyncManager or PDO, or a PDO that the SyncManager cannot have; its name occurs twice;
-    a module asks for an unknown one.
+    """An OpMode names an unknown SyncManager or PDO, a PDO that the SyncManager cannot have, or samples it more often
+    than it may be; its name occurs twice; a module asks for an unknown one.
     """
     if isinstance(subject, ModuleSubject):
         yield from _wanted_op_mode(subject)
         return
     yield from _names_twice(subject.data.op_modes)
     owners: list[ProcessSubject | ModuleSubject] = [subject, *subject.modules]
-    directions: dict[int | None, set[str]] = defaultdict(set)
+    described: dict[int | None, list[DeclaredPdo]] = defaultdict(list)
     for placed in [placed for owner in owners for placed in owner.pdos]:
-        directions[placed.pdo.pdo_index].add(placed.direction)
+        described[placed.pdo.pdo_index].append(placed)
     for number, mode in enumerate(subject.data.op_modes):
         for position, item in enumerate(mode.sm_assignments):
-            for found in _assignment(subject.data, item, directions):
+            for found in _assignment(subject.data, item, described):
                 place = (*_at(number), "sm_assignments", position, *found.place)
                 yield Found(f"{_words(number, mode)} {found.message}", place)
 
@@ -104,8 +104,8 @@ def _names_twice(modes: Sequence[OpMode]) -> Iterator[Found]:
             names.add(mode.name)
 
 
-def _assignment(data: ProcessData, item: OpModeSm, directions: Mapping[int | None, set[str]]) -> Iterator[Found]:
-    """What is wrong with the PDOs of a SyncManager; ``directions`` are those of the PDOs that are described."""
+def _assignment(data: ProcessData, item: OpModeSm, by_index: Mapping[int | None, list[DeclaredPdo]]) -> Iterator[Found]:
+    """What is wrong with the PDOs of a SyncManager; ``by_index`` are those that are described."""
     sm = None
     if item.no is not None and 0 <= item.no < len(data.sync_managers):
         sm = data.sync_managers[item.no]
@@ -115,12 +115,15 @@ def _assignment(data: ProcessData, item: OpModeSm, directions: Mapping[int | Non
         index = pdo.pdo_index
         if index is None:
             continue
-        described = directions.get(index)
-        if described is None and not data.in_slots.has_pdo(index):
+        described = by_index.get(index, [])
+        if not described and not data.in_slots.has_pdo(index):
             yield Found(f"assigns PDO 0x{index:04X}, which is not described", ("pdos", nth))
-        elif described and sm is not None and not any(may_transport(sm, direction) for direction in described):
-            kinds = " and ".join(sorted(described))
+        elif described and sm is not None and not any(may_transport(sm, placed.direction) for placed in described):
+            kinds = " and ".join(sorted({placed.direction for placed in described}))
             yield Found(f"assigns the {kinds} 0x{index:04X} to SM {item.no}, which is {sm.usage}", ("pdos", nth))
+        most = max((placed.pdo.os_max or 0 for placed in described), default=0)
+        if most and pdo.os_fac is not None and pdo.os_fac > most:
+            yield Found(f"samples PDO 0x{index:04X} {pdo.os_fac} times, its OSMax is {most}", ("pdos", nth))
 
 
 def _wanted_op_mode(subject: ModuleSubject) -> Iterator[Found]:

@@ -153,14 +153,25 @@ def _listing(mode: OpMode | None) -> dict[int | None, OpMode]:
 
 
 def _assigned_by_default(subject: ProcessSubject | ModuleSubject) -> list[DeclaredPdo]:
-    """PDOs with Sm, but not those whose SyncManager the default OpMode assigns itself."""
-    of_modes = [set(_listing(data.default_op_mode)) for data in _processes(subject)]
-    listed = set.intersection(*of_modes) if of_modes else set()
+    """PDOs that go by their Sm: the default OpMode lists neither them nor others for it, and something is exchanged."""
+    of_devices = [_taken_from_sm(data) for data in _processes(subject)]
+    sms = set.intersection(*[sms for sms, _ in of_devices]) if of_devices else set()
+    indices = set.intersection(*[indices for _, indices in of_devices]) if of_devices else set()
     return [
         placed
         for placed in subject.pdos
-        if placed.pdo.sm is not None and placed.pdo.sm not in listed and not placed.pdo.virtual
+        if placed.pdo.sm is not None
+        and placed.pdo.sm not in sms
+        and placed.pdo.pdo_index not in indices
+        and not placed.pdo.virtual
     ]
+
+
+def _taken_from_sm(data: ProcessData) -> tuple[set[int | None], set[int]]:
+    """SyncManagers whose PDOs the default OpMode lists or that are virtual, and the PDOs that it lists."""
+    mode = data.default_op_mode
+    virtual = {number for number, sm in enumerate(data.sync_managers) if sm.virtual}
+    return virtual | set(_listing(mode)), listed_pdos([mode] if mode is not None else [])
 
 
 @rule("L32", WARNING, "ETG.2000 Exclude: index of another PDO")
@@ -250,7 +261,9 @@ def too_long_for_eeprom(pdo: Pdo) -> Iterator[Found]:
     "CoE objects 0x1C10 + n (ETG.1000.6) and ETG.2000 Pdo/@Sm, OpMode/Sm: they say what is assigned by default",
 )
 def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
-    """The defaults of 0x1C12 or 0x1C13 name other PDOs than those assigned by Sm or the default OpMode."""
+    """The defaults of 0x1C12 or 0x1C13 name other PDOs than those assigned by Sm or the default OpMode, or in another
+    order.
+    """
     if subject.is_modular:
         return
     listing = _listing(subject.derivation.process_data.default_op_mode)
@@ -259,24 +272,32 @@ def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
         if not entries:
             continue
         count = entries[0].default_int if 0 in entries else None
-        defaults = {
+        defaults = _each_once(
             entry.default_int
-            for subindex, entry in entries.items()
+            for subindex, entry in sorted(entries.items())
             if subindex and entry.default_int and (not count or subindex <= count)
-        }
-        assigned = {placed.pdo.pdo_index for placed in image.pdos}
+        )
+        assigned = _each_once(placed.pdo.pdo_index for placed in image.pdos)
         if defaults and defaults != assigned:
             mode = listing.get(image.sm)
             what = f"the OpMode {mode.name!r}" if mode is not None else f"Sm={image.sm}"
+            is_order = set(defaults) == set(assigned)
             yield Found(
-                f"0x{PDO_ASSIGNMENTS.start + image.sm:04X} assigns {_indices(defaults)} by default, "
-                f"{what} assigns {_indices(assigned)}: which of them counts depends on the master",
+                f"0x{PDO_ASSIGNMENTS.start + image.sm:04X} assigns {_indices(defaults, is_order)} by default, "
+                f"{what} assigns {_indices(assigned, is_order)}"
+                + (" in that order" if is_order else "")
+                + ": which of them counts depends on the master",
                 subject.object_place(PDO_ASSIGNMENTS.start + image.sm),
             )
 
 
-def _indices(indices: Iterable[int | None]) -> str:
-    return listed([f"0x{index:04X}" for index in sorted(filter(None, indices))]) or "none"
+def _each_once(indices: Iterable[int | None]) -> list[int | None]:
+    return list(dict.fromkeys(indices))
+
+
+def _indices(indices: Iterable[int | None], in_order: bool) -> str:
+    known = [index for index in indices if index]
+    return listed([f"0x{index:04X}" for index in (known if in_order else sorted(known))]) or "none"
 
 
 @rule("L66", WARNING, "ETG.2000 Pdo/@Mandatory: it must stay assigned, so it must be assigned")

@@ -104,8 +104,8 @@ def _areas(subject: ProcessSubject) -> Iterator[Area]:
             yield Area(start, start + buffers * length, number)
 
 
-def _image_bytes(subject: ProcessSubject, number: int) -> int:
-    return next((image.byte_size for image in subject.data.images if image.sm == number), 0)
+def _image_bytes(subject: ProcessSubject, number: int) -> int | None:
+    return next((image.byte_size for image in subject.data.images if image.sm == number), None)
 
 
 @rule("L23", WARNING, "ETG.2000 Sm: MBoxOut, MBoxIn, Outputs, Inputs; the EEPROM knows no other type")

@@ -75,11 +75,11 @@ def memory_map_svg(device: Device, images: Sequence[SmImage]) -> str:
     The length is DefaultSize, or that of the process image (``images``) where it is longer or DefaultSize is absent.
     What cannot be drawn (registers, virtual SyncManagers, no address) is named below. Needs ``DRAWING_CSS``.
     """
-    sizes = {image.sm: image.byte_size for image in images}
+    of_sms = {image.sm: image for image in images}
     areas: list[_Area] = []
     remarks: list[str] = []
     for number, sync_manager in enumerate(device.sync_managers[:MOST_SYNC_MANAGERS]):
-        area = _area(number, sync_manager, sizes.get(number))
+        area = _area(number, sync_manager, of_sms.get(number))
         reason = _not_drawn(sync_manager, area)
         if reason:
             remarks.append(f"{area.name} {reason}: not drawn.")
@@ -95,15 +95,15 @@ def memory_map_svg(device: Device, images: Sequence[SmImage]) -> str:
     return drawing("memory-map", _map_label(areas, overlaps), below + 6, *_picture(areas, overlaps), *alarms, *words)
 
 
-def _area(number: int, sync_manager: SyncManager, image_size: int | None) -> _Area:
+def _area(number: int, sync_manager: SyncManager, image: SmImage | None) -> _Area:
     facts, role = sm_facts(sync_manager), sm_role(sync_manager)
-    size = max(sync_manager.default_size or 0, image_size or 0) or None
+    size = max(sync_manager.default_size or 0, image.described_bytes if image is not None else 0) or None
     return _Area(
         number,
         f"SM{number} {clipped(sync_manager.usage or '')}".rstrip(),
         sync_manager.start_address or 0,
         size,
-        _size_words(sync_manager.default_size, image_size),
+        _size_words(sync_manager.default_size, image),
         facts,
         _BUFFERS.get(facts.buffer_mode or "", 1) if size else 1,
         sync_manager.enable is None or bool(sync_manager.enable & 1),
@@ -111,12 +111,12 @@ def _area(number: int, sync_manager: SyncManager, image_size: int | None) -> _Ar
     )
 
 
-def _size_words(default_size: int | None, image_size: int | None) -> str:
+def _size_words(default_size: int | None, image: SmImage | None) -> str:
     known = []
     if default_size:
         known.append(f"DefaultSize {count(default_size, 'byte', 'bytes')}")
-    if image_size is not None and image_size != default_size:
-        known.append(f"process image {count(image_size, 'byte', 'bytes')}")
+    if image is not None and image.byte_size != default_size:
+        known.append(f"process image {'of ' if not image.has_known_size else ''}{image.byte_words}")
     return ", ".join(known) or "no DefaultSize"
 
 

@@ -89,24 +89,37 @@ def process_image_svg(image: SmImage) -> str:
     """The process image of one SyncManager as SVG, one ``g.entry`` for each entry, paddings marked ``gap``.
 
     Coloured by PDO (classes ``pdo-0`` …, as in :func:`process_image_legend`); needs ``DRAWING_CSS`` in the page.
-    An image of more than MOST_ROWS rows or MOST_ENTRIES entries is drawn in part and says what is left out.
+    An image of more than MOST_ROWS rows or MOST_ENTRIES entries, or of unknown length, is drawn in part and says so.
     """
     entries = list(_entries(image))
     if not entries:
-        words, height = paragraphs(0, ["No PDO is assigned." if not image.pdos else "The PDOs have no entries."])
+        words, height = paragraphs(0, [_nothing_drawn(image)])
         return drawing("process-image", image_label(image), height + 4, *words)
     shown = _that_fit(entries)
     rows = _Rows(shown)
     groups = [_group(entry, rows) for entry in shown]
     below, height = _left_out(image, entries[len(shown) :], _TOP + _ROW * len(rows))
+    if not image.has_known_size:
+        words, height = paragraphs(height + 8, ["Not drawn: what follows, whose place is not known."])
+        below += words
     return drawing("process-image", image_label(image), height + 4, *_axes(rows), *groups, *below)
+
+
+def _nothing_drawn(image: SmImage) -> str:
+    if not image.pdos:
+        return "No PDO is assigned."
+    return (
+        "Not drawn: no entry has a known place."
+        if any(pdo.entries for pdo in image.pdos)
+        else "The PDOs have no entries."
+    )
 
 
 def image_label(image: SmImage) -> str:
     """What the drawing shows, in words: "Outputs, SM2: 12 bytes, 5 entries"."""
     gaps = sum(entry_facts(placed.entry).is_padding for pdo in image.pdos for placed in pdo.entries)
     total = sum(len(pdo.entries) for pdo in image.pdos)
-    facts = [count(image.byte_size, "byte", "bytes"), count(total - gaps, "entry", "entries")]
+    facts = [image.byte_words, count(total - gaps, "entry", "entries")]
     if gaps:
         facts.append(count(gaps, "gap", "gaps"))
     usage = f"{clipped(image.usage)}, " if image.usage else ""
@@ -128,7 +141,8 @@ def _entries(image: SmImage) -> Iterator[_Drawn]:
         for position, placed in enumerate(pdo.entries):
             length = max(placed.entry.bit_length or 0, 0)
             first = placed.bit_offset
-            yield _Drawn(first, first + length, placed, pdo, at % PDO_COLOURS, position // described + 1)
+            if first is not None:
+                yield _Drawn(first, first + length, placed, pdo, at % PDO_COLOURS, position // described + 1)
 
 
 def _that_fit(entries: list[_Drawn]) -> list[_Drawn]:
@@ -249,7 +263,7 @@ def _left_out(image: SmImage, rest: Sequence[_Drawn], bottom: float) -> tuple[li
     named = ", ".join(list(pdos)[:8]) + (" and more" if len(pdos) > 8 else "")
     words = (
         f"Not drawn: {count(len(rest), 'more entry', 'more entries')} from {byte_bit(rest[0].first_bit)} to the end "
-        f"of the {image.byte_size} bytes, PDO {named}."
+        f"of the {image.described_bytes} bytes, PDO {named}."
     )
     lines, end = paragraphs(bottom + 8, [words])
     frame = rectangle(1, bottom + 4, WIDTH - 2, end - bottom + 4, "left-out")

@@ -203,17 +203,19 @@ def _facts(description: DeviceDescription, facts: DeviceFacts) -> list[tuple[str
 
 
 def _process_data_words(facts: DeviceFacts) -> str:
-    if facts.output_bytes is None or facts.input_bytes is None:
+    if facts.output_bytes is None and facts.input_bytes is None:
         return "unknown"
-    return f"{facts.output_bytes} bytes out, {facts.input_bytes} bytes in by default"
+    out, into = (
+        f"{size} bytes" if size is not None else "unknown length" for size in (facts.output_bytes, facts.input_bytes)
+    )
+    return f"{out} out, {into} in by default"
 
 
 def _image(image: SmImage) -> dict[str, Any]:
     return {
         "sm": image.sm,
         "usage": image.usage or "",
-        "bytes": image.byte_size,
-        "bits": image.bit_size,
+        "size": image.size_words,
         "remarks": image.remarks,
         "drawing": process_image_svg(image) if image.bit_size else "",
         "legend": process_image_legend(image) if image.bit_size else "",

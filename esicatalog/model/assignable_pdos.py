@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.pdo_facts import pdo_yields, pdos_by_direction
 from esicatalog.model.slots import PluggedModule, expand_module
@@ -22,7 +23,20 @@ class AvailablePdo(NamedTuple):
     direction: str
     position: int
     pdo: Pdo
+    """At the index that it has in its slot."""
     plugged: PluggedModule | None
+    pdo_group: int | None
+    """The group of module PDOs that its owner is in."""
+
+    @property
+    def slot_number(self) -> int | None:
+        """Slot of its module, None for a PDO of the device."""
+        return self.plugged.slot_number if self.plugged is not None else None
+
+    @property
+    def module(self) -> Module | None:
+        """Its module, None for a PDO of the device."""
+        return self.plugged.module if self.plugged is not None else None
 
     @property
     def owner(self) -> str:
@@ -32,6 +46,13 @@ class AvailablePdo(NamedTuple):
         return f"module 0x{self.plugged.module.module_ident or 0:X} in slot {self.plugged.slot_number}"
 
 
+class AvailablePdos(NamedTuple):
+    """What can be assigned, and what is wrong with indices that move with their slots."""
+
+    pdos: list[AvailablePdo]
+    problems: list[str]
+
+
 class Place(NamedTuple):
     """Where a PDO goes that is chosen: a SyncManager, or what is in the way, as the end of a sentence about the PDO."""
 
@@ -39,22 +60,26 @@ class Place(NamedTuple):
     obstacle: str = ""
 
 
-def available_pdos(device: Device, plugged: Iterable[PluggedModule]) -> list[AvailablePdo]:
+def available_pdos(device: Device, plugged: Iterable[PluggedModule]) -> AvailablePdos:
     """The PDOs of the device, without those that yield to modules (OverwrittenByModule), and of the modules."""
-    of_modules = [
-        AvailablePdo(direction, position, pdo, item)
-        for item in plugged
-        for direction, pdos in pdos_by_direction(expand_module(device, item).module)
-        for position, pdo in enumerate(pdos)
-    ]
+    problems: list[str] = []
+    of_modules: list[AvailablePdo] = []
+    for item in plugged:
+        expanded = expand_module(device, item)
+        problems += expanded.problems
+        of_modules += [
+            AvailablePdo(direction, position, pdo, item, item.module.module_pdo_group)
+            for direction, pdos in pdos_by_direction(expanded.module)
+            for position, pdo in enumerate(pdos)
+        ]
     replaced = {item.pdo.pdo_index for item in of_modules}
     own = [
-        AvailablePdo(direction, position, pdo, None)
+        AvailablePdo(direction, position, pdo, None, device.module_pdo_group)
         for direction, pdos in pdos_by_direction(device)
         for position, pdo in enumerate(pdos)
         if not pdo_yields(pdo, replaced)
     ]
-    return own + of_modules
+    return AvailablePdos(own + of_modules, problems)
 
 
 def assignment_place(device: Device, direction: str, pdo: Pdo) -> Place:

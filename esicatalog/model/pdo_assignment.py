@@ -1,0 +1,155 @@
+"""Which PDOs are assigned to which SyncManager (ESI-FACTS sections 0, 9, 12 and 18).
+
+A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the SyncManager: then that list counts, with
+the mandatory ones, which have to stay; a PDO that it lists goes there, whatever its own Sm says. What a virtual
+SyncManager has is described, not transported, like a virtual PDO.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos
+from esicatalog.model.pdo_facts import index_words
+from esicatalog.model.slots import PluggedModule
+from esicatalog.model.sm_facts import may_transport, sm_role
+
+Assignment = Mapping[int, Sequence[int]]
+"""PDO indices in order, by SyncManager number."""
+
+
+class SmAssignment(NamedTuple):
+    """The PDOs of a SyncManager that are more than a description, those included that exclude each other."""
+
+    number: int
+    sync_manager: SyncManager | None
+    """None when PDOs name a SyncManager that the device does not describe."""
+    pdos: list[AvailablePdo]
+    is_named: bool
+    """Whether a PDO names it, be it one that is not exchanged, or an OpMode or the user lists PDOs for it."""
+    remarks: list[str]
+
+
+class PdoAssignment(NamedTuple):
+    """The PDOs of all SyncManagers, and what an OpMode says of how often they are sampled."""
+
+    sync_managers: list[SmAssignment]
+    factors: Mapping[int, int | None]
+    """Oversampling factors by PDO index, None for a PDO that the OpMode lists without; empty without such lists."""
+
+
+def assigned_pdos(
+    device: Device, plugged: Sequence[PluggedModule], op_mode: OpMode | None, assignment: Assignment | None
+) -> PdoAssignment:
+    """The PDOs of each SyncManager that PDOs name, a list has or whose role has a default, in ascending order."""
+    chosen = assignment or {}
+    candidates, problems = _candidates(device, plugged)
+    lists = _lists(op_mode)
+    by_choice = {index for indices in chosen.values() for index in indices}
+    wanted = {number: [index for index in items if index not in by_choice] for number, items in lists.items()}
+    wanted |= {number: [*indices] for number, indices in chosen.items()}
+    unlisted = _unlisted(device, candidates, wanted) if wanted else candidates
+    numbers = {c.pdo.sm for c in candidates if c.pdo.sm is not None} | wanted.keys()
+    numbers |= {number for number, sm in enumerate(device.sync_managers) if has_default_image(sm)}
+    found = []
+    for number in sorted(numbers):
+        sm, remarks = _sync_manager(device, number), [*problems]
+        if number in wanted:
+            meant = _by_index(candidates, _with_mandatory(number, wanted[number], unlisted, remarks), remarks)
+        else:
+            meant = [[candidate] for candidate in unlisted if candidate.pdo.sm == number]
+        pdos = list(_transported(number, sm, _fitting(number, sm, meant, remarks), remarks))
+        found.append(SmAssignment(number, sm, pdos, number in wanted or bool(meant), remarks))
+    return PdoAssignment(found, {index: factor for items in lists.values() for index, factor in items.items()})
+
+
+def has_default_image(sm: SyncManager) -> bool:
+    """Whether it has a default process image, be it empty."""
+    role = sm_role(sm)
+    return role is not None and not role.is_mailbox and not role.is_dynamic
+
+
+def _sync_manager(device: Device, number: int) -> SyncManager | None:
+    return device.sync_managers[number] if 0 <= number < len(device.sync_managers) else None
+
+
+def _unlisted(
+    device: Device, candidates: list[AvailablePdo], wanted: Mapping[int, Sequence[int]]
+) -> list[AvailablePdo]:
+    """PDOs that no list assigns, be it to another SyncManager than their own: for these their Sm counts."""
+    listed = {
+        (candidate.direction, candidate.pdo.pdo_index)
+        for number, indices in wanted.items()
+        for candidate in candidates
+        if candidate.pdo.pdo_index in indices and _may_have(_sync_manager(device, number), candidate)
+    }
+    return [candidate for candidate in candidates if (candidate.direction, candidate.pdo.pdo_index) not in listed]
+
+
+def _with_mandatory(
+    number: int, wanted: Sequence[int], candidates: list[AvailablePdo], remarks: list[str]
+) -> list[int]:
+    mandatory = [c.pdo.pdo_index for c in candidates if c.pdo.sm == number and c.pdo.mandatory and not c.pdo.virtual]
+    missing = [index for index in dict.fromkeys(mandatory) if index is not None and index not in wanted]
+    remarks += [f"PDO {index_words(index)} is mandatory: assigned too" for index in missing]
+    return [*missing, *wanted]
+
+
+def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> AvailablePdos:
+    """All PDOs that could be assigned, group by group where modules have groups of PDOs."""
+    found = available_pdos(device, plugged)
+    if device.module_pdo_groups:
+        found.pdos.sort(key=lambda candidate: candidate.pdo_group if candidate.pdo_group is not None else -1)
+    return found
+
+
+def _lists(op_mode: OpMode | None) -> dict[int, dict[int, int | None]]:
+    """The PDOs of an OpMode with the oversampling factors that it gives them, by SyncManager."""
+    return {
+        item.no: {pdo.pdo_index: pdo.os_fac for pdo in item.pdos if pdo.pdo_index is not None}
+        for item in (op_mode.sm_assignments if op_mode is not None else ())
+        if item.no is not None and item.pdos
+    }
+
+
+def _may_have(sm: SyncManager | None, candidate: AvailablePdo) -> bool:
+    return sm is None or may_transport(sm, candidate.direction)
+
+
+def _by_index(candidates: list[AvailablePdo], indices: Sequence[int], remarks: list[str]) -> list[list[AvailablePdo]]:
+    """The PDOs of a list, all those of an index together."""
+    by_index: dict[int | None, list[AvailablePdo]] = {}
+    for candidate in candidates:
+        by_index.setdefault(candidate.pdo.pdo_index, []).append(candidate)
+    once = dict.fromkeys(indices)
+    remarks += [f"PDO 0x{index:04X} is listed but not described" for index in once if index not in by_index]
+    return [by_index[index] for index in once if index in by_index]
+
+
+def _fitting(
+    number: int, sm: SyncManager | None, meant: Iterable[list[AvailablePdo]], remarks: list[str]
+) -> Iterator[AvailablePdo]:
+    """Of PDOs that are alike the one that a SyncManager can have; it exchanges no others (ESI-FACTS section 18)."""
+    for alike in meant:
+        fitting = next((item for item in alike if _may_have(sm, item)), None)
+        if fitting is not None:
+            yield fitting
+        elif sm is not None:
+            other = f"PDO {index_words(alike[0].pdo.pdo_index)} is left out: it is a {alike[0].direction}"
+            remarks.append(f"{other}, SM{number} is for {sm.usage}")
+
+
+def _transported(
+    number: int, sm: SyncManager | None, chosen: Iterable[AvailablePdo], remarks: list[str]
+) -> Iterator[AvailablePdo]:
+    """The PDOs that are more than a description; the others exclude none of these."""
+    is_virtual = sm is not None and sm.virtual
+    for candidate in chosen:
+        index = index_words(candidate.pdo.pdo_index)
+        if candidate.pdo.virtual:
+            remarks.append(f"PDO {index} is virtual: described, not transported")
+        elif is_virtual:
+            remarks.append(f"PDO {index} is described, not transported: SM{number} is virtual")
+        else:
+            yield candidate
