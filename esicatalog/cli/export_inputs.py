@@ -142,15 +142,19 @@ def _subject_of_catalog(catalog: "Catalog", identity: Identity, accept_revision:
     """The exact description, or the one that the catalog ranks first where that is accepted."""
     answer = catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no)
     if identity.revision_no is None or answer.match == "exact":
-        return catalog.export_subject(identity)
+        return _described(catalog, identity)
     if answer.device is None:
         raise NotFound(f"{identity}: {answer.reason}")
     found = answer.device.device
     if not accept_revision:
         raise NotFound(f"{identity}: {answer.reason}; --accept-revision takes {found.identity_text}")
-    nearest = found.identity
-    if nearest is None:
-        raise NotFound(f"{identity}: {answer.reason}")
     words = f"asked for {identity}, described is {found.identity_text}: {answer.reason}"
     click.echo(f"esicatalog: accepted, {words}", err=True)
-    return catalog.export_subject(nearest).standing_in(words)
+    return _described(catalog, found.identity_text).standing_in(words)
+
+
+def _described(catalog: "Catalog", identity: Identity | str) -> "Subject":
+    subject = catalog.export_subject(identity)
+    if subject.ambiguity is not None:
+        click.echo(f"esicatalog: {subject.ambiguity}", err=True)
+    return subject

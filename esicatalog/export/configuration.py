@@ -166,6 +166,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     commands, command_remarks = start_commands(device, plugged, expanded)
     names = entry_names(device, expanded, images, objects)
     remarks = [
+        *((subject.ambiguity,) if subject.ambiguity is not None else ()),
         *op_mode_remarks,
         *chosen.remarks,
         *_assignment_remarks(device, chosen, default, images),
