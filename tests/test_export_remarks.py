@@ -1,11 +1,94 @@
 """What every export says of a configuration that the device may not have: start-up commands, defaults, slots, sizes."""
 
 import pytest
-from snippets import dictionary
-from test_export_configuration import SMS, configured, entry, rx
+from snippets import dictionary, pdo
+from test_export_configuration import SMS, configured, dc, entry, init_cmd, pdos, rx, times
 
 from esicatalog.errors import InputError
 from esicatalog.export.choice import parse_pdo_choice
+from esicatalog.export.igh import igh_header
+from esicatalog.export.linuxcnc import linuxcnc_configuration
+from esicatalog.export.pysoem import pysoem_module
+from esicatalog.export.ros2 import ros2_slave
+from esicatalog.export.soem import soem_header
+
+EXPORTS = (igh_header, soem_header, pysoem_module, ros2_slave, linuxcnc_configuration)
+AXIS = (
+    rx("#x1600", entry("#x6040", 16, "Control word"), entry("#x607A", 32, "Target position"))
+    + rx("#x1601", entry("#x6040", 16, "Control word"), entry("#x60FF", 32, "Target velocity"), attributes="")
+    + pdo("TxPdo", "#x1A00", 16, attributes='Sm="3"')
+)
+
+
+def command(index: str, subindex: int, data: str, extra: str = "") -> str:
+    return init_cmd("PS", index, data, extra).replace("<SubIndex>1<", f"<SubIndex>{subindex}<")
+
+
+def drive(*commands: str, coe: str = "") -> str:
+    """A drive with start-up commands that takes target positions by default, and can take velocities."""
+    return f"{SMS}{AXIS}<Mailbox><CoE {coe}>{''.join(commands)}</CoE></Mailbox>"
+
+
+KEPT = "the PDOs of SM2 are not the default ones, and the device does not declare PdoAssign"
+LISTING = ("free", times("0")), ("DC", times("#x300") + '<Sm No="2"><Pdo>#x1601</Pdo></Sm>')
+
+
+@pytest.mark.parametrize(
+    ("coe", "op_mode", "is_told"), [("", "DC", True), ("", "free", False), ('PdoAssign="1"', "DC", False)]
+)
+def test_pdos_of_an_op_mode_that_the_device_may_not_take(coe, op_mode, is_told):
+    found = configured(drive(coe=coe) + dc(*LISTING), op_mode=op_mode)
+    assert pdos(found)[2] == [0x1601 if op_mode == "DC" else 0x1600]
+    assert any(remark.startswith(KEPT) for remark in found.remarks) is is_told
+
+
+def test_pdos_of_the_default_op_mode_are_default_ones():
+    assert not any(KEPT in remark for remark in configured(drive() + dc(LISTING[1])).remarks)
+
+
+def sized(start: str, attributes: str = "") -> str:
+    """SyncManagers with outputs of three buffers at 0x1100 and inputs behind them."""
+    return (
+        '<Sm StartAddress="#x1000" ControlByte="#x26" DefaultSize="128">MBoxOut</Sm>'
+        '<Sm StartAddress="#x1080" ControlByte="#x22" DefaultSize="128">MBoxIn</Sm>'
+        f'<Sm StartAddress="#x1100" ControlByte="#x64" {attributes}>Outputs</Sm>'
+        f'<Sm StartAddress="{start}" ControlByte="#x20">Inputs</Sm>'
+    )
+
+
+ASSIGNABLE = AXIS + '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (sized("#x1400", 'MaxSize="6"'), "SM2: the assigned PDOs take 12 bytes, MaxSize is 6"),
+        (sized("#x1400", 'MaxSize="12"'), None),
+        (sized("#x1124"), None),
+        (sized("#x1112"), "SM 2 takes 0x1100 to 0x1123 and SM 3 starts at 0x1112: they overlap by 6 bytes"),
+    ],
+)
+def test_chosen_pdos_that_do_not_fit(content, words):
+    """Six bytes each: twelve take 36 in three buffers, and the inputs two, so six at 0x1112."""
+    found = configured(content + ASSIGNABLE, pdos=parse_pdo_choice("0x1600,0x1601")).remarks
+    assert [remark.split(";")[0] for remark in found] == ([words] if words is not None else [])
+    by_op_mode = dc(("free", times("0")), ("both", times("0") + LIST_OF_BOTH))
+    assert configured(content + ASSIGNABLE + by_op_mode, op_mode="both").remarks == found
+    assert configured(content + ASSIGNABLE).remarks == ()
+
+
+LIST_OF_BOTH = '<Sm No="2"><Pdo>#x1600</Pdo><Pdo>#x1601</Pdo></Sm>'
+
+
+def test_chosen_pdos_below_the_smallest_size():
+    """Two bytes in 0x1602, six in the default PDO."""
+    content = sized("#x1400", 'MinSize="6"') + pdo("RxPdo", "#x1602", 16) + ASSIGNABLE
+    found = configured(content, pdos=parse_pdo_choice("0x1602")).remarks
+    assert [remark.split(";")[0] for remark in found] == ["SM2: the assigned PDOs take 2 bytes, MinSize is 6"]
+
+
+def test_overlaps_of_the_default_process_image_are_known_to_the_vendor():
+    assert configured(sized("#x1101") + ASSIGNABLE).remarks == ()
 
 
 def declared(*subindices: int) -> str:

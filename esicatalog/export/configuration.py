@@ -12,13 +12,13 @@ from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.export.choice import Choice
 from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
+from esicatalog.export.image_remarks import assignment_remarks, memory_remarks, swap_remarks
 from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
 from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
-from esicatalog.export.pdo_choice import ChosenPdos, apply_choice
+from esicatalog.export.pdo_choice import apply_choice
 from esicatalog.export.subject import Subject
-from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
 from esicatalog.model.pdo_facts import has_length, is_described
@@ -169,9 +169,10 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *((subject.ambiguity,) if subject.ambiguity is not None else ()),
         *op_mode_remarks,
         *chosen.remarks,
-        *_assignment_remarks(device, chosen, default, images),
+        *assignment_remarks(device, plugged, op_mode, default, images),
         *(remark for image in images for remark in image.remarks),
-        *_swap_remarks(images),
+        *swap_remarks(images),
+        *memory_remarks(device, subject.modules, images),
         *programmed.remarks,
         *_too_short(device, programmed.cycle_ns),
         *command_remarks,
@@ -222,35 +223,6 @@ def checked_prefix(name: str) -> str:
     if IDENTIFIER.fullmatch(name) is None or "__" in name or identifier(name, "") != name.lower():
         raise InputError(f"{name!r} cannot begin names: use letters, digits and single _, a letter first")
     return name.lower()
-
-
-def _assignment_remarks(
-    device: Device, chosen: ChosenPdos, default: Sequence[SmImage], images: Sequence[SmImage]
-) -> Iterator[str]:
-    """What the chosen assignment asks of the device beyond its default one."""
-    if chosen.assignment is None or declares_pdo_assign(device):
-        return
-    kept = {image.sm: _indices(image) for image in default}
-    changed = [f"SM{image.sm}" for image in images if _indices(image) != kept.get(image.sm)]
-    if changed:
-        yield (
-            f"the PDOs of {', '.join(changed)} are not the default ones, and {NO_PDO_ASSIGN}, and then no offset here "
-            "is right"
-        )
-
-
-def _swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:
-    for item in (item for image in images for pdo in image.pdos for item in pdo.entries if item.entry.swap_data):
-        entry = item.entry
-        yield (
-            f"0x{entry.entry_index or 0:04X}:{entry.subindex or 0:02X} {display_text(entry.names) or ''}".rstrip()
-            + f" asks the master to swap its bytes ({entry.swap_data}), which nothing here does: swap them in the "
-            "application"
-        )
-
-
-def _indices(image: SmImage) -> list[int | None]:
-    return [placed.pdo.pdo_index for placed in image.pdos]
 
 
 def _sync_managers(
