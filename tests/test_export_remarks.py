@@ -11,6 +11,7 @@ from esicatalog.export.linuxcnc import linuxcnc_configuration
 from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.ros2 import ros2_slave
 from esicatalog.export.soem import soem_header
+from esicatalog.identity import ModuleChoice
 
 EXPORTS = (igh_header, soem_header, pysoem_module, ros2_slave, linuxcnc_configuration)
 AXIS = (
@@ -44,6 +45,51 @@ def test_pdos_of_an_op_mode_that_the_device_may_not_take(coe, op_mode, is_told):
 
 def test_pdos_of_the_default_op_mode_are_default_ones():
     assert not any(KEPT in remark for remark in configured(drive() + dc(LISTING[1])).remarks)
+
+
+def a_module(ident: str, content: str) -> str:
+    return f'<Module><Type ModuleIdent="{ident}">M{ident}</Type><Name>m</Name>{content}</Module>'
+
+
+def slot(idents: tuple[str, ...], attributes: str) -> str:
+    return f"<Slot {attributes}>{''.join(f'<ModuleIdent>{ident}</ModuleIdent>' for ident in idents)}</Slot>"
+
+
+AXIS_MODULES = a_module("#x10", AXIS) + a_module("#x20", AXIS)
+VALUE_MODULES = a_module("#x10", pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')) + a_module("#x20", "")
+BOTH = ("#x10", "#x20")
+
+
+@pytest.mark.parametrize(
+    ("slots", "words"),
+    [
+        (slot(BOTH, 'MinInstances="0" MaxInstances="1"'), "slot 0 without a module:"),
+        (slot(BOTH, 'MinInstances="0" MaxInstances="6"'), "slots 0, 1, 2, 3 and 2 more without a module:"),
+        (slot(BOTH, 'MinInstances="2" MaxInstances="3"'), "slots 0, 1 without a module, though required:"),
+    ],
+)
+@pytest.mark.parametrize(("modules", "may_move"), [(AXIS_MODULES, True), (VALUE_MODULES, False)])
+def test_process_data_of_modules_that_are_not_plugged(slots, words, modules, may_move):
+    content = f"{SMS}<Slots>{slots}</Slots>"
+    found = configured(content, modules)
+    (remark,) = found.remarks
+    assert remark.startswith(words)
+    assert "--module SLOT=IDENT" in remark and remark.endswith("what fits slot 0: 0x10, 0x20")
+    assert ("Something may move" in igh_header(found)) is may_move
+    for export in (ros2_slave, linuxcnc_configuration):
+        with pytest.raises(InputError, match=f"has nothing to configure: {words}"):
+            export(found)
+    plugged = configured(
+        content,
+        modules,
+        modules={0: ModuleChoice(0x10), 1: ModuleChoice(0x10)} if "1" in words else {0: ModuleChoice(0x10)},
+    )
+    assert plugged.missing_modules is None
+
+
+def test_slots_for_modules_without_process_data_lack_nothing():
+    slots = slot(("#x20",), 'MinInstances="0" MaxInstances="1"')
+    assert configured(f"{SMS}<Slots>{slots}</Slots>", VALUE_MODULES).remarks == ()
 
 
 def sized(start: str, attributes: str = "") -> str:

@@ -14,6 +14,7 @@ from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, program
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.image_remarks import assignment_remarks, memory_remarks, swap_remarks
 from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
+from esicatalog.export.missing_modules import missing_modules
 from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
@@ -126,7 +127,10 @@ class Configuration(NamedTuple):
     axes: tuple[int, ...]
     """CiA 402 axes, from 0."""
     is_drive: bool
-    """Whether something may move: a CiA 402 axis, a SoE drive or a motion terminal (MDP 7xx)."""
+    """Whether something may move: a CiA 402 axis, a SoE drive or a motion terminal (MDP 7xx), be it only a module that
+    is missing."""
+    missing_modules: str | None
+    """Which slots lack modules without which the process data are not known, in words."""
     remarks: tuple[str, ...]
 
     @property
@@ -165,8 +169,10 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     programmed = programmed_clocks(device, op_mode, choice.cycle_ns)
     commands, command_remarks = start_commands(device, plugged, expanded)
     names = entry_names(device, expanded, images, objects)
+    missing = missing_modules(device, subject.modules, plugged)
     remarks = [
         *((subject.ambiguity,) if subject.ambiguity is not None else ()),
+        *((missing.words,) if missing is not None else ()),
         *op_mode_remarks,
         *chosen.remarks,
         *assignment_remarks(device, plugged, op_mode, default, images),
@@ -191,7 +197,8 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         sync_managers,
         commands,
         names.axes,
-        names.is_drive,
+        names.is_drive or (missing is not None and missing.may_move),
+        missing.words if missing is not None else None,
         tuple(dict.fromkeys(remarks)),
     )
 

@@ -28,14 +28,16 @@ class Listed(NamedTuple):
 def listed(configuration: Configuration, program: str) -> Listed:
     """The part of a device that goes into the file of a program.
 
-    Raises :class:`InputError` for devices without process data, which need no entry there, for PDOs without described
+    Raises :class:`InputError` for devices without assigned PDOs, which need no entry there, for PDOs without described
     entries and for what IgH cannot hold.
     """
     check_limits(configuration)
     if not any(sm.is_described for sm in configuration.sync_managers):
         if any(sm.pdos for sm in configuration.sync_managers):
             raise InputError(f"{program} needs the entries of all PDOs, and the description leaves some out")
-        raise InputError(f"the device exchanges no process data: {program} has nothing to configure")
+        if configuration.missing_modules is not None:
+            raise InputError(f"{program} has nothing to configure: {configuration.missing_modules}")
+        raise InputError(f"the description assigns no PDO: {program} has nothing to configure")
     repeated = list(_repeated(configuration))
     written = master_written(configuration)
     remarks = [*_left_out_sync_managers(configuration), *_left_out_commands(configuration, program, written)]
