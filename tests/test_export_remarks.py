@@ -11,6 +11,7 @@ from esicatalog.export.linuxcnc import linuxcnc_configuration
 from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.ros2 import ros2_slave
 from esicatalog.export.soem import soem_header
+from esicatalog.export.soem_startup import hook_commands
 from esicatalog.identity import ModuleChoice
 
 EXPORTS = (igh_header, soem_header, pysoem_module, ros2_slave, linuxcnc_configuration)
@@ -28,6 +29,76 @@ def command(index: str, subindex: int, data: str, extra: str = "") -> str:
 def drive(*commands: str, coe: str = "") -> str:
     """A drive with start-up commands that takes target positions by default, and can take velocities."""
     return f"{SMS}{AXIS}<Mailbox><CoE {coe}>{''.join(commands)}</CoE></Mailbox>"
+
+
+def contradictions(content: str, **choice) -> list[str]:
+    """What start-up commands have there and the configuration here."""
+    words = "the start-up commands of the description contradict the PDO configuration here: "
+    found = configured(content, **choice).remarks
+    return [remark.removeprefix(words).split(";")[0] for remark in found if remark.startswith(words)]
+
+
+VELOCITY_ASSIGNED = (command("#x1C12", 0, "00"), command("#x1C12", 1, "0116"), command("#x1C12", 0, "01"))
+"""0x1601, little endian."""
+VELOCITY_MAPPED = (
+    command("#x1600", 0, "00"),
+    command("#x1600", 1, "10004060"),
+    command("#x1600", 2, "2000FF60"),
+    command("#x1600", 0, "02"),
+)
+AT_ONCE = 'CompleteAccess="1"'
+
+
+@pytest.mark.parametrize("coe", ["", 'PdoAssign="1"', 'PdoAssign="1" PdoConfig="1"'])
+@pytest.mark.parametrize(
+    ("commands", "words"),
+    [
+        (VELOCITY_ASSIGNED, "0x1C12:01 is 0x1601 there, 0x1600 here"),
+        ((command("#x1C12", 0, "01000116", AT_ONCE),), "0x1C12:01 is 0x1601 there, 0x1600 here"),
+        ((command("#x1C12", 1, "00160116", AT_ONCE),), "0x1C12:02 is 0x1601 there, nothing here"),
+        ((command("#x1C12", 0, "00"),), "0x1C12:00 is 0 there, 1 here"),
+        (VELOCITY_MAPPED, "0x1600:02 is 0x60FF:00 (32 bit) there, 0x607A:00 (32 bit) here"),
+        (
+            (command("#x1600", 0, "0200100040602000FF60", AT_ONCE),),
+            "0x1600:02 is 0x60FF:00 (32 bit) there, 0x607A:00 (32 bit) here",
+        ),
+        ((command("#x1600", 0, "01"), command("#x1600", 1, "10004060")), "0x1600:00 is 1 there, 2 here"),
+    ],
+)
+def test_commands_that_contradict_the_configuration_are_told_and_not_sent(commands, words, coe):
+    content = drive(*commands, coe=coe)
+    assert contradictions(content) == [words]
+    found = configured(content)
+    for export in EXPORTS:
+        assert words in " ".join(export(found).replace("*", " ").replace("#", " ").split()), export
+    assert not set(hook_commands(found)) & set(found.commands)
+
+
+@pytest.mark.parametrize(
+    "commands",
+    [
+        (command("#x1C12", 0, "00"), command("#x1C12", 1, "0016"), command("#x1C12", 0, "01")),
+        (command("#x1C12", 1, "0016"), command("#x1C12", 2, "0116"), command("#x1C12", 0, "01")),
+        (command("#x1600", 0, "0200100040602000" + "7A60", AT_ONCE),),
+        (command("#x1601", 1, "20007A60"),),
+        (init_cmd("SP", "#x1C12", "0116"),),
+    ],
+)
+def test_commands_that_agree_write_other_pdos_or_lead_back_contradict_nothing(commands):
+    assert contradictions(drive(*commands)) == []
+
+
+def test_commands_and_a_choice_may_agree():
+    content = drive(*VELOCITY_ASSIGNED)
+    assert contradictions(content, pdos=parse_pdo_choice("0x1601")) == []
+    assert soem_header(configured(content, pdos=parse_pdo_choice("0x1601"))).count("0x1c12, 0x01") == 1
+    assert soem_header(configured(content)).count("0x1c12, 0x01") == 0
+
+
+def test_of_a_gap_only_the_length_counts():
+    gap = rx("#x1600", entry("#x0", 8), entry("#x7000", 8, "value", 1))
+    mapped = command("#x1600", 0, "0200" + "08050000" + "08010070", AT_ONCE)
+    assert contradictions(f"{SMS}{gap}<Mailbox><CoE>{mapped}</CoE></Mailbox>") == []
 
 
 KEPT = "the PDOs of SM2 are not the default ones, and the device does not declare PdoAssign"

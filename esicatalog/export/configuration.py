@@ -1,7 +1,7 @@
 """What all generators get: a device with everything chosen, every entry with its place, type and name."""
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -19,10 +19,11 @@ from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import apply_choice
+from esicatalog.export.pdo_objects import PdoObject, contradictions
 from esicatalog.export.subject import Subject
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
-from esicatalog.model.pdo_facts import has_length, is_described
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, has_length, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage, process_image
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_direction
@@ -30,6 +31,7 @@ from esicatalog.model.sync_parameters import min_cycle_ns, sync_parameters
 
 _CONTROL_BYTES = range(0x100)
 _MAX_INDEX, _MAX_SUBINDEX, _UINT32_MAX = 0xFFFF, 0xFF, 0xFFFF_FFFF
+_MAX_MAPPED_BITS = 255
 
 
 class MappedEntry(NamedTuple):
@@ -54,6 +56,11 @@ class MappedEntry(NamedTuple):
         return self.entry_index == 0
 
     @property
+    def mapping_value(self) -> int:
+        """What a mapping object says of it: index, subindex and bits."""
+        return self.entry_index << 16 | self.subindex << 8 | self.bit_length
+
+    @property
     def place(self) -> str:
         """Index and subindex in words."""
         return f"0x{self.entry_index:04X}:{self.subindex:02X}"
@@ -71,6 +78,13 @@ class AssignedPdo(NamedTuple):
     entries: tuple[MappedEntry, ...]
     is_described: bool
     """Whether its content is known, be it none."""
+
+    @property
+    def mapping(self) -> PdoObject | None:
+        """What belongs into its mapping object; None without described entries, and for what no mapping can express."""
+        if any(entry.bit_length > _MAX_MAPPED_BITS for entry in self.entries):
+            return None
+        return PdoObject.that_holds(self.pdo_index, (entry.mapping_value for entry in self.entries))
 
 
 class SmConfiguration(NamedTuple):
@@ -103,6 +117,14 @@ class SmConfiguration(NamedTuple):
         return bool(self.pdos) and all(pdo.is_described for pdo in self.pdos)
 
     @property
+    def assignment(self) -> PdoObject | None:
+        """What belongs into its assignment object; None without PDOs, and where there is no such object."""
+        object_index = PDO_ASSIGNMENTS.start + self.number
+        if object_index not in PDO_ASSIGNMENTS:
+            return None
+        return PdoObject.that_holds(object_index, (pdo.pdo_index for pdo in self.pdos))
+
+    @property
     def entries(self) -> Iterator[MappedEntry]:
         """All entries that carry a value, in order."""
         return (entry for pdo in self.pdos for entry in pdo.entries if not entry.is_gap)
@@ -124,6 +146,8 @@ class Configuration(NamedTuple):
     sync_managers: tuple[SmConfiguration, ...]
     """All but virtual ones, which only describe."""
     commands: tuple[StartCommand, ...]
+    contradicted: frozenset[int]
+    """Indices of assignments and mappings into which commands write something else than what is configured here."""
     axes: tuple[int, ...]
     """CiA 402 axes, from 0."""
     is_drive: bool
@@ -186,6 +210,12 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *mode_remarks(commands, names.axes, expanded, images),
     ]
     sync_managers = tuple(_sync_managers(device, images, names.identifiers, objects, remarks))
+    found = list(contradictions(commands, _pdo_objects(sync_managers)))
+    remarks += [
+        f"the start-up commands of the description contradict the PDO configuration here: {item.words}; they are left "
+        "out, so check which PDOs the device exchanges, and choose them (--pdo) if it is not these"
+        for item in found
+    ]
     return Configuration(
         subject,
         choice,
@@ -196,6 +226,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         programmed.clocks,
         sync_managers,
         commands,
+        frozenset(item.object_index for item in found),
         names.axes,
         names.is_drive or (missing is not None and missing.may_move),
         missing.words if missing is not None else None,
@@ -230,6 +261,13 @@ def checked_prefix(name: str) -> str:
     if IDENTIFIER.fullmatch(name) is None or "__" in name or identifier(name, "") != name.lower():
         raise InputError(f"{name!r} cannot begin names: use letters, digits and single _, a letter first")
     return name.lower()
+
+
+def _pdo_objects(sync_managers: Iterable[SmConfiguration]) -> Iterator[PdoObject]:
+    """What belongs into the assignments and mappings of all process data whose content is known."""
+    for sm in sync_managers:
+        if sm.is_described:
+            yield from (item for item in (sm.assignment, *(pdo.mapping for pdo in sm.pdos)) if item is not None)
 
 
 def _sync_managers(

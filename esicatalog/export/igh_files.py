@@ -10,9 +10,7 @@ from typing import NamedTuple
 from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration, MappedEntry, SmConfiguration
 from esicatalog.export.igh_limits import check_limits, master_written
-from esicatalog.export.init_cmds import StartCommand
-
-_SDO_TRANSITIONS = ("IP", "PS")
+from esicatalog.export.init_cmds import BEFORE_SAFE_OP, StartCommand
 
 
 class Listed(NamedTuple):
@@ -77,7 +75,7 @@ def _why_left_out(command: StartCommand, written: Container[StartCommand]) -> st
         return "cannot send SoE commands"
     if command in written:
         return "writes PDO assignment and mapping itself"
-    if command.transition not in _SDO_TRANSITIONS:
+    if command.transition not in BEFORE_SAFE_OP:
         return "sends commands before SAFE-OP only"
     return None
 
