@@ -60,8 +60,8 @@ def memory_remarks(device: Device, modules: Sequence[Module], images: Sequence[S
 
 
 def _memory_conflicts(device: Device, images: Sequence[SmImage]) -> Iterator[str]:
-    """A mailbox has its DefaultSize; process data are as long as the PDOs make them."""
-    byte_sizes: dict[int, int] = {}
+    """A mailbox has its DefaultSize; process data are as long as the PDOs make them, where that is known."""
+    byte_sizes: dict[int, int | None] = {}
     for number, sm in enumerate(device.sync_managers):
         role = sm_role(sm)
         if role is not None and role.is_mailbox:
@@ -69,8 +69,7 @@ def _memory_conflicts(device: Device, images: Sequence[SmImage]) -> Iterator[str
     for image in images:
         if image.pdos and image.sm < len(device.sync_managers):
             byte_sizes[image.sm] = image.byte_size
-            conflict = size_conflict(device.sync_managers[image.sm], image.byte_size)
-            if conflict is not None and all(placed.entries for placed in image.pdos):
+            if (conflict := size_conflict(device.sync_managers[image.sm], image.byte_size)) is not None:
                 yield f"SM{image.sm}: {conflict}; the device may refuse it"
     for overlap in memory_overlaps(device.sync_managers, byte_sizes):
         yield f"{overlap.words}; the device may refuse it or mix up the data"

@@ -19,8 +19,13 @@ class MemoryOverlap(NamedTuple):
     words: str
 
 
-def memory_overlaps(sync_managers: Sequence[SyncManager], byte_sizes: Mapping[int, int]) -> Iterator[MemoryOverlap]:
-    """SyncManagers of these lengths that lie in each other's memory; those of three buffers take it three times."""
+def memory_overlaps(
+    sync_managers: Sequence[SyncManager], byte_sizes: Mapping[int, int | None]
+) -> Iterator[MemoryOverlap]:
+    """SyncManagers of these lengths that lie in each other's memory; those of three buffers take it three times.
+
+    None is a length that nobody knows.
+    """
     areas = _areas(sync_managers, byte_sizes)
     for (start, end, number), (next_start, next_end, next_number) in overlaps(areas):
         yield MemoryOverlap(
@@ -30,7 +35,7 @@ def memory_overlaps(sync_managers: Sequence[SyncManager], byte_sizes: Mapping[in
         )
 
 
-def _areas(sync_managers: Sequence[SyncManager], byte_sizes: Mapping[int, int]) -> Iterator[Area]:
+def _areas(sync_managers: Sequence[SyncManager], byte_sizes: Mapping[int, int | None]) -> Iterator[Area]:
     """The addresses of each SyncManager that occupies memory."""
     for number, sm in enumerate(sync_managers):
         start, length = sm.start_address, byte_sizes.get(number)
@@ -40,8 +45,8 @@ def _areas(sync_managers: Sequence[SyncManager], byte_sizes: Mapping[int, int]) 
         yield Area(start, start + buffers * length, number)
 
 
-def size_conflict(sync_manager: SyncManager, byte_size: int) -> str | None:
-    """What PDOs of this length contradict in a SyncManager: MaxSize or MinSize; None when they fit, or without any."""
+def size_conflict(sync_manager: SyncManager, byte_size: int | None) -> str | None:
+    """What PDOs of this length contradict in a SyncManager: MaxSize or MinSize; None if they fit, or are unknown."""
     words = f"the assigned PDOs take {byte_size} bytes"
     if byte_size and sync_manager.max_size is not None and byte_size > sync_manager.max_size:
         return f"{words}, MaxSize is {sync_manager.max_size}"
