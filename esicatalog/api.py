@@ -226,7 +226,8 @@ class Catalog:
     def export_subject(self, identity: str | Identity) -> "Subject":
         """What generators get of a device: its description with the vendor and groups of its document.
 
-        Raises :class:`~esicatalog.errors.NotFound`.
+        Without a variant it says of the preferred description whether others exchange something else. Raises
+        :class:`~esicatalog.errors.NotFound`.
         """
         from esicatalog.catalog.devices import find_device, variants_with_slots
 
@@ -234,7 +235,10 @@ class Catalog:
         with self._connection() as connection:
             number, found, variant_count = find_device(connection, wanted)
             subject = self._export_subject(connection, number, found)
-            return subject.beside(variants_with_slots(connection, found, variant_count))
+            with_slots = variants_with_slots(connection, found, variant_count)
+        differing = self._identities().other_variants(found) if wanted.variant is None and variant_count > 1 else None
+        words = f"{found.identity_text} has several descriptions; @1 is taken, append @N to choose another: {differing}"
+        return subject.beside(with_slots, words if differing is not None else None)
 
     def export_subjects(self, vendor_id: int) -> "list[Subject]":
         """What generators get of all devices of a vendor, with codes and without: the preferred descriptions."""

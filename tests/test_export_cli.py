@@ -245,3 +245,30 @@ def test_variants_are_told_apart(tmp_path):
     first, second = (run("igh", f"0xE5C:1:1@{variant}", db=db).stdout for variant in (1, 2))
     assert first != second
     assert "no variant 3" in error_line(run("igh", "0xE5C:1:1@3", db=db), 1)
+
+
+def test_other_variants_that_exchange_something_else_are_told(tmp_path):
+    """Variant 1 has more entries; the words are those of ``identify``."""
+    sms = "<Sm ControlByte='#x64'>Outputs</Sm>"
+    first = sms + pdo("RxPdo", "#x1600", 16, 32, attributes='Sm="0"')
+    alike = first.replace("<Name>e1</Name>", "<Name>other</Name>")
+    other = sms + pdo("RxPdo", "#x1600", 16, attributes='Sm="0"')
+    for beside, is_told in ((other, True), (alike, False)):
+        documents = {f"{number}.xml": esi(device(text)) for number, text in enumerate((first, beside))}
+        db = tmp_path / f"{is_told}.db"
+        with Catalog.open(db, create=True) as catalog:
+            catalog.ingest([write(tmp_path / f"{is_told}", documents)], jobs=1)
+        words = "0x00000e5c:0x00000001:0x00000001 has several descriptions; @1 is taken, append @N to choose another: "
+        differing = "default process image differs in 1 of 1 other variants of this identity; @2 for example: "
+        result = run("igh", "0xE5C:1:1", db=db)
+        assert (words + differing in " ".join(result.stdout.replace("*", " ").split())) is is_told
+        assert result.stderr.startswith(f"esicatalog: {words}{differing}") is is_told
+        assert run("cstruct", "0xE5C:1:1", db=db).stderr == result.stderr
+        for variant in (1, 2):
+            chosen = run("igh", f"0xE5C:1:1@{variant}", db=db)
+            assert chosen.stderr == "" and "several descriptions" not in chosen.stdout
+        scan = run("igh", "--scan", "-", db=db, stdin="vendor,product,revision\n0xE5C,1,1\n")
+        assert ("has several descriptions" in scan.stdout) is is_told
+        assert scan.stderr == result.stderr
+        accepted = run("igh", "0xE5C:1:2", "--accept-revision", db=db)
+        assert (words in accepted.stderr) is is_told

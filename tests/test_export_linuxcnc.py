@@ -294,7 +294,7 @@ def test_commands():
 @pytest.mark.parametrize(
     ("content", "choice", "message"),
     [
-        (SMS, {}, "exchanges no process data"),
+        (SMS, {}, "assigns no PDO"),
         (SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"'), {"alias": 7}, "give no alias"),
         (SMS + rx("#x1600", entry("#x7000", 8, "x", 255)), {}, "cannot map 0x7000:FF"),
     ],

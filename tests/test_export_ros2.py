@@ -358,7 +358,7 @@ def test_clocks_that_the_driver_sets_otherwise(mode, words):
 @pytest.mark.parametrize(
     ("content", "message"),
     [
-        (SMS, "exchanges no process data"),
+        (SMS, "assigns no PDO"),
         (SMS + rx("#x1600"), "needs the entries of all PDOs"),
         (
             "<Sm>Outputs</Sm><Sm>Outputs</Sm>"

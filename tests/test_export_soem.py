@@ -90,9 +90,9 @@ def test_only_what_the_device_declares_is_written(tmp_path, mailbox, attributes,
 
 @needs_gcc
 def test_commands_on_the_pdo_configuration_are_not_sent_twice(tmp_path):
-    own = init_cmd("PS", "#x1C12", "04") + init_cmd("PS", "#x1A05", "05")
+    own = init_cmd("PS", "#x1C12", "0016") + init_cmd("PS", "#x1A05", "05")
     assigned = SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')
-    for coe, sent in (("<CoE>", ["0x1c12:01 04", "0x1a05:01 05"]), ('<CoE PdoAssign="1">', ["0x1a05:01 05"])):
+    for coe, sent in (("<CoE>", ["0x1c12:01 0016", "0x1a05:01 05"]), ('<CoE PdoAssign="1">', ["0x1a05:01 05"])):
         content = f"{assigned}<Mailbox>{coe}{own}</CoE></Mailbox>"
         lines = calls(tmp_path, "1.4", header_of(content), "d_po2so_config")
         assert [line.removeprefix("sdo 3 ") for line in lines][: len(sent)] == sent

@@ -148,6 +148,15 @@ class IdentityLookup:
             self._products[key] = (changes, rows)
         return rows
 
+    def other_variants(self, device: FoundDevice) -> str | None:
+        """How variants of the identity of a described device exchange something else; None if none does."""
+        if device.vendor_id is None or device.product_code is None:
+            return None
+        rows = self._of_product((device.vendor_id, device.product_code))
+        alike = [row for row in rows if row.revision_no == device.revision_no]
+        ours = next((row for row in alike if row.variant == device.variant), None)
+        return self._variant_warning(ours, [row for row in alike if row is not ours]) if ours is not None else None
+
     def sources(self, device_id: int) -> tuple[DeviceSource, ...]:
         """Documents and lines that carry a description."""
         return tuple(DeviceSource(*row) for row in self._query(_SOURCES, (device_id,)))
@@ -183,21 +192,26 @@ class IdentityLookup:
         return Identification(*query, "vendor", reason, None, (), candidates)
 
     def _warnings(self, chosen: list[_Row], others: list[_Row]) -> Iterator[str]:
-        """Descriptions with another default process image: code written for one reads wrong data on the other."""
         ours, variants = chosen[0], chosen[1:]
-        groups: tuple[tuple[list[_Row], str, Callable[[_Row], str]], ...] = (
-            (variants, "variants of this identity", lambda row: f"@{row.variant}"),
-            (others, "revisions", lambda row: hex32(row.revision_no) or "the one without RevisionNo"),
+        of_revisions = self._warning(
+            ours, others, "revisions", lambda row: hex32(row.revision_no) or "the one without RevisionNo"
         )
-        for rows, what, name in groups:
-            differing = [row for row in rows if row.image_signature != ours.image_signature]
-            if differing:
-                nearest = differing[0]
-                words = self._difference(ours.image_signature, nearest.image_signature, ours.id, nearest.id)
-                yield (
-                    f"default process image differs in {len(differing)} of {len(rows)} other {what}; "
-                    f"{name(nearest)} for example: {words}"
-                )
+        yield from (words for words in (self._variant_warning(ours, variants), of_revisions) if words is not None)
+
+    def _variant_warning(self, ours: _Row, variants: list[_Row]) -> str | None:
+        return self._warning(ours, variants, "variants of this identity", lambda row: f"@{row.variant}")
+
+    def _warning(self, ours: _Row, rows: list[_Row], what: str, name: Callable[[_Row], str]) -> str | None:
+        """Descriptions with another default process image: code written for one reads wrong data on the other."""
+        differing = [row for row in rows if row.image_signature != ours.image_signature]
+        if not differing:
+            return None
+        nearest = differing[0]
+        words = self._difference(ours.image_signature, nearest.image_signature, ours.id, nearest.id)
+        return (
+            f"default process image differs in {len(differing)} of {len(rows)} other {what}; "
+            f"{name(nearest)} for example: {words}"
+        )
 
     def _layout_difference(self, _: str | None, __: str | None, here: int, there: int) -> str:
         ours, theirs = self._layout(here), self._layout(there)

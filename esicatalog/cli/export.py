@@ -75,7 +75,11 @@ def _target(*extra: Option, is_choosing: bool = True) -> Callable[[Callable[...,
             identity: Identity | None, db: str, esi: str | None, output: str | None, accept_revision: bool, **rest: Any
         ) -> None:
             choice = _choice(rest) if is_choosing else Choice()
-            _write(function(Inputs(identity, db, esi, accept_revision, choice), **rest), output)
+            notes: list[str] = []
+            made = function(Inputs(identity, db, esi, accept_revision, choice, notes), **rest)
+            _write(made, output)
+            for note in notes:
+                click.echo(f"esicatalog: {note}", err=True)
 
         callback: Callable[..., Any] = reporting_errors(run)
         for option in reversed((*_DEVICE, *(_CHOICE if is_choosing else ()), *extra)):

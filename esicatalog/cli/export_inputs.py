@@ -4,8 +4,6 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-import click
-
 from esicatalog.cli.common import read_text_as
 from esicatalog.errors import InputError, NotFound
 from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice
@@ -13,6 +11,7 @@ from esicatalog.identity import Identity
 
 if TYPE_CHECKING:
     from esicatalog.api import Catalog
+    from esicatalog.catalog.results import Identification
     from esicatalog.export.configuration import Configuration
     from esicatalog.export.subject import Subject
     from esicatalog.scan.records import Scan, ScannedSlave
@@ -26,6 +25,8 @@ class Inputs(NamedTuple):
     esi: str | None
     accept_revision: bool
     choice: Choice
+    notes: list[str]
+    """What is told about the devices that were taken, once something is made of them: a refusal is one line."""
 
     def configuration(self) -> "Configuration":
         """The configured device. Raises :class:`InputError` and :class:`NotFound` with what to do."""
@@ -42,7 +43,31 @@ class Inputs(NamedTuple):
         if self.identity is None:
             raise InputError("say which device: an IDENTITY, or --esi FILE")
         with Catalog.open(self.db) as catalog:
-            return _subject_of_catalog(catalog, self.identity, self.accept_revision)
+            return self.subject_of(catalog, self.identity)
+
+    def subject_of(self, catalog: "Catalog", identity: Identity) -> "Subject":
+        """The exact description, or the one that the catalog ranks first where that is accepted.
+
+        Raises :class:`NotFound`.
+        """
+        answer = catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no)
+        if identity.revision_no is None or answer.match == "exact":
+            found = catalog.export_subject(identity)
+        else:
+            found = self._nearest(catalog, identity, answer)
+        if found.ambiguity is not None:
+            self.notes.append(found.ambiguity)
+        return found
+
+    def _nearest(self, catalog: "Catalog", identity: Identity, answer: "Identification") -> "Subject":
+        if answer.device is None:
+            raise NotFound(f"{identity}: {answer.reason}")
+        found = answer.device.device
+        if not self.accept_revision:
+            raise NotFound(f"{identity}: {answer.reason}; --accept-revision takes {found.identity_text}")
+        words = f"asked for {identity}, described is {found.identity_text}: {answer.reason}"
+        self.notes.append(f"accepted, {words}")
+        return catalog.export_subject(found.identity_text).standing_in(words)
 
     def check_no_device(self, option: str) -> None:
         """Raise :class:`InputError` when a device is named beside an option that says everything itself."""
@@ -99,7 +124,7 @@ def _known_slaves(
         identity = slave.identity
         try:
             if identity is not None and identity not in known:
-                known[identity] = _subject_of_scan(catalog, identity, inputs.accept_revision)
+                known[identity] = _subject_of_scan(inputs, catalog, identity)
         except NotFound as error:
             refused.append(f"position {slave.position}: {error}")
             continue
@@ -121,13 +146,13 @@ def _known_slaves(
         raise NotFound("; ".join(refused))
 
 
-def _subject_of_scan(catalog: "Catalog", identity: Identity, accept_revision: bool) -> "Subject | None":
+def _subject_of_scan(inputs: Inputs, catalog: "Catalog", identity: Identity) -> "Subject | None":
     """The device of a slave, None when the catalog knows nothing near. Raises :class:`NotFound` when not accepted."""
     if catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no).device is None:
         return None
-    if identity.revision_no is None and not accept_revision:
+    if identity.revision_no is None and not inputs.accept_revision:
         raise NotFound(f"{identity}: the listing gives no revision; --accept-revision takes the latest description")
-    return _subject_of_catalog(catalog, identity, accept_revision)
+    return inputs.subject_of(catalog, identity)
 
 
 def _subject_of_file(name: str, identity: Identity | None) -> "Subject":
@@ -136,21 +161,3 @@ def _subject_of_file(name: str, identity: Identity | None) -> "Subject":
 
     file_name = Path(name).name
     return choose_subject(subjects_of_document(read_esi(name).document, file_name), identity, file_name)
-
-
-def _subject_of_catalog(catalog: "Catalog", identity: Identity, accept_revision: bool) -> "Subject":
-    """The exact description, or the one that the catalog ranks first where that is accepted."""
-    answer = catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no)
-    if identity.revision_no is None or answer.match == "exact":
-        return catalog.export_subject(identity)
-    if answer.device is None:
-        raise NotFound(f"{identity}: {answer.reason}")
-    found = answer.device.device
-    if not accept_revision:
-        raise NotFound(f"{identity}: {answer.reason}; --accept-revision takes {found.identity_text}")
-    nearest = found.identity
-    if nearest is None:
-        raise NotFound(f"{identity}: {answer.reason}")
-    words = f"asked for {identity}, described is {found.identity_text}: {answer.reason}"
-    click.echo(f"esicatalog: accepted, {words}", err=True)
-    return catalog.export_subject(nearest).standing_in(words)

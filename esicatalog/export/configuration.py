@@ -1,7 +1,7 @@
 """What all generators get: a device with everything chosen, every entry with its place, type and name."""
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -12,16 +12,18 @@ from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.export.choice import Choice
 from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
+from esicatalog.export.image_remarks import assignment_remarks, memory_remarks, swap_remarks
 from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
+from esicatalog.export.missing_modules import missing_modules
 from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
-from esicatalog.export.pdo_choice import ChosenPdos, apply_choice
+from esicatalog.export.pdo_choice import apply_choice
+from esicatalog.export.pdo_objects import PdoObject, contradictions
 from esicatalog.export.subject import Subject
-from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
-from esicatalog.model.pdo_facts import has_length, is_described
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, has_length, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage, process_image
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_direction
@@ -29,6 +31,7 @@ from esicatalog.model.sync_parameters import min_cycle_ns, sync_parameters
 
 _CONTROL_BYTES = range(0x100)
 _MAX_INDEX, _MAX_SUBINDEX, _UINT32_MAX = 0xFFFF, 0xFF, 0xFFFF_FFFF
+_MAX_MAPPED_BITS = 255
 
 
 class MappedEntry(NamedTuple):
@@ -53,6 +56,11 @@ class MappedEntry(NamedTuple):
         return self.entry_index == 0
 
     @property
+    def mapping_value(self) -> int:
+        """What a mapping object says of it: index, subindex and bits."""
+        return self.entry_index << 16 | self.subindex << 8 | self.bit_length
+
+    @property
     def place(self) -> str:
         """Index and subindex in words."""
         return f"0x{self.entry_index:04X}:{self.subindex:02X}"
@@ -70,6 +78,13 @@ class AssignedPdo(NamedTuple):
     entries: tuple[MappedEntry, ...]
     is_described: bool
     """Whether its content is known, be it none."""
+
+    @property
+    def mapping(self) -> PdoObject | None:
+        """What belongs into its mapping object; None without described entries, and for what no mapping can express."""
+        if any(entry.bit_length > _MAX_MAPPED_BITS for entry in self.entries):
+            return None
+        return PdoObject.that_holds(self.pdo_index, (entry.mapping_value for entry in self.entries))
 
 
 class SmConfiguration(NamedTuple):
@@ -102,6 +117,14 @@ class SmConfiguration(NamedTuple):
         return bool(self.pdos) and all(pdo.is_described for pdo in self.pdos)
 
     @property
+    def assignment(self) -> PdoObject | None:
+        """What belongs into its assignment object; None without PDOs, and where there is no such object."""
+        object_index = PDO_ASSIGNMENTS.start + self.number
+        if object_index not in PDO_ASSIGNMENTS:
+            return None
+        return PdoObject.that_holds(object_index, (pdo.pdo_index for pdo in self.pdos))
+
+    @property
     def entries(self) -> Iterator[MappedEntry]:
         """All entries that carry a value, in order."""
         return (entry for pdo in self.pdos for entry in pdo.entries if not entry.is_gap)
@@ -123,10 +146,15 @@ class Configuration(NamedTuple):
     sync_managers: tuple[SmConfiguration, ...]
     """All but virtual ones, which only describe."""
     commands: tuple[StartCommand, ...]
+    contradicted: frozenset[int]
+    """Indices of assignments and mappings into which commands write something else than what is configured here."""
     axes: tuple[int, ...]
     """CiA 402 axes, from 0."""
     is_drive: bool
-    """Whether something may move: a CiA 402 axis, a SoE drive or a motion terminal (MDP 7xx)."""
+    """Whether something may move: a CiA 402 axis, a SoE drive or a motion terminal (MDP 7xx), be it only a module that
+    is missing."""
+    missing_modules: str | None
+    """Which slots lack modules without which the process data are not known, in words."""
     remarks: tuple[str, ...]
 
     @property
@@ -165,12 +193,16 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     programmed = programmed_clocks(device, op_mode, choice.cycle_ns)
     commands, command_remarks = start_commands(device, plugged, expanded)
     names = entry_names(device, expanded, images, objects)
+    missing = missing_modules(device, subject.modules, plugged)
     remarks = [
+        *((subject.ambiguity,) if subject.ambiguity is not None else ()),
+        *((missing.words,) if missing is not None else ()),
         *op_mode_remarks,
         *chosen.remarks,
-        *_assignment_remarks(device, chosen, default, images),
+        *assignment_remarks(device, plugged, op_mode, default, images),
         *(remark for image in images for remark in image.remarks),
-        *_swap_remarks(images),
+        *swap_remarks(images),
+        *memory_remarks(device, subject.modules, images),
         *programmed.remarks,
         *_too_short(device, programmed.cycle_ns),
         *command_remarks,
@@ -178,6 +210,12 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *mode_remarks(commands, names.axes, expanded, images),
     ]
     sync_managers = tuple(_sync_managers(device, images, names.identifiers, objects, remarks))
+    found = list(contradictions(commands, _pdo_objects(sync_managers)))
+    remarks += [
+        f"the start-up commands of the description contradict the PDO configuration here: {item.words}; they are left "
+        "out, so check which PDOs the device exchanges, and choose them (--pdo) if it is not these"
+        for item in found
+    ]
     return Configuration(
         subject,
         choice,
@@ -188,8 +226,10 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         programmed.clocks,
         sync_managers,
         commands,
+        frozenset(item.object_index for item in found),
         names.axes,
-        names.is_drive,
+        names.is_drive or (missing is not None and missing.may_move),
+        missing.words if missing is not None else None,
         tuple(dict.fromkeys(remarks)),
     )
 
@@ -223,33 +263,11 @@ def checked_prefix(name: str) -> str:
     return name.lower()
 
 
-def _assignment_remarks(
-    device: Device, chosen: ChosenPdos, default: Sequence[SmImage], images: Sequence[SmImage]
-) -> Iterator[str]:
-    """What the chosen assignment asks of the device beyond its default one."""
-    if chosen.assignment is None or declares_pdo_assign(device):
-        return
-    kept = {image.sm: _indices(image) for image in default}
-    changed = [f"SM{image.sm}" for image in images if _indices(image) != kept.get(image.sm)]
-    if changed:
-        yield (
-            f"the PDOs of {', '.join(changed)} are not the default ones, and {NO_PDO_ASSIGN}, and then no offset here "
-            "is right"
-        )
-
-
-def _swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:
-    for item in (item for image in images for pdo in image.pdos for item in pdo.entries if item.entry.swap_data):
-        entry = item.entry
-        yield (
-            f"0x{entry.entry_index or 0:04X}:{entry.subindex or 0:02X} {display_text(entry.names) or ''}".rstrip()
-            + f" asks the master to swap its bytes ({entry.swap_data}), which nothing here does: swap them in the "
-            "application"
-        )
-
-
-def _indices(image: SmImage) -> list[int | None]:
-    return [placed.pdo.pdo_index for placed in image.pdos]
+def _pdo_objects(sync_managers: Iterable[SmConfiguration]) -> Iterator[PdoObject]:
+    """What belongs into the assignments and mappings of all process data whose content is known."""
+    for sm in sync_managers:
+        if sm.is_described:
+            yield from (item for item in (sm.assignment, *(pdo.mapping for pdo in sm.pdos)) if item is not None)
 
 
 def _sync_managers(

@@ -73,11 +73,18 @@ class ObjectTable:
 
     def entry(self, index: int, subindex: int) -> ObjectEntry | None:
         """The resolved entry of an object, None when no dictionary declares it."""
+        return self._entries(index).get(subindex)
+
+    def highest_subindex(self, index: int) -> int | None:
+        """The last subindex of an object, None when no dictionary declares it."""
+        return max(self._entries(index), default=None)
+
+    def _entries(self, index: int) -> Mapping[int, ObjectEntry]:
         if index not in self._resolved:
             found = self._objects.get(index)
             resolved = resolve_object(*found).entries if found is not None else ()
             self._resolved[index] = {item.subindex: item for item in resolved}
-        return self._resolved[index].get(subindex)
+        return self._resolved[index]
 
     def base_type(self, entry: Entry, slot_number: int | None) -> BaseType | None:
         """Base type of an entry of the module in a slot, None for the device: by its DataType, else by its object."""

@@ -10,9 +10,7 @@ from typing import NamedTuple
 from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration, MappedEntry, SmConfiguration
 from esicatalog.export.igh_limits import check_limits, master_written
-from esicatalog.export.init_cmds import StartCommand
-
-_SDO_TRANSITIONS = ("IP", "PS")
+from esicatalog.export.init_cmds import BEFORE_SAFE_OP, StartCommand
 
 
 class Listed(NamedTuple):
@@ -28,14 +26,16 @@ class Listed(NamedTuple):
 def listed(configuration: Configuration, program: str) -> Listed:
     """The part of a device that goes into the file of a program.
 
-    Raises :class:`InputError` for devices without process data, which need no entry there, for PDOs without described
+    Raises :class:`InputError` for devices without assigned PDOs, which need no entry there, for PDOs without described
     entries and for what IgH cannot hold.
     """
     check_limits(configuration)
     if not any(sm.is_described for sm in configuration.sync_managers):
         if any(sm.pdos for sm in configuration.sync_managers):
             raise InputError(f"{program} needs the entries of all PDOs, and the description leaves some out")
-        raise InputError(f"the device exchanges no process data: {program} has nothing to configure")
+        if configuration.missing_modules is not None:
+            raise InputError(f"{program} has nothing to configure: {configuration.missing_modules}")
+        raise InputError(f"the description assigns no PDO: {program} has nothing to configure")
     repeated = list(_repeated(configuration))
     written = master_written(configuration)
     remarks = [*_left_out_sync_managers(configuration), *_left_out_commands(configuration, program, written)]
@@ -75,7 +75,7 @@ def _why_left_out(command: StartCommand, written: Container[StartCommand]) -> st
         return "cannot send SoE commands"
     if command in written:
         return "writes PDO assignment and mapping itself"
-    if command.transition not in _SDO_TRANSITIONS:
+    if command.transition not in BEFORE_SAFE_OP:
         return "sends commands before SAFE-OP only"
     return None
 

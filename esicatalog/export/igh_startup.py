@@ -16,9 +16,8 @@ from esicatalog.export.esc_registers import (
     settable,
 )
 from esicatalog.export.igh_limits import master_written
-from esicatalog.export.init_cmds import LaterCommands, StartCommand, by_transition
+from esicatalog.export.init_cmds import BEFORE_SAFE_OP, LaterCommands, StartCommand, by_transition
 
-_SDO_TRANSITIONS = ("IP", "PS")
 _IDN_STATES = {"IP": "EC_AL_STATE_PREOP", "PS": "EC_AL_STATE_PREOP", "SO": "EC_AL_STATE_SAFEOP"}
 """At which transitions the master writes IDNs itself, and the state in which it does. SDOs it writes in PREOP only."""
 _TIMEOUTS = (
@@ -78,7 +77,7 @@ def startup(configuration: Configuration) -> Startup:
 
 
 def _is_sent_by_master(command: StartCommand) -> bool:
-    return command.transition in (_IDN_STATES if command.protocol == "SoE" else _SDO_TRANSITIONS)
+    return command.transition in (_IDN_STATES if command.protocol == "SoE" else BEFORE_SAFE_OP)
 
 
 def watchdog(device: Device) -> tuple[int, int] | None:

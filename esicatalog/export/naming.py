@@ -1,11 +1,12 @@
 """Names of all entries of a device, and which CiA 402 axes they belong to."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.pdo import Entry
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.records.profile import Profile
 from esicatalog.export.cia402_names import CIA402_NAMES
 from esicatalog.export.entry_types import ObjectTable
@@ -15,6 +16,7 @@ from esicatalog.model.process_image import PlacedPdo, SmImage
 from esicatalog.model.slots import ExpandedModule
 
 _WORD_BITS = 16
+_AXIS_WORDS = {word + axis * AXIS_STEP for word in (CONTROLWORD, STATUSWORD) for axis in range(MAX_AXES)}
 _BIT_POSITION = "_bit_position"
 """Ends the names of what an IgH header registers beside an entry."""
 _MOTION_MODULES = range(700, 800)
@@ -54,19 +56,29 @@ def _axes(profiles: Sequence[Profile], images: Sequence[SmImage], objects: Objec
 
     On modular I/O 0x6040 is just an input channel, so it has to look like a controlword.
     """
-    words = {
-        entry.entry_index
-        for image in images
-        for placed in image.pdos
-        for entry in placed.pdo.entries
-        if (entry.subindex or 0) == 0 and entry.bit_length == _WORD_BITS
-    }
+    words = _mapped_words(placed.pdo for image in images for placed in image.pdos)
     for axis in range(MAX_AXES):
         indices = {CONTROLWORD + axis * AXIS_STEP, STATUSWORD + axis * AXIS_STEP}
         declared = [objects.entry(index, 0) for index in indices]
         by_profile = axis == 0 and any(PROFILE_CIA402 in _numbers(profile) for profile in profiles)
         if by_profile or indices & words or all(item is not None and item.bit_size == _WORD_BITS for item in declared):
             yield axis
+
+
+def _mapped_words(pdos: Iterable[Pdo]) -> set[int | None]:
+    return {
+        entry.entry_index
+        for pdo in pdos
+        for entry in pdo.entries
+        if (entry.subindex or 0) == 0 and entry.bit_length == _WORD_BITS
+    }
+
+
+def may_drive(module: Module) -> bool:
+    """Whether a module drives an axis, wherever it is plugged: by its profiles, or by a controlword in its PDOs."""
+    profiles = module.profiles
+    by_profile = any(PROFILE_CIA402 in _numbers(profile) or _is_motion(profile) for profile in profiles)
+    return by_profile or not _AXIS_WORDS.isdisjoint(_mapped_words((*module.rx_pdos, *module.tx_pdos)))
 
 
 def _numbers(profile: Profile) -> set[int | None]:

@@ -124,6 +124,13 @@ def _chosen_entries(device: Device, found: AvailablePdo, wanted: PdoChoice, obje
     """The chosen entries in their order: those of the PDO, and objects that the dictionary lets into it."""
     if (obstacle := mapping_obstacle(device.mailbox, found.pdo)) is not None:
         raise InputError(f"entries of PDO 0x{wanted.pdo_index:04X} cannot be chosen: its mapping {obstacle}")
+    declared = objects.highest_subindex(wanted.pdo_index)
+    room = max(declared, len(found.pdo.entries)) if declared else None
+    if room is not None and len(wanted.entries) > room:
+        raise InputError(
+            f"{len(wanted.entries)} entries are chosen for PDO 0x{wanted.pdo_index:04X}, which has room for {room}: "
+            "the dictionary declares no more subindices of its mapping"
+        )
     own = {(entry.entry_index, entry.subindex or 0): entry for entry in found.pdo.entries if entry.entry_index}
     return tuple(
         own.get((index, subindex)) or _mapped_object(found, wanted, index, subindex, objects)

@@ -1,10 +1,10 @@
 """What a SOEM application writes to a device before it becomes SAFE-OP, at later transitions, and for its clocks."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.export.clocks import Clocks
-from esicatalog.export.configuration import AssignedPdo, Configuration
+from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import (
     PDI_WATCHDOG,
     PROCESS_DATA_WATCHDOG,
@@ -13,14 +13,8 @@ from esicatalog.export.esc_registers import (
     left_out,
     settable,
 )
-from esicatalog.export.init_cmds import StartCommand
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS
-
-_HOOK_TRANSITIONS = ("IP", "PS")
-"""The hook runs in PRE-OP: the first chance for commands of IP, the right one for those of PS."""
-_MAX_COUNT, _MAX_BIT_LENGTH = 254, 255
-"""Subindices of a PDO assignment or mapping, and bits that a mapping can express."""
-
+from esicatalog.export.init_cmds import BEFORE_SAFE_OP, StartCommand
+from esicatalog.export.pdo_objects import PdoObject
 
 _SYNC0_ACTIVE, _SYNC01_ACTIVE = 0x03, 0x07
 """What SOEM writes to register 0x0981 for SYNC0 alone and for both; to 0x0980 it writes 0."""
@@ -45,11 +39,14 @@ class SoemClocks(NamedTuple):
 
 
 def hook_commands(configuration: Configuration) -> Iterator[StartCommand | RegisterWrite]:
-    """InitCmds of IP and PS, watchdogs, then the PDO configuration where the device declares that it takes one."""
+    """InitCmds of IP and PS, watchdogs, then the PDO configuration where the device declares that it takes one.
+
+    The hook runs in PRE-OP: the first chance for commands of IP, the right one for those of PS. Nothing is sent twice.
+    """
     own = tuple(_pdo_configuration(configuration))
     written = {command.object_index for command in own}
-    for command in configuration.commands:
-        if command.transition in _HOOK_TRANSITIONS and not (
+    for command in _own_commands(configuration):
+        if command.transition in BEFORE_SAFE_OP and not (
             command.writes_pdo_configuration and command.object_index in written
         ):
             yield command
@@ -59,7 +56,16 @@ def hook_commands(configuration: Configuration) -> Iterator[StartCommand | Regis
 
 def later_commands(configuration: Configuration) -> Iterator[StartCommand]:
     """Commands of the transitions after the hook."""
-    return (command for command in configuration.commands if command.transition not in _HOOK_TRANSITIONS)
+    return (command for command in _own_commands(configuration) if command.transition not in BEFORE_SAFE_OP)
+
+
+def _own_commands(configuration: Configuration) -> Iterator[StartCommand]:
+    """InitCmds without those that would make the process image another one than the structures here."""
+    return (
+        command
+        for command in configuration.commands
+        if not (command.writes_pdo_configuration and command.object_index in configuration.contradicted)
+    )
 
 
 def command_words(command: StartCommand | RegisterWrite) -> str:
@@ -103,34 +109,27 @@ def _pdo_configuration(configuration: Configuration) -> Iterator[StartCommand]:
     mailbox = configuration.subject.device.mailbox
     if mailbox is None or not mailbox.coe or not (mailbox.coe_pdo_assign or mailbox.coe_pdo_config):
         return
-    assigned = [
-        (PDO_ASSIGNMENTS.start + sm.number, sm.pdos)
-        for sm in configuration.sync_managers
-        if sm.pdos and PDO_ASSIGNMENTS.start + sm.number in PDO_ASSIGNMENTS and len(sm.pdos) <= _MAX_COUNT
-    ]
+    assigned = [(sm.assignment, sm.pdos) for sm in configuration.sync_managers if sm.assignment is not None]
     if mailbox.coe_pdo_assign:
-        for index, _ in assigned:
-            yield _object(index, 0, b"\0", "clear the assignment")
+        for assignment, _ in assigned:
+            yield _object(assignment.object_index, 0, b"\0", "clear the assignment")
     if mailbox.coe_pdo_config:
         for _, pdos in assigned:
             for pdo in pdos:
-                yield from _mapping(pdo)
+                if pdo.mapping is not None and not pdo.fixed:
+                    names = [entry.name or "gap" for entry in pdo.entries]
+                    clear = f"clear the mapping of {pdo.direction} {pdo.name}"
+                    yield _object(pdo.pdo_index, 0, b"\0", clear)
+                    yield from _values(pdo.mapping, names, "number of entries")
     if mailbox.coe_pdo_assign:
-        for index, pdos in assigned:
-            for subindex, pdo in enumerate(pdos, 1):
-                yield _object(index, subindex, pdo.pdo_index.to_bytes(2, "little"), f"{pdo.direction} {pdo.name}")
-            yield _object(index, 0, bytes([len(pdos)]), "number of PDOs")
+        for assignment, pdos in assigned:
+            yield from _values(assignment, [f"{pdo.direction} {pdo.name}" for pdo in pdos], "number of PDOs")
 
 
-def _mapping(pdo: AssignedPdo) -> Iterator[StartCommand]:
-    can_be_written = 0 < len(pdo.entries) <= _MAX_COUNT and all(e.bit_length <= _MAX_BIT_LENGTH for e in pdo.entries)
-    if pdo.fixed or not can_be_written:
-        return
-    yield _object(pdo.pdo_index, 0, b"\0", f"clear the mapping of {pdo.direction} {pdo.name}")
-    for subindex, entry in enumerate(pdo.entries, 1):
-        value = entry.entry_index << 16 | entry.subindex << 8 | entry.bit_length
-        yield _object(pdo.pdo_index, subindex, value.to_bytes(4, "little"), entry.name or "gap")
-    yield _object(pdo.pdo_index, 0, bytes([len(pdo.entries)]), "number of entries")
+def _values(written: PdoObject, names: Sequence[str], of_count: str) -> Iterator[StartCommand]:
+    for subindex, (value, name) in enumerate(zip(written.values, names, strict=True), 1):
+        yield _object(written.object_index, subindex, value.to_bytes(written.value_bytes, "little"), name)
+    yield _object(written.object_index, 0, bytes([len(written.values)]), of_count)
 
 
 def _object(index: int, subindex: int, data: bytes, comment: str) -> StartCommand:

@@ -13,6 +13,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.slots import Slot
 from esicatalog.identity import ModuleChoice, one_line
 from esicatalog.model.slots import PluggedModule, accepts, default_modules, numbered_slots
 
@@ -92,6 +93,14 @@ def _meant(slot_number: int, fitting: Sequence[tuple[Module, str]], wanted: Modu
             + _listed(named)
         )
     return first
+
+
+def fitting_choices(slot: Slot, modules: Sequence[Module]) -> str:
+    """How the modules that fit a slot are chosen there, in words."""
+    labelled = zip(modules, module_choices(modules), strict=True)
+    return _listed(
+        (module, choice.label) for module, choice in labelled if choice is not None and accepts(slot, module)
+    )
 
 
 def _configuring(module: Module) -> tuple[Any, ...]:

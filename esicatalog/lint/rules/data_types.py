@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 
 from esicatalog.esi.records.dictionary import DataType, SubItem
-from esicatalog.lint.areas import Area, overlaps
 from esicatalog.lint.dictionaries import DataTypeSubject, ObjectSubject
 from esicatalog.lint.registry import ERROR, WARNING, Found, listed, rule
+from esicatalog.model.areas import Area, overlaps
 from esicatalog.model.base_types import BaseType, base_type
 from esicatalog.model.dictionary_views import DictionaryView
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping

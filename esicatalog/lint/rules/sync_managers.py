@@ -3,17 +3,14 @@
 from collections.abc import Iterator
 
 from esicatalog.esi.records.device import SyncManager
-from esicatalog.lint.areas import Area, overlaps
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, ProcessSubject, is_absent
 from esicatalog.model.sm_facts import SM_ROLES, SmRole, sm_facts, sm_role
+from esicatalog.model.sm_memory import memory_overlaps, size_conflict
 
 _MAILBOXES = [usage for usage, role in SM_ROLES.items() if role.is_mailbox]
 _IN_EEPROM = [usage for usage, role in SM_ROLES.items() if not role.is_dynamic]
 _DIRECTION_BITS = {"output": "01 (the master writes)", "input": "00 (the master reads)"}
-_BUFFERS = 3
-_PROCESS_DATA_RAM = 0x1000
-"""Registers below are no memory that a SyncManager would buffer three times (0x0F00: digital outputs)."""
 
 
 def _with_roles(subject: ProcessSubject) -> Iterator[tuple[int, SyncManager, SmRole]]:
@@ -83,25 +80,13 @@ def outputs_without_watchdog(subject: ProcessSubject) -> Iterator[Found]:
 @rule("L22", WARNING, "ESC: a SyncManager of three buffers takes three times its length, one behind the other")
 def memory_overlap(subject: ProcessSubject) -> Iterator[Found]:
     """SyncManagers overlap in memory, buffered ones counted three times."""
-    for (start, end, number), (next_start, next_end, next_number) in overlaps(_areas(subject)):
-        yield Found(
-            f"SM {number} takes 0x{start:04X} to 0x{end - 1:04X} and SM {next_number} starts at "
-            f"0x{next_start:04X}: they overlap by {min(end, next_end) - next_start} bytes; "
-            "move one of them, or correct DefaultSize",
-            ("sync_managers", next_number),
-        )
-
-
-def _areas(subject: ProcessSubject) -> Iterator[Area]:
-    """The addresses of each SyncManager that occupies memory."""
-    for number, sm in enumerate(subject.data.sync_managers):
-        start = sm.start_address
-        if start is None or start < _PROCESS_DATA_RAM or sm.virtual or sm.enable == 0:
-            continue
-        length = sm.default_size if sm.default_size is not None else _image_bytes(subject, number)
-        buffers = _BUFFERS if sm_facts(sm).buffer_mode == "buffered" else 1
-        if length:
-            yield Area(start, start + buffers * length, number)
+    sync_managers = subject.data.sync_managers
+    byte_sizes = {
+        number: sm.default_size if sm.default_size is not None else _image_bytes(subject, number)
+        for number, sm in enumerate(sync_managers)
+    }
+    for found in memory_overlaps(sync_managers, byte_sizes):
+        yield Found(f"{found.words}; move one of them, or correct DefaultSize", ("sync_managers", found.number))
 
 
 def _image_bytes(subject: ProcessSubject, number: int) -> int | None:
@@ -147,19 +132,9 @@ def pdos_outside_sizes(subject: ProcessSubject) -> Iterator[Found]:
     for number, sm, role in _with_roles(subject):
         if role.is_mailbox or (sm.max_size is None and sm.min_size is None):
             continue
-        size = _image_bytes(subject, number)
-        if size and sm.max_size is not None and size > sm.max_size:
-            yield Found(
-                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, "
-                f"MaxSize is {sm.max_size}: correct one of them",
-                ("sync_managers", number),
-            )
-        elif size and sm.min_size is not None and size < sm.min_size:
-            yield Found(
-                f"SM {number} {sm.usage}: the assigned PDOs take {size} bytes, "
-                f"MinSize is {sm.min_size}: correct one of them",
-                ("sync_managers", number),
-            )
+        conflict = size_conflict(sm, _image_bytes(subject, number))
+        if conflict is not None:
+            yield Found(f"SM {number} {sm.usage}: {conflict}: correct one of them", ("sync_managers", number))
 
 
 @rule("L26", ERROR, "ETG.2000 Sm/@DefaultSize: required for the mailbox, within MinSize and MaxSize")

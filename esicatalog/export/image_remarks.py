@@ -1,0 +1,79 @@
+"""What a process image asks of a device or of its application that nothing generated here does for them."""
+
+from collections.abc import Iterator, Sequence
+
+from esicatalog.esi.records.common import display_text
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
+from esicatalog.model.process_image import SmImage, default_process_image, process_image
+from esicatalog.model.slots import PluggedModule
+from esicatalog.model.sm_facts import sm_role
+from esicatalog.model.sm_memory import memory_overlaps, size_conflict
+from esicatalog.model.sync import default_op_mode
+
+
+def assignment_remarks(
+    device: Device,
+    plugged: Sequence[PluggedModule],
+    op_mode: OpMode | None,
+    default: Sequence[SmImage],
+    images: Sequence[SmImage],
+) -> Iterator[str]:
+    """What an assignment asks of the device beyond its default one; ``default`` is that of the OpMode.
+
+    However it was chosen: PDO by PDO, or with an OpMode that lists PDOs.
+    """
+    if declares_pdo_assign(device):
+        return
+    usual = default_op_mode(device.op_modes, [item.module for item in plugged])
+    of_device = default if op_mode is usual else process_image(device, plugged, usual)
+    kept = {image.sm: _indices(image) for image in of_device}
+    changed = [f"SM{image.sm}" for image in images if _indices(image) != kept.get(image.sm)]
+    if changed:
+        yield (
+            f"the PDOs of {', '.join(changed)} are not the default ones, and {NO_PDO_ASSIGN}, and then no offset here "
+            "is right"
+        )
+
+
+def swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:
+    """Entries whose bytes the master has to swap."""
+    for item in (item for image in images for pdo in image.pdos for item in pdo.entries if item.entry.swap_data):
+        entry = item.entry
+        yield (
+            f"0x{entry.entry_index or 0:04X}:{entry.subindex or 0:02X} {display_text(entry.names) or ''}".rstrip()
+            + f" asks the master to swap its bytes ({entry.swap_data}), which nothing here does: swap them in the "
+            "application"
+        )
+
+
+def memory_remarks(device: Device, modules: Sequence[Module], images: Sequence[SmImage]) -> Iterator[str]:
+    """Process data that do not fit their SyncManager, or the memory before the next one (rules L25 and L22).
+
+    Only what the default process image does not have: real boxes overlap by default, and their vendor knows them.
+    """
+    found = list(_memory_conflicts(device, images))
+    known = set(_memory_conflicts(device, default_process_image(device, modules))) if found else set()
+    return (words for words in found if words not in known)
+
+
+def _memory_conflicts(device: Device, images: Sequence[SmImage]) -> Iterator[str]:
+    """A mailbox has its DefaultSize; process data are as long as the PDOs make them, where that is known."""
+    byte_sizes: dict[int, int | None] = {}
+    for number, sm in enumerate(device.sync_managers):
+        role = sm_role(sm)
+        if role is not None and role.is_mailbox:
+            byte_sizes[number] = sm.default_size or 0
+    for image in images:
+        if image.pdos and image.sm < len(device.sync_managers):
+            byte_sizes[image.sm] = image.byte_size
+            if (conflict := size_conflict(device.sync_managers[image.sm], image.byte_size)) is not None:
+                yield f"SM{image.sm}: {conflict}; the device may refuse it"
+    for overlap in memory_overlaps(device.sync_managers, byte_sizes):
+        yield f"{overlap.words}; the device may refuse it or mix up the data"
+
+
+def _indices(image: SmImage) -> list[int | None]:
+    return [placed.pdo.pdo_index for placed in image.pdos]

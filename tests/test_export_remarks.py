@@ -1,0 +1,239 @@
+"""What every export says of a configuration that the device may not have: start-up commands, defaults, slots, sizes."""
+
+import pytest
+from snippets import dictionary, pdo
+from test_export_configuration import SMS, configured, dc, entry, init_cmd, pdos, rx, times
+
+from esicatalog.errors import InputError
+from esicatalog.export.choice import parse_pdo_choice
+from esicatalog.export.igh import igh_header
+from esicatalog.export.linuxcnc import linuxcnc_configuration
+from esicatalog.export.pysoem import pysoem_module
+from esicatalog.export.ros2 import ros2_slave
+from esicatalog.export.soem import soem_header
+from esicatalog.export.soem_startup import hook_commands
+from esicatalog.identity import ModuleChoice
+
+EXPORTS = (igh_header, soem_header, pysoem_module, ros2_slave, linuxcnc_configuration)
+AXIS = (
+    rx("#x1600", entry("#x6040", 16, "Control word"), entry("#x607A", 32, "Target position"))
+    + rx("#x1601", entry("#x6040", 16, "Control word"), entry("#x60FF", 32, "Target velocity"), attributes="")
+    + pdo("TxPdo", "#x1A00", 16, attributes='Sm="3"')
+)
+
+
+def command(index: str, subindex: int, data: str, extra: str = "") -> str:
+    return init_cmd("PS", index, data, extra).replace("<SubIndex>1<", f"<SubIndex>{subindex}<")
+
+
+def drive(*commands: str, coe: str = "") -> str:
+    """A drive with start-up commands that takes target positions by default, and can take velocities."""
+    return f"{SMS}{AXIS}<Mailbox><CoE {coe}>{''.join(commands)}</CoE></Mailbox>"
+
+
+def contradictions(content: str, **choice) -> list[str]:
+    """What start-up commands have there and the configuration here."""
+    words = "the start-up commands of the description contradict the PDO configuration here: "
+    found = configured(content, **choice).remarks
+    return [remark.removeprefix(words).split(";")[0] for remark in found if remark.startswith(words)]
+
+
+VELOCITY_ASSIGNED = (command("#x1C12", 0, "00"), command("#x1C12", 1, "0116"), command("#x1C12", 0, "01"))
+"""0x1601, little endian."""
+VELOCITY_MAPPED = (
+    command("#x1600", 0, "00"),
+    command("#x1600", 1, "10004060"),
+    command("#x1600", 2, "2000FF60"),
+    command("#x1600", 0, "02"),
+)
+AT_ONCE = 'CompleteAccess="1"'
+
+
+@pytest.mark.parametrize("coe", ["", 'PdoAssign="1"', 'PdoAssign="1" PdoConfig="1"'])
+@pytest.mark.parametrize(
+    ("commands", "words"),
+    [
+        (VELOCITY_ASSIGNED, "0x1C12:01 is 0x1601 there, 0x1600 here"),
+        ((command("#x1C12", 0, "01000116", AT_ONCE),), "0x1C12:01 is 0x1601 there, 0x1600 here"),
+        ((command("#x1C12", 1, "00160116", AT_ONCE),), "0x1C12:02 is 0x1601 there, nothing here"),
+        ((command("#x1C12", 0, "00"),), "0x1C12:00 is 0 there, 1 here"),
+        (VELOCITY_MAPPED, "0x1600:02 is 0x60FF:00 (32 bit) there, 0x607A:00 (32 bit) here"),
+        (
+            (command("#x1600", 0, "0200100040602000FF60", AT_ONCE),),
+            "0x1600:02 is 0x60FF:00 (32 bit) there, 0x607A:00 (32 bit) here",
+        ),
+        ((command("#x1600", 0, "01"), command("#x1600", 1, "10004060")), "0x1600:00 is 1 there, 2 here"),
+    ],
+)
+def test_commands_that_contradict_the_configuration_are_told_and_not_sent(commands, words, coe):
+    content = drive(*commands, coe=coe)
+    assert contradictions(content) == [words]
+    found = configured(content)
+    for export in EXPORTS:
+        assert words in " ".join(export(found).replace("*", " ").replace("#", " ").split()), export
+    assert not set(hook_commands(found)) & set(found.commands)
+
+
+@pytest.mark.parametrize(
+    "commands",
+    [
+        (command("#x1C12", 0, "00"), command("#x1C12", 1, "0016"), command("#x1C12", 0, "01")),
+        (command("#x1C12", 1, "0016"), command("#x1C12", 2, "0116"), command("#x1C12", 0, "01")),
+        (command("#x1600", 0, "0200100040602000" + "7A60", AT_ONCE),),
+        (command("#x1601", 1, "20007A60"),),
+        (init_cmd("SP", "#x1C12", "0116"),),
+    ],
+)
+def test_commands_that_agree_write_other_pdos_or_lead_back_contradict_nothing(commands):
+    assert contradictions(drive(*commands)) == []
+
+
+def test_commands_and_a_choice_may_agree():
+    content = drive(*VELOCITY_ASSIGNED)
+    assert contradictions(content, pdos=parse_pdo_choice("0x1601")) == []
+    assert soem_header(configured(content, pdos=parse_pdo_choice("0x1601"))).count("0x1c12, 0x01") == 1
+    assert soem_header(configured(content)).count("0x1c12, 0x01") == 0
+
+
+def test_of_a_gap_only_the_length_counts():
+    gap = rx("#x1600", entry("#x0", 8), entry("#x7000", 8, "value", 1))
+    mapped = command("#x1600", 0, "0200" + "08050000" + "08010070", AT_ONCE)
+    assert contradictions(f"{SMS}{gap}<Mailbox><CoE>{mapped}</CoE></Mailbox>") == []
+
+
+KEPT = "the PDOs of SM2 are not the default ones, and the device does not declare PdoAssign"
+LISTING = ("free", times("0")), ("DC", times("#x300") + '<Sm No="2"><Pdo>#x1601</Pdo></Sm>')
+
+
+@pytest.mark.parametrize(
+    ("coe", "op_mode", "is_told"), [("", "DC", True), ("", "free", False), ('PdoAssign="1"', "DC", False)]
+)
+def test_pdos_of_an_op_mode_that_the_device_may_not_take(coe, op_mode, is_told):
+    found = configured(drive(coe=coe) + dc(*LISTING), op_mode=op_mode)
+    assert pdos(found)[2] == [0x1601 if op_mode == "DC" else 0x1600]
+    assert any(remark.startswith(KEPT) for remark in found.remarks) is is_told
+
+
+def test_pdos_of_the_default_op_mode_are_default_ones():
+    assert not any(KEPT in remark for remark in configured(drive() + dc(LISTING[1])).remarks)
+
+
+def a_module(ident: str, content: str) -> str:
+    return f'<Module><Type ModuleIdent="{ident}">M{ident}</Type><Name>m</Name>{content}</Module>'
+
+
+def slot(idents: tuple[str, ...], attributes: str) -> str:
+    return f"<Slot {attributes}>{''.join(f'<ModuleIdent>{ident}</ModuleIdent>' for ident in idents)}</Slot>"
+
+
+AXIS_MODULES = a_module("#x10", AXIS) + a_module("#x20", AXIS)
+VALUE_MODULES = a_module("#x10", pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')) + a_module("#x20", "")
+BOTH = ("#x10", "#x20")
+
+
+@pytest.mark.parametrize(
+    ("slots", "words"),
+    [
+        (slot(BOTH, 'MinInstances="0" MaxInstances="1"'), "slot 0 without a module:"),
+        (slot(BOTH, 'MinInstances="0" MaxInstances="6"'), "slots 0, 1, 2, 3 and 2 more without a module:"),
+        (slot(BOTH, 'MinInstances="2" MaxInstances="3"'), "slots 0, 1 without a module, though required:"),
+    ],
+)
+@pytest.mark.parametrize(("modules", "may_move"), [(AXIS_MODULES, True), (VALUE_MODULES, False)])
+def test_process_data_of_modules_that_are_not_plugged(slots, words, modules, may_move):
+    content = f"{SMS}<Slots>{slots}</Slots>"
+    found = configured(content, modules)
+    (remark,) = found.remarks
+    assert remark.startswith(words)
+    assert "--module SLOT=IDENT" in remark and remark.endswith("what fits slot 0: 0x10, 0x20")
+    assert ("Something may move" in igh_header(found)) is may_move
+    for export in (ros2_slave, linuxcnc_configuration):
+        with pytest.raises(InputError, match=f"has nothing to configure: {words}"):
+            export(found)
+    plugged = configured(
+        content,
+        modules,
+        modules={0: ModuleChoice(0x10), 1: ModuleChoice(0x10)} if "1" in words else {0: ModuleChoice(0x10)},
+    )
+    assert plugged.missing_modules is None
+
+
+def test_slots_for_modules_without_process_data_lack_nothing():
+    slots = slot(("#x20",), 'MinInstances="0" MaxInstances="1"')
+    assert configured(f"{SMS}<Slots>{slots}</Slots>", VALUE_MODULES).remarks == ()
+
+
+def sized(start: str, attributes: str = "") -> str:
+    """SyncManagers with outputs of three buffers at 0x1100 and inputs behind them."""
+    return (
+        '<Sm StartAddress="#x1000" ControlByte="#x26" DefaultSize="128">MBoxOut</Sm>'
+        '<Sm StartAddress="#x1080" ControlByte="#x22" DefaultSize="128">MBoxIn</Sm>'
+        f'<Sm StartAddress="#x1100" ControlByte="#x64" {attributes}>Outputs</Sm>'
+        f'<Sm StartAddress="{start}" ControlByte="#x20">Inputs</Sm>'
+    )
+
+
+ASSIGNABLE = AXIS + '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (sized("#x1400", 'MaxSize="6"'), "SM2: the assigned PDOs take 12 bytes, MaxSize is 6"),
+        (sized("#x1400", 'MaxSize="12"'), None),
+        (sized("#x1124"), None),
+        (sized("#x1112"), "SM 2 takes 0x1100 to 0x1123 and SM 3 starts at 0x1112: they overlap by 6 bytes"),
+    ],
+)
+def test_chosen_pdos_that_do_not_fit(content, words):
+    """Six bytes each: twelve take 36 in three buffers, and the inputs two, so six at 0x1112."""
+    found = configured(content + ASSIGNABLE, pdos=parse_pdo_choice("0x1600,0x1601")).remarks
+    assert [remark.split(";")[0] for remark in found] == ([words] if words is not None else [])
+    by_op_mode = dc(("free", times("0")), ("both", times("0") + LIST_OF_BOTH))
+    assert configured(content + ASSIGNABLE + by_op_mode, op_mode="both").remarks == found
+    assert configured(content + ASSIGNABLE).remarks == ()
+
+
+LIST_OF_BOTH = '<Sm No="2"><Pdo>#x1600</Pdo><Pdo>#x1601</Pdo></Sm>'
+
+
+def test_chosen_pdos_below_the_smallest_size():
+    """Two bytes in 0x1602, six in the default PDO."""
+    content = sized("#x1400", 'MinSize="6"') + pdo("RxPdo", "#x1602", 16) + ASSIGNABLE
+    found = configured(content, pdos=parse_pdo_choice("0x1602")).remarks
+    assert [remark.split(";")[0] for remark in found] == ["SM2: the assigned PDOs take 2 bytes, MinSize is 6"]
+
+
+def test_overlaps_of_the_default_process_image_are_known_to_the_vendor():
+    assert configured(sized("#x1101") + ASSIGNABLE).remarks == ()
+
+
+def declared(*subindices: int) -> str:
+    """A dictionary with the mapping 0x1600 of these subindices and three objects for it."""
+    items = "".join(
+        f"<SubItem><SubIdx>{n}</SubIdx><Name>{n}</Name><Type>{'UDINT' if n else 'USINT'}</Type>"
+        f"<BitSize>{32 if n else 8}</BitSize><BitOffs>{32 * n}</BitOffs></SubItem>"
+        for n in (0, *subindices)
+    )
+    mapping = f"<DataType><Name>DT1600</Name><BitSize>96</BitSize>{items}</DataType>"
+    types = "".join(f"<DataType><Name>{name}</Name><BitSize>{n}</BitSize></DataType>" for name, n in SIZES.items())
+    objects = "".join(
+        f"<Object><Index>#x{index}</Index><Name>o</Name><Type>UDINT</Type><BitSize>32</BitSize>"
+        "<Flags><Access>rw</Access><PdoMapping>R</PdoMapping></Flags></Object>"
+        for index in ("7001", "7002", "7003")
+    )
+    record = "<Object><Index>#x1600</Index><Name>map</Name><Type>DT1600</Type><BitSize>96</BitSize></Object>"
+    return dictionary(types + (mapping if subindices else ""), objects + (record if subindices else ""))
+
+
+SIZES = {"USINT": 8, "UDINT": 32}
+MAPPABLE = SMS + rx("#x1600", entry("#x7001", 32, "a")) + '<Mailbox><CoE PdoAssign="1" PdoConfig="1"/></Mailbox>'
+
+
+def test_no_more_entries_than_the_mapping_has_subindices():
+    three = parse_pdo_choice("0x1600=0x7001+0x7002+0x7003")
+    with pytest.raises(InputError, match="3 entries are chosen for PDO 0x1600, which has room for 2: the dictionary"):
+        configured(declared(1, 2) + MAPPABLE, pdos=three)
+    for known in (declared(1, 2, 3), declared()):
+        found = configured(known + MAPPABLE, pdos=three)
+        assert [sm.byte_size for sm in found.sync_managers if sm.pdos] == [12]
