@@ -228,6 +228,13 @@ MIXED = SMS + rx(
 )
 
 
+def test_a_pdo_that_is_known_to_be_empty_has_no_channels():
+    """EL1202: "Reserved", a Fixed PDO without entries."""
+    reserved = '<TxPdo Fixed="1" Sm="3"><Index>#x1A02</Index><Name>Reserved</Name></TxPdo>'
+    found = slave_of(SMS + pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"') + reserved)
+    assert [(item["index"], len(item["channels"])) for item in found["tpdo"]] == [(0x1A00, 1), (0x1A02, 0)]
+
+
 def test_outputs_lie_where_the_driver_writes_them():
     text = ros2_slave(configured(MIXED))
     found = loaded(text)
