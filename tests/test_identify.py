@@ -322,6 +322,8 @@ async def test_wrong_requests_are_400_with_words(data_db, query, words):
         (b"", "the text is empty"),
         (b"[1]", "identity 0: expected an object"),
         (b'["1:2", "2:72100946@99"]', "identity 1: '2:72100946@99' names a variant; leave it out"),
+        (b'["0x4326:0x601:-"]', "identity 0: '0x4326:0x601:-' asks for a description without revision"),
+        (b'[["0x4326", "0x601", "-"]]', "identity 0: revision '-' is not a number"),
         (b'[{"vendor": 1}]', "identity 0: vendor and product are needed"),
         (b'[{"vendor": true, "product": 1}]', "vendor True is no number"),
         (b'[{"vendor": -1, "product": 1}]', "vendor -1 is no number"),
