@@ -51,6 +51,18 @@ def test_what_the_master_printed_counts_before_the_description():
     assert reports[1].dc_capable is True
 
 
+def test_process_data_of_another_size_than_described_is_told():
+    reports, _ = bus(DRIVE, DRIVE, DRIVE, None, at0={"output_bits": 80, "input_bits": 128}, at1={"input_bits": 0},
+        at2={"output_bits": 57}, at3={"output_bits": 8})  # fmt: skip
+    assert [report.notes for report in reports] == [
+        ("bytes out: 10 configured, 8 in the default process image of the description",),
+        ("bytes in: 0 configured, 16 in the default process image of the description",),
+        (),
+        (),
+    ]
+    assert [(report.output_bytes, report.input_bytes) for report in reports] == [(10, 16), (8, 0), (8, 16), (1, None)]
+
+
 def test_ports_of_the_scan_say_what_is_on_the_e_bus():
     ports = (ScannedPort(number=0, kind="MII"), ScannedPort(number=1, kind="N/A"))
     reports, _ = bus(COUPLER, None, at1={"ports": ports, "e_bus_current_ma": 0})

@@ -84,9 +84,16 @@ def test_other_xml_is_named_by_its_root():
         parse_document(b"<CiA/>")
 
 
-def test_eni_is_named():
+@pytest.mark.parametrize("xmlns", ["", ' xmlns="http://www.ethercat.org/2007/EtherCATInfo"'])
+def test_eni_is_named(xmlns):
     with pytest.raises(NotAnEsiDocument, match="ENI"):
-        parse_document(b"<EtherCATConfig><Config/></EtherCATConfig>")
+        parse_document(f"<EtherCATConfig{xmlns}><Config/></EtherCATConfig>".encode())
+
+
+@pytest.mark.parametrize("names", ['EtherCATInfo xmlns="urn:vendor"', 'e:EtherCATInfo xmlns:e="urn:vendor"'])
+def test_a_namespace_is_named_as_what_makes_it_no_esi_document(names):
+    with pytest.raises(NotAnEsiDocument, match="in the XML namespace 'urn:vendor'; ESI documents have none"):
+        parse_document(f"<{names}/>".encode())
 
 
 def test_an_info_list_holds_several_vendors():

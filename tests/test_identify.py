@@ -322,6 +322,8 @@ async def test_wrong_requests_are_400_with_words(data_db, query, words):
         (b"", "the text is empty"),
         (b"[1]", "identity 0: expected an object"),
         (b'["1:2", "2:72100946@99"]', "identity 1: '2:72100946@99' names a variant; leave it out"),
+        (b'["0x4326:0x601:-"]', "identity 0: '0x4326:0x601:-' asks for a description without revision"),
+        (b'[["0x4326", "0x601", "-"]]', "identity 0: revision '-' is not a number"),
         (b'[{"vendor": 1}]', "identity 0: vendor and product are needed"),
         (b'[{"vendor": true, "product": 1}]', "vendor True is no number"),
         (b'[{"vendor": -1, "product": 1}]', "vendor -1 is no number"),
@@ -662,6 +664,80 @@ def test_the_variant_that_fits_the_printed_pdos_is_named(tmp_path):
         ).stdout
     )
     assert (neither["device"]["variant"], neither["slave"]["notes"]) == (1, ["all 2 variants fit its PDOs alike"])
+
+
+async def test_an_exact_slave_with_several_descriptions_is_told(several):
+    """Revision 0x120000 has two, with the first output of 16 and of 8 bit; that other revisions differ is no news."""
+    scan = "vendor,product,revision\n0xe5c,1,0x120000\n0xe5c,1,0x100000\n"
+    words = (
+        "warning: default process image differs in 1 of 1 other variants of this identity; @2 for example: "
+        "SM0 byte 0.0 is 0x7000:01 (16 bit) here, 0x7000:01 (8 bit) there"
+    )
+    lines = run("identify", "--slaves", "-", db=several, stdin=scan).stdout.splitlines()
+    assert lines[lines.index("Notes") :][:3] == ["Notes", f"  0: {words}", ""]
+    posted = await (await client(several)).post("/-/esi/scan", data={"scan": scan})
+    notes = html.fromstring(posted.text).cssselect("table.slaves tr.remarks")
+    assert [row.text_content().strip() for row in notes] == [words]
+
+
+async def test_the_page_of_an_image_warns_as_identify_does(several):
+    """The header words 8 to 13 of an EEPROM are vendor, product and revision, low words first."""
+    header = bytearray(128)
+    header[16:28] = b"".join(word.to_bytes(2, "little") for word in (0xE5C, 0, 1, 0, 0, 0x12))
+    posted = await (await client(several)).post("/-/esi/scan", files={"file": ("a.bin", bytes(header) + b"\xff\xff")})
+    warned = [item.text_content() for item in html.fromstring(posted.text).cssselect("p")]
+    assert [text.partition(";")[0] for text in warned if text.startswith("warning: ")] == [
+        "warning: default process image differs in 1 of 1 other variants of this identity",
+        "warning: default process image differs in 2 of 2 other revisions",
+    ]
+
+
+def test_the_warning_is_of_the_variant_that_fits_the_printed_pdos(several, tmp_path):
+    printed = f'{PDOS}    PDO entry 0x7000:01, 8 bit, "a"\n    PDO entry 0x7000:02, 8 bit, "b"\n'
+    (found,) = json.loads(compared(several, tmp_path, "vendor,product,revision\n0xe5c,1,0x120000\n", printed).stdout)
+    assert (found["device"]["variant"], found["slave"]["differences"]) == (2, [])
+    assert found["warnings"][0].endswith(
+        "@1 for example: SM0 byte 0.0 is 0x7000:01 (8 bit) here, 0x7000:01 (16 bit) there"
+    )
+
+
+async def test_what_is_not_understood_is_told_at_every_door(several, tmp_path):
+    """In JSON it stands with the slave in whose lines it is; what stands before them with the first."""
+    block = "\nSlave:{}\n Name:A\n Man: 00000e5c ID: 00000001 Rev: 00120000\n only LRD/LWR:0\n"
+    scan = "SOEM (Simple Open EtherCAT Master)\n5 slaves found and configured.\n" + block.format(1) + block.format(2)
+    scan += "garbage\n"
+    announced = {"line": 2, "message": "5 slaves are announced, 2 are listed"}
+    garbage = {
+        "line": 13,
+        "message": "1 line is not read as part of a slave in SOEM slaveinfo; the first: 'garbage'",
+    }
+    posted = (await (await client(several)).post(ROUTE, content=scan)).json()
+    assert [item["slave"]["findings"] for item in posted] == [[announced], [garbage]]
+    (tmp_path / "p.txt").write_text(f'{PDOS}    PDO entry 0x7000:01, 1600 bit, "a"\n')
+    (tmp_path / "s.txt").write_text('SDO 0x1000, "Device type"\ngarbage\nSDO 0x1001, "Err')
+    beside = ["--pdos", f"0={tmp_path / 'p.txt'}", "--sdos", f"1={tmp_path / 's.txt'}"]
+    done = run("identify", "--slaves", "-", *beside, "--format", "json", db=several, stdin=scan)
+    assert [item["slave"]["findings"] for item in json.loads(done.stdout)] == [[announced], [garbage]]
+    assert done.stderr.splitlines() == [
+        f"line 2: {announced['message']}",
+        f"line 13: {garbage['message']}",
+        f"--pdos 0={tmp_path / 'p.txt'}, line 3: 1 line is not read as `ethercat pdos`; "
+        """the first: 'PDO entry 0x7000:01, 1600 bit, "a"'""",
+        f"--sdos 1={tmp_path / 's.txt'}, line 2: 1 line is not read as `ethercat sdos`; the first: 'garbage'",
+        f"--sdos 1={tmp_path / 's.txt'}, line 3: the name is cut off: 'Err'",
+    ]
+
+
+def test_the_described_e_bus_current_counts_where_slaveinfo_prints_zero(tmp_path):
+    terminals = "".join(
+        device(f"<Info><Electrical><EBusCurrent>{current}</EBusCurrent></Electrical></Info>", product=product)
+        for product, current in (("#x1", -2000), ("#x2", 90))
+    ).replace('"YY"', '"KK"')
+    db = catalog_of(tmp_path, esi(terminals))
+    block = "Slave:{0}\n Man: 00000e5c ID: 0000000{0} Rev: 00000001\n Ebus current: {1}[mA]\n only LRD/LWR:0\n"
+    scan = block.format(1, -2000) + block.format(2, 0)
+    found = json.loads(run("identify", "--slaves", "-", "--format", "json", db=db, stdin=scan).stdout)
+    assert [item["slave"]["e_bus_left_ma"] for item in found] == [2000, 1910]
 
 
 def test_variants_that_fit_best_alike_are_all_named(tmp_path):

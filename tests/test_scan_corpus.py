@@ -68,9 +68,9 @@ def test_slaveinfo(cli):
         ("EL2004", 4, 0, 100),
         ("EL2004", 4, 0, 100),
         ("EL1004", 0, 4, 90),
-        ("LAN9252-EVB-HBI", 16, 48, 0),
-        ("LAN9252-EVB-HBI", 16, 48, 0),
-    ]
+        ("LAN9252-EVB-HBI", 16, 48, None),
+        ("LAN9252-EVB-HBI", 16, 48, None),
+    ], "0 mA is also printed where the SII says nothing"
     assert [slave.dc_delay_ns for slave in scan.slaves] == [0, 145, 290, 445, 1485, 2205]
     assert scan.slaves[3].identity == Identity(2, 0x03EC3052, 0x00130000)
     assert scan.slaves[4].mailbox_protocols == ("CoE",)

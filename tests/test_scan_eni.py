@@ -1,5 +1,7 @@
 """ENI files: identities, addresses, numbers as bit patterns, hostile documents."""
 
+import re
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -62,6 +64,22 @@ def test_a_slave_without_info_stays_in_the_list():
     assert messages(scan) == [(4, "slave 0 has no readable VendorId, ProductCode, RevisionNo; kept without")]
 
 
+@pytest.mark.parametrize("names", [('<EtherCATConfig xmlns="{}">', "{}"), ('<e:EtherCATConfig xmlns:e="{}">', "e:{}")])
+def test_a_namespace_does_not_matter(names):
+    """Some generators write the namespace of EtherCATInfo."""
+    root, name = names
+    content = eni(info(vendor="154", more="<Name>S</Name><AutoIncAddr>x</AutoIncAddr>")).decode()
+    for tag in re.findall(r"</(\w+)>", content):
+        content = re.sub(f"(</?){tag}\\b", rf"\g<1>{name.format(tag)}", content)
+    opening = f"<{name.format('EtherCATConfig')}>"
+    assert opening in content
+    content = content.replace(opening, root.format("http://www.ethercat.org/2007/EtherCATInfo"))
+    scan = read_eni(content.encode())
+    (slave,) = scan.slaves
+    assert (slave.identity, slave.name) == (Identity(154, 72100946, 1179648), "S")
+    assert [text.partition(";")[0] for _, text in messages(scan)] == ["AutoIncAddr 'x' is not a number"]
+
+
 def test_mailbox_clocks_and_process_data():
     scan = read_eni(
         eni(
@@ -103,6 +121,7 @@ def test_a_configuration_without_slaves():
         (b"Slave:1\n", "no ENI file: not well-formed XML"),
         (eni(info())[:-5], "no ENI file: not well-formed XML"),
         (b"<EtherCATInfo/>", "an ESI document instead of an ENI file"),
+        (b'<EtherCATInfo xmlns="urn:a"/>', "an ESI document instead of an ENI file"),
         (b"<a/>", "root element 'a' instead of an ENI file"),
         (b'<!DOCTYPE EtherCATConfig [<!ENTITY x "2">]><EtherCATConfig/>', "the document declares XML entities"),
         (b'<!DOCTYPE a [<!ENTITY x SYSTEM "file:///etc/hostname">]><EtherCATConfig/>', "the document declares XML"),

@@ -361,6 +361,14 @@ def test_table():
     assert (2, "slaves that show a name instead of an identity: 2; `ethercat slaves -v` shows both") in messages(scan)
 
 
+def test_table_of_an_older_tool():
+    """It writes identities without 0x."""
+    scan = read_scan("0  0:0  OP     +  0000009a:00030924\n1  0:1  PREOP  +  00000083:00000005\n")
+    assert [slave.identity for slave in scan.slaves] == [Identity(0x9A, 0x30924), Identity(0x83, 5)]
+    assert [slave.name for slave in scan.slaves] == [None, None]
+    assert scan.findings == ()
+
+
 def test_table_of_several_masters_with_a_broken_ring():
     scan = read_scan(
         "Master0\n  0  0:0  OP+ERROR  +  A\nMaster1\n  0  0:0  ???  E\nxxx LINK FAILURE xxx\n  1  0:1  BOOT  +  B\n"

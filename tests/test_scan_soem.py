@@ -1,5 +1,6 @@
 """``slaveinfo`` of SOEM: blocks, runs, the parts that -map and -sdo add."""
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -151,6 +152,30 @@ def test_slaves():
         ),
     )
     assert scan.findings == ()
+
+
+def sizes(text: str) -> tuple[int | None, int | None]:
+    (slave,) = read_scan(text).slaves
+    return slave.output_bits, slave.input_bits
+
+
+@pytest.mark.parametrize(("state", "of_zeros"), [(1, None), (2, None), (3, None), (18, None), (4, 0), (20, 0), (8, 0)])
+def test_a_size_of_zero_says_something_only_from_safeop_on(state, of_zeros):
+    """The sizes are set on the way to SAFEOP: INIT 1, PREOP 2, BOOT 3 and PREOP with error 18 did not get there."""
+    text = COUPLER.replace("State: 4", f"State: {state}")
+    assert sizes(text) == (of_zeros, of_zeros)
+    assert sizes(text.replace("Output size: 0bits", "Output size: 80bits")) == (80, of_zeros)
+
+
+def test_a_size_of_zero_without_state_says_nothing():
+    assert sizes(COUPLER.replace(" State: 4\n", "")) == (None, None)
+
+
+def test_an_e_bus_current_of_zero_says_nothing():
+    """It is printed also where the SII has no category General."""
+    for printed, read in (("0", None), ("-2000", -2000), ("90", 90)):
+        (slave,) = read_scan(COUPLER.replace("current: -2000", f"current: {printed}")).slaves
+        assert slave.e_bus_current_ma == read
 
 
 def test_greeting_of_release_2():

@@ -15,7 +15,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.model.bus import BusSummary, SlaveReport, look_at_bus
 from esicatalog.model.revision_check import EXACT
 from esicatalog.model.scan_compare import compare_objects, compare_pdos
-from esicatalog.scan.records import Scan, ScannedDictionary, ScannedPdos, ScannedSlave
+from esicatalog.scan.records import Scan, ScanFinding, ScannedDictionary, ScannedPdos, ScannedSlave
 
 _NO_IDENTITY = Identification(None, None, None, "none", "the scan gives no identity of this slave", None, (), ())
 
@@ -28,12 +28,27 @@ class IdentifiedSlave(NamedTuple):
     report: SlaveReport
     differences: tuple[str, ...]
     """What its PDOs and objects, as the master printed them, are otherwise than described."""
+    findings: tuple[ScanFinding, ...]
+    """What the scan says of it that was not understood, see :meth:`Scan.findings_by_slave`."""
 
     @property
     def identity_text(self) -> str:
         """The identity as the scan gives it, ``-`` where it does not."""
         numbers = (self.slave.vendor_id, self.slave.product_code, self.slave.revision_no)
         return ":".join(hex32(number) or "-" for number in numbers)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What people are told of it: how it was identified, what its bus asks for, what is otherwise than described.
+
+        Of an exact match other variants count, for nothing tells which one the device is; other revisions do not.
+        """
+        answer = self.identification
+        exact = answer.match == EXACT
+        reasons = () if exact else (answer.reason,)
+        warnings = (answer.variant_warning, None if exact else answer.revision_warning)
+        told = (f"warning: {words}" for words in warnings if words is not None)
+        return (*reasons, *told, *self.report.notes, *self.differences)
 
     def as_json(self) -> dict[str, Any]:
         """The answer of identify, and the slave beside it."""
@@ -49,7 +64,12 @@ class IdentifiedSlave(NamedTuple):
         }
         return {
             **self.identification.as_json(),
-            "slave": {**place, **self.report._asdict(), "differences": list(self.differences)},
+            "slave": {
+                **place,
+                **self.report._asdict(),
+                "differences": list(self.differences),
+                "findings": [msgspec.structs.asdict(finding) for finding in self.findings],
+            },
         }
 
 
@@ -94,6 +114,7 @@ def reference_clock_words(bus: BusReport) -> str:
     return "; ".join([known, *(text.format(slave_words(at)) for text, at in words.items() if at)])
 
 
+_Listed = tuple[ScannedSlave, tuple[ScanFinding, ...]]
 Records = Callable[[FoundDevice], tuple[Device, Sequence[Module]]]
 """Gives the records of a described device and of its modules."""
 
@@ -115,15 +136,16 @@ def bus_reports(
         _check_place(item, scan)
     # Slaves of a bus are often alike: each description is read once.
     read = functools.cache(records)
-    buses: dict[int, list[ScannedSlave]] = defaultdict(list)
-    for slave in scan.slaves:
-        buses[slave.bus].append(slave)
+    buses: dict[int, list[_Listed]] = defaultdict(list)
+    for slave, findings in zip(scan.slaves, scan.findings_by_slave(), strict=True):
+        buses[slave.bus].append((slave, findings))
     found = []
-    for number, slaves in sorted(buses.items()):
+    for number, listed in sorted(buses.items()):
+        slaves = [slave for slave, _ in listed]
         fits = [_fitting(lookup, slave, read, pdos, dictionaries) for slave in slaves]
         devices = [lookup.at_bus(fit.answer.device.device) if fit.answer.device else None for fit in fits]
         reports, summary = look_at_bus(list(zip(slaves, devices, strict=True)))
-        together = zip(slaves, fits, reports, strict=True)
+        together = zip(listed, fits, reports, strict=True)
         found.append(BusReport(number, tuple(_identified(*item) for item in together), summary))
     return found
 
@@ -136,9 +158,10 @@ class _Fit(NamedTuple):
     notes: tuple[str, ...] = ()
 
 
-def _identified(slave: ScannedSlave, fit: _Fit, report: SlaveReport) -> IdentifiedSlave:
+def _identified(listed: _Listed, fit: _Fit, report: SlaveReport) -> IdentifiedSlave:
+    slave, findings = listed
     report = report._replace(notes=(*report.notes, *fit.notes))
-    return IdentifiedSlave(slave, fit.answer, report, fit.differences)
+    return IdentifiedSlave(slave, fit.answer, report, fit.differences, findings)
 
 
 def _fitting(
@@ -167,7 +190,8 @@ def _fitting(
     device = answer.variants[best[0]]
     numbers = [answer.variants[place].device.variant for place in best]
     notes = (_best_words(numbers, len(compared), lists),) if len(compared) > 1 else ()
-    return _Fit(msgspec.structs.replace(answer, device=device), compared[best[0]], notes)
+    answer = msgspec.structs.replace(answer, device=device, variant_warning=lookup.other_variants(device.device))
+    return _Fit(answer, compared[best[0]], notes)
 
 
 def _best_words(best: Sequence[int], count: int, lists: str) -> str:

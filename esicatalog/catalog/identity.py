@@ -5,7 +5,7 @@ thousand, and the statements below are all it takes.
 """
 
 import functools
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
@@ -133,8 +133,11 @@ class IdentityLookup:
             match, reason, chosen, others = _nearest(rows, revision_no)
         variants = tuple([IdentifiedDevice(_device(row), self.sources(row.id)) for row in chosen])
         candidates = tuple(map(_device, others[:NEAREST]))
-        warnings = tuple(self._warnings(chosen, others))
-        return Identification(*query, match, reason, variants[0], variants, candidates, warnings)
+        of_variants = self._variant_warning(chosen[0], chosen[1:])
+        of_revisions = self._warning(
+            chosen[0], others, "revisions", lambda row: hex32(row.revision_no) or "the one without RevisionNo"
+        )
+        return Identification(*query, match, reason, variants[0], variants, candidates, of_variants, of_revisions)
 
     def _of_product(self, key: tuple[int, int]) -> list[_Row]:
         changes = self._changes()
@@ -153,7 +156,7 @@ class IdentityLookup:
         if device.vendor_id is None or device.product_code is None:
             return None
         rows = self._of_product((device.vendor_id, device.product_code))
-        alike = [row for row in rows if row.revision_no == device.revision_no]
+        alike = sorted((row for row in rows if row.revision_no == device.revision_no), key=lambda row: row.variant)
         ours = next((row for row in alike if row.variant == device.variant), None)
         return self._variant_warning(ours, [row for row in alike if row is not ours]) if ours is not None else None
 
@@ -190,13 +193,6 @@ class IdentityLookup:
         named = f" ({name[0]})" if name[0] else ""
         reason = f"vendor {hex32(vendor_id)}{named} is known, its product {hex32(product_code)} is not"
         return Identification(*query, "vendor", reason, None, (), candidates)
-
-    def _warnings(self, chosen: list[_Row], others: list[_Row]) -> Iterator[str]:
-        ours, variants = chosen[0], chosen[1:]
-        of_revisions = self._warning(
-            ours, others, "revisions", lambda row: hex32(row.revision_no) or "the one without RevisionNo"
-        )
-        yield from (words for words in (self._variant_warning(ours, variants), of_revisions) if words is not None)
 
     def _variant_warning(self, ours: _Row, variants: list[_Row]) -> str | None:
         return self._warning(ours, variants, "variants of this identity", lambda row: f"@{row.variant}")

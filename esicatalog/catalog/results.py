@@ -102,7 +102,15 @@ class Identification(msgspec.Struct, frozen=True):
     """All descriptions of the chosen identity by preference, before them one whose CheckRevisionNo made the choice."""
     candidates: tuple[FoundDevice, ...]
     """The next best others."""
-    warnings: tuple[str, ...] = ()
+    variant_warning: str | None = None
+    """How other variants than ``device`` of its identity exchange something else by default."""
+    revision_warning: str | None = None
+    """The same of other revisions."""
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What to know before code that was written for one description is used with another."""
+        return tuple(words for words in (self.variant_warning, self.revision_warning) if words is not None)
 
     def as_json(self) -> dict[str, Any]:
         """The answer in the shape of ``esicatalog identify --format json``."""

@@ -50,14 +50,7 @@ def _bytes(count: int | None) -> str:
 
 
 def _notes(slaves: Sequence[IdentifiedSlave]) -> Iterator[str]:
-    lines = []
-    for item in slaves:
-        answer = item.identification
-        words = [] if answer.match == "exact" else [answer.reason]
-        if answer.match != "exact":
-            words += [f"warning: {warning}" for warning in answer.warnings]
-        words += [*item.report.notes, *item.differences]
-        lines += [f"  {item.slave.position}: {text}" for text in words]
+    lines = [f"  {item.slave.position}: {text}" for item in slaves for text in item.notes]
     if lines:
         yield ""
         yield "Notes"

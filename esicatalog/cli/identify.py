@@ -2,7 +2,7 @@
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
 import click
 import msgspec
@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
     from esicatalog.api import Catalog
     from esicatalog.catalog.results import Identification
-    from esicatalog.scan.records import Scan
+    from esicatalog.scan.records import Scan, ScanFinding
 
-Seen = TypeVar("Seen", bound=msgspec.Struct)
+Seen = TypeVar("Seen", bound=msgspec.Struct, covariant=True)
 
 _FILE = click.Path(path_type=Path, allow_dash=True)
 
@@ -76,8 +76,9 @@ def command(
         from esicatalog.cli.bus_sheet import bus_lines
         from esicatalog.scan.front import read_pdos, read_sdos
 
-        seen_pdos = _seen("--pdos", pdos, lambda text: read_pdos(text).slaves)
-        seen_objects = _seen("--sdos", sdos, lambda text: read_sdos(text).slaves)
+        told = [f"line {finding.line}: {finding.message}" for finding in scan.findings]
+        seen_pdos = _seen("--pdos", pdos, read_pdos, told)
+        seen_objects = _seen("--sdos", sdos, read_sdos, told)
         with Catalog.open(db) as catalog:
             buses = catalog.identify_scan(scan, seen_pdos, seen_objects)
         if output_format == "json":
@@ -85,8 +86,8 @@ def command(
         else:
             for line in bus_lines(buses):
                 click.echo(line)
-        for finding in scan.findings:
-            click.echo(f"line {finding.line}: {finding.message}", err=True)
+        for words in told:
+            click.echo(words, err=True)
         if not any(slave.identification.device for bus in buses for slave in bus.slaves):
             sys.exit(EXIT_NO)
         return
@@ -143,15 +144,30 @@ def _scan(slaves: Path | None, eni: Path | None) -> "Scan | None":
     return read_as(eni, read_eni) if eni is not None else None
 
 
-def _seen(option: str, texts: tuple[str, ...], read: "Callable[[str], Sequence[Seen]]") -> "list[Seen]":
-    """Lists that a master printed, each at the ring position that the option names."""
+class _Printed(Protocol[Seen]):
+    """Lists of slaves in what a master printed, and what of it was not understood."""
+
+    @property
+    def slaves(self) -> "tuple[Seen, ...]": ...
+
+    @property
+    def findings(self) -> "tuple[ScanFinding, ...]": ...
+
+
+def _seen(
+    option: str, texts: tuple[str, ...], read: "Callable[[str], _Printed[Seen]]", told: list[str]
+) -> "list[Seen]":
+    """Lists that a master printed, each at the ring position that the option names.
+
+    What of them was not understood goes to ``told``.
+    """
     found: list[Seen] = []
     for text in texts:
         position, path = _placed(text)
         place = {"position": position} if position is not None else {}
-        found += [
-            msgspec.structs.replace(item, origin=f"{option} {text}", **place) for item in read_text_as(path, read)
-        ]
+        printed, origin = read_text_as(path, read), f"{option} {text}"
+        found += [msgspec.structs.replace(item, origin=origin, **place) for item in printed.slaves]
+        told += [f"{origin}, line {finding.line}: {finding.message}" for finding in printed.findings]
     return found
 
 

@@ -31,6 +31,7 @@ _LIMITS = {
 }
 """What libxml2 says beyond a limit, in words that name the limit."""
 _LONGEST_REASON = 200
+_SHOWN = 60
 _PARAMETER_ENTITY = re.compile(rb"<!ENTITY\s+%")
 _PREFIX = re.compile(rb"xmlns:([^\s=]+)")
 _HAS_TOO_MANY_ATTRIBUTES = etree.XPath(f"boolean(/descendant::*/@*[{MAX_ATTRIBUTES + 1}])")
@@ -165,8 +166,21 @@ def _known(content: bytes, root: etree._Element, recovered: str | None, line: in
             etree.strip_elements(root, etree.Entity, with_tail=False)
             recovered = f"{recovered}; {left_out}" if recovered is not None else left_out
         return ParsedDocument(root, encoding, recovered, line)
-    tag = str(root.tag)
-    raise NotAnEsiDocument(_OTHER_ROOTS.get(tag, f"root element {tag[:60]!r} is not one of ESI"), root.sourceline or 0)
+    raise NotAnEsiDocument(_other_root(root), root.sourceline or 0)
+
+
+def _other_root(root: etree._Element) -> str:
+    """Why a root is none of ESI; ESI documents have no XML namespace."""
+    name = local_name(root)
+    if name in ESI_ROOTS:
+        namespace = str(root.tag).removesuffix(name)[1:-1]
+        return f"{name} in the XML namespace {namespace[:_SHOWN]!r}; ESI documents have none: remove its xmlns"
+    return _OTHER_ROOTS.get(name, f"root element {str(root.tag)[:_SHOWN]!r} is not one of ESI")
+
+
+def local_name(element: etree._Element) -> str:
+    """The name of an element without its namespace."""
+    return str(element.tag).rpartition("}")[2]
 
 
 def _one_line(error: etree.XMLSyntaxError) -> str:

@@ -1,6 +1,7 @@
 """What an engineer wants to know of a bus before it runs: E-bus supply, process data, clocks, aliases, LRW.
 
-Facts come from the scan where the master printed them (they are the device's own), else from the description.
+Facts come from the scan where the master printed them (they are the device's own), else from the description. Process
+data of another size than the description's default is told.
 """
 
 import itertools
@@ -82,10 +83,20 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
         if slave.alias in duplicates:
             others = ", ".join(str(position) for position in duplicates[slave.alias] if position != slave.position)
             notes.append(f"alias {slave.alias} is also that of slave {others}")
+        sizes = [
+            ("out", _bytes(slave.output_bits), device.output_bytes if device else None),
+            ("in", _bytes(slave.input_bits), device.input_bytes if device else None),
+        ]
+        notes += [
+            f"bytes {way}: {scanned} configured, {described} in the default process image of the description"
+            for way, scanned, described in sizes
+            if scanned is not None and described is not None and scanned != described
+        ]
+        output_bytes, input_bytes = (described if scanned is None else scanned for _, scanned, described in sizes)
         reports.append(
             SlaveReport(
-                output_bytes=_bytes(slave.output_bits, device.output_bytes if device else None),
-                input_bytes=_bytes(slave.input_bits, device.input_bytes if device else None),
+                output_bytes=output_bytes,
+                input_bytes=input_bytes,
                 e_bus_current_ma=budget.current,
                 e_bus_left_ma=budget.left,
                 dc_capable=slave.dc_capable if slave.dc_capable is not None or not device else device.has_clock,
@@ -96,8 +107,8 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
     return reports, _summary(bus, reports, duplicates, budget)
 
 
-def _bytes(bits: int | None, described: int | None) -> int | None:
-    return (bits + 7) // 8 if bits is not None else described
+def _bytes(bits: int | None) -> int | None:
+    return (bits + 7) // 8 if bits is not None else None
 
 
 class _EBusBudget:

@@ -1,4 +1,7 @@
-"""ENI files (ETG.2100, root EtherCATConfig): the slaves that a master configuration expects."""
+"""ENI files (ETG.2100, root EtherCATConfig): the slaves that a master configuration expects.
+
+Elements are known by their local names: some generators write them in the namespace of EtherCATInfo.
+"""
 
 from typing import Any
 
@@ -7,6 +10,7 @@ from lxml import etree
 from esicatalog.errors import InputError
 from esicatalog.esi import documents
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
+from esicatalog.esi.documents import local_name
 from esicatalog.identity import parse_number
 from esicatalog.scan.records import Scan, ScanError, ScanFinding, ScannedSlave
 from esicatalog.scan.text import in_order, quoted
@@ -71,6 +75,8 @@ def _root(data: bytes) -> etree._Element:
     dtd = root.getroottree().docinfo.internalDTD
     if dtd is not None and next(dtd.iterentities(), None) is not None:
         raise ScanError("the document declares XML entities; no ENI file does, and they are not expanded")
+    for element in root.iter("{*}*"):
+        element.tag = local_name(element)
     if root.tag != _ROOT:
         kind = "an ESI document" if root.tag in documents.ESI_ROOTS else f"root element {quoted(str(root.tag))}"
         raise ScanError(f"{kind} instead of an ENI file (root EtherCATConfig)")

@@ -1,8 +1,8 @@
 """``ethercat slaves`` of the IgH EtherCAT master: one line a slave.
 
 Columns: ring position, alias and distance to the slave that has it, AL state, flag, name. The name is that of the
-SII; only a slave without one shows ``0xvvvvvvvv:0xpppppppp``, so the identity of most slaves is not said. With
-several masters each table stands under ``Master0`` and is indented.
+SII; only a slave without one shows ``0xvvvvvvvv:0xpppppppp`` (older tools: without ``0x``), so the identity of most
+slaves is not said. With several masters each table stands under ``Master0`` and is indented.
 """
 
 import re
@@ -20,7 +20,7 @@ ROW = re.compile(
     re.MULTILINE,
 )
 _MASTER = re.compile(r"Master([0-9]{1,3})\s*")
-_IDENTITY = re.compile(r"0x([0-9a-f]{8}):0x([0-9a-f]{8})", re.IGNORECASE)
+_IDENTITY = re.compile(r"(?:0x)?([0-9a-f]{8}):(?:0x)?([0-9a-f]{8})", re.IGNORECASE)
 _LINK_FAILURE = "xxx LINK FAILURE xxx"
 
 

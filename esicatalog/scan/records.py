@@ -4,6 +4,8 @@ A field is None where the text does not say it; nothing is derived from the ESI 
 0 everywhere, whatever the master counts from. ``line`` is the number, from 1, of the line where a record begins.
 """
 
+from bisect import bisect_right
+
 import msgspec
 
 from esicatalog.errors import InputError
@@ -115,7 +117,7 @@ class ScannedSlave(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     master_device: str | None = None
     """Main or Backup: link of a redundant master that reaches the slave."""
     e_bus_current_ma: int | None = None
-    """mA taken from the E-bus, negative = fed into it. SOEM prints 0 also where the SII says nothing."""
+    """mA taken from the E-bus, negative = fed into it."""
     dc_capable: bool | None = None
     dc_system_time: bool | None = None
     """False: only delay measurement, so no reference clock."""
@@ -155,6 +157,17 @@ class Scan(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     """Name of the format that was recognised."""
     slaves: tuple[ScannedSlave, ...]
     findings: tuple[ScanFinding, ...] = ()
+
+    def findings_by_slave(self) -> tuple[tuple[ScanFinding, ...], ...]:
+        """The findings of each slave: from its line to that of the next, those before the first with the first.
+
+        Of several slaves in one line it is the last.
+        """
+        lines = [slave.line for slave in self.slaves]
+        found: list[list[ScanFinding]] = [[] for _ in lines]
+        for finding in self.findings if lines else ():
+            found[max(bisect_right(lines, finding.line) - 1, 0)].append(finding)
+        return tuple(map(tuple, found))
 
 
 class ScannedPdos(msgspec.Struct, frozen=True, gc=False, kw_only=True):

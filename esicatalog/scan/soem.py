@@ -3,6 +3,9 @@
 The three print the same lines; they differ in the greeting (``ec_init``, ``ecx_init``) and in what ``-sdo`` and
 ``-map`` print behind a block, which is passed over. Numbers of slaves count from 1; addresses and identities are hex
 without prefix.
+
+Two zeros say nothing: that of the E-bus current stands also where the SII is silent, and that of a process data size
+also where the slave did not get as far as SAFEOP, for which the sizes are set.
 """
 
 import re
@@ -40,6 +43,8 @@ _PROTOCOL_BITS = ((1, "AoE"), (2, "EoE"), (4, "CoE"), (8, "FoE"), (0x10, "SoE"),
 """Word 0x1C of the SII."""
 _COE_BITS = ("sdo", "sdo_info", "pdo_assign", "pdo_configuration", "upload_at_startup", "complete_access")
 """Byte 7 of the SII category General, from bit 0."""
+_SIZES = ("output_bits", "input_bits")
+_STATES_WITH_SIZES = ("SAFEOP", "OP")
 
 
 def _name(match: re.Match[str]) -> _Facts:
@@ -81,6 +86,10 @@ def _integer(field: str) -> Callable[[re.Match[str]], _Facts]:
     return lambda match: {field: int(match[1])}
 
 
+def _current(match: re.Match[str]) -> _Facts:
+    return {"e_bus_current_ma": int(match[1]) or None}
+
+
 def _truth(field: str) -> Callable[[re.Match[str]], _Facts]:
     return lambda match: {field: match[1] != "0"}
 
@@ -101,7 +110,7 @@ _KEYS: dict[str, tuple[re.Pattern[str], Callable[[re.Match[str]], _Facts]]] = {
     "Man": (_pattern("([0-9a-f]{8}) ID: ([0-9a-f]{8}) Rev: ([0-9a-f]{8})"), _identity),
     "MBX length wr": (_pattern("([0-9]{1,5}) rd: ([0-9]{1,5}) MBX protocols : ([0-9a-f]{2})"), _mailbox),
     "CoE details": (_pattern("([0-9a-f]{2}) FoE details: .*"), _coe),
-    "Ebus current": (_pattern(r"(-?[0-9]{1,6})\[mA\]"), _integer("e_bus_current_ma")),
+    "Ebus current": (_pattern(r"(-?[0-9]{1,6})\[mA\]"), _current),
     _LAST_KEY: (_pattern("([0-9]{1,3})"), _truth("not_lrw")),
 }
 
@@ -118,6 +127,8 @@ class _Block:
     def slave(self) -> ScannedSlave:
         if "CoE" not in self.facts.get("mailbox_protocols", ()):
             self.facts.pop("coe", None)
+        if self.facts.get("state") not in _STATES_WITH_SIZES:
+            self.facts |= {size: self.facts.get(size) or None for size in _SIZES}
         return ScannedSlave(
             line=self.line,
             position=self.number - 1,

@@ -66,6 +66,10 @@ def _identity(item: Any, place: int) -> Identity:
             identity = parse_identity(item)
             if identity.variant is not None:
                 raise InputError(f"{item[:_SHOWN]!r} names a variant; leave it out, the answer holds all of them")
+            if identity.without_revision:
+                raise InputError(
+                    f"{item[:_SHOWN]!r} asks for a description without revision; see /-/esi/device/V/P/-.json"
+                )
             return identity
         if isinstance(item, list) and len(item) in (2, 3):
             item = dict(zip(_PARAMETERS, item, strict=False))

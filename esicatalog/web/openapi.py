@@ -112,7 +112,15 @@ _ANSWER = {
     "variants": _list(_ref("DescribedDevice")),
     "candidates": _list(_ref("Device")),
     "warnings": _list({"type": "string"}),
-    "slave": {"type": "object", "description": "Place and state of the slave; in answers about a scan only"},
+    "slave": {
+        "type": "object",
+        "properties": {
+            "notes": _list({"type": "string"}),
+            "findings": _list(_ref("ScanFinding")),
+        },
+        "required": ["notes", "findings"],
+        "description": "Place and state of the slave; in answers about a scan only",
+    },
 }
 _ERROR = {"error": {"type": "string"}}
 _ASKED_PRODUCT = {
@@ -127,6 +135,11 @@ _SCHEMAS = {
     "Device": _object(_DEVICE),
     "DescribedDevice": _object({**_DEVICE, "sources": _list(_SOURCE)}),
     "Identification": _object(_ANSWER, optional=("slave",)),
+    "ScanFinding": {
+        **_object({"line": {"type": "integer", "minimum": 0}, "message": {"type": "string"}}),
+        "description": "What of a scan was not understood. It stands with the slave in whose lines it is, or, where it "
+        "is of what stands before them, with the first",
+    },
     "Error": _object(_ERROR),
     "OtherDescriptions": _object({**_ERROR, **{name: _ANSWER[name] for name in ("device", "variants", "candidates")}}),
     "Identity": {

@@ -86,6 +86,7 @@ def _image(content: bytes, catalog: Catalog) -> dict[str, Any]:
     return {
         "match": answer.match,
         "reason": answer.reason,
+        "warnings": answer.warnings,
         "path": device_path(device) if device is not None else None,
         "type": device.type if device is not None else None,
         "sheet": "\n".join(sheet_lines(image)),
@@ -114,7 +115,6 @@ def _bus(bus: BusReport) -> dict[str, Any]:
 def _slave(item: IdentifiedSlave) -> dict[str, Any]:
     slave, answer, report = item.slave, item.identification, item.report
     device = answer.device.device if answer.device is not None else None
-    exact = answer.match == "exact"
     return {
         "position": slave.position,
         "alias": slave.alias,
@@ -125,5 +125,5 @@ def _slave(item: IdentifiedSlave) -> dict[str, Any]:
         "left": "" if report.e_bus_left_ma is None else f"{report.e_bus_left_ma} mA",
         "out": "?" if report.output_bytes is None else report.output_bytes,
         "in": "?" if report.input_bytes is None else report.input_bytes,
-        "notes": [*([] if exact else [answer.reason, *answer.warnings]), *report.notes],
+        "notes": item.notes,
     }
