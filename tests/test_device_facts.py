@@ -109,6 +109,8 @@ def test_a_coupler_has_no_bytes_and_pdos_without_sync_managers_have_unknown_ones
         (("0", "#x300"), True, False, True),
         (("#x300", "#x700"), True, True, False),
         (("#x630",), False, False, True),
+        (("300h",), False, False, False),
+        (("300h", "0"), False, False, True),
     ],
 )
 def test_distributed_clocks(words, supported, needed, without):

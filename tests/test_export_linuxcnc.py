@@ -133,7 +133,7 @@ def test_without_clocks_nothing_is_synchronized(data):
 TYPES = SMS + rx(
     "#x1600",
     entry("#x7000", 1, "flag", 1, "BOOL"),
-    entry("#0", 7),
+    entry("#x0", 7),
     entry("#x7000", 16, "word", 2, "INT"),
     entry("#x7000", 32, "real", 3, "REAL"),
     entry("#x7000", 64, "long real", 4, "LREAL"),

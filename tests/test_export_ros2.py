@@ -220,7 +220,7 @@ MIXED = SMS + rx(
     entry("#x7000", 1, "flag", 1, "BOOL"),
     entry("#x7000", 3, "level", 2, "BIT3"),
     entry("#x7000", 6, "across", 3),
-    entry("#0", 6),
+    entry("#x0", 6),
     entry("#x7000", 16, "whole", 4, "INT"),
     entry("#x7000", 24, "three bytes", 5, "INT24"),
     entry("#x7000", 16, "again", 4, "INT"),

@@ -18,13 +18,14 @@ from esicatalog.esi.numbers import (
     IMAGE,
     INT,
     INTEGER,
+    SWITCH,
     TEXT,
     decode_hex_binary,
     parse_hex_dec,
     parse_real,
 )
 
-SCALARS = [HEX, HEX8, HEX16, DEC, DEC8, DEC16, IDENTITY, INT, INTEGER, BOOL, FLOAT, HEX_BINARY, IMAGE, TEXT]
+SCALARS = [HEX, HEX8, HEX16, DEC, DEC8, DEC16, SWITCH, IDENTITY, INT, INTEGER, BOOL, FLOAT, HEX_BINARY, IMAGE, TEXT]
 
 
 @pytest.mark.parametrize(
@@ -220,3 +221,11 @@ def test_no_text_breaks_a_scalar_and_every_text_is_kept(text):
         shown = parsed.raw if parsed.raw is not None else scalar.spell(parsed.value)
         assert shown == text.strip()
     parse_hex_dec(text)
+
+
+@pytest.mark.parametrize(("text", "value"), [("true", 1), ("False", 0), ("1", 1), ("#x09", 9), ("on", None)])
+def test_a_switch_may_be_written_as_a_boolean(text, value):
+    """Enable of a SyncManager is a HexDecValue (ESI-FACTS section 8), and what true means there is clear."""
+    parsed = SWITCH.read(text)
+    assert parsed.value == value
+    assert (parsed.remark is None) == text.endswith(("1", "9"))

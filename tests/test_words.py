@@ -21,6 +21,7 @@ SYNC0 = mode("<AssignActivate>#x0300</AssignActivate>")
         ("", "not described"),
         ("<Dc/>", "not described"),
         (f"<Dc>{mode('')}</Dc>", "not described"),
+        (f"<Dc>{mode('<AssignActivate>300h</AssignActivate>')}{FREE_RUN}</Dc>", "not described"),
         (f"<Dc>{FREE_RUN}</Dc>", "no DC"),
         ('<Dc PotentialReferenceClock="1"/>', "can be the reference clock"),
         (f"<Dc>{FREE_RUN}{SYNC0}</Dc>", "DC optional, SYNC0"),

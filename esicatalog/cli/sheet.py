@@ -9,14 +9,13 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Entry
 from esicatalog.identity import ModuleChoice
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels
-from esicatalog.model.pdo_facts import pdo_bits, pdos_by_direction
+from esicatalog.model.pdo_facts import object_words, pdo_bits, pdos_by_direction
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
@@ -170,7 +169,7 @@ def _process_image(images: list[SmImage], heading: str) -> Iterator[str]:
             [
                 byte_bit(placed.bit_offset),
                 _text(placed.entry.bit_length),
-                _entry_index(placed.entry),
+                object_words(placed.entry),
                 placed.entry.data_type or "",
                 display_text(placed.entry.names) or "",
                 _hex(pdo.pdo.pdo_index)
@@ -186,10 +185,6 @@ def _process_image(images: list[SmImage], heading: str) -> Iterator[str]:
             yield f"  {line}"
         for remark in image.remarks:
             yield f"  note: {remark}"
-
-
-def _entry_index(entry: Entry) -> str:
-    return f"{_hex(entry.entry_index)}:{entry.subindex or 0:02X}" if entry.entry_index else "padding"
 
 
 def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str) -> Iterator[str]:
@@ -258,7 +253,7 @@ def _dc_modes(device: Device, default: int | None) -> Iterator[str]:
                 f"{position}{'*' if position == default else '-' if is_superseded(mode) else ''}",
                 mode.name or "",
                 _hex(mode.assign_activate),
-                "+".join(words) or "no DC",
+                "+".join(words) or ("unknown" if signals.dc_active is None else "no DC"),
                 _cycle(mode.cycle_time_sync0_ns, mode.cycle_time_sync0_factor),
                 _text(mode.shift_time_sync0_ns),
                 _cycle(mode.cycle_time_sync1_ns, mode.cycle_time_sync1_factor),

@@ -4,7 +4,7 @@ A :class:`Scalar` parses the text of an element or attribute. Besides the value 
 that differs from the canonical spelling (so that a writer can repeat what the vendor wrote) and a remark when the
 text breaks the format. Rules: ETG.2000 EtherCATBase.xsd ``HexDecValue``, ``xs:int``, ``xs:boolean``,
 ``xs:hexBinary``; tolerated spellings (``0x``, ``#x0x``) are those found in real files,
-and those with capitals (``#X``, ``True``).
+those with capitals (``#X``, ``True``), and a boolean as the number of a switch.
 """
 
 import math
@@ -21,6 +21,10 @@ _INT32 = range(-(1 << 31), 1 << 31)
 _HEX_DEC = re.compile(r"(?P<dec>[+-]?[0-9]+)|(?P<prefix>#x|#x0x|0x)(?P<hex>[0-9a-f]+)", re.IGNORECASE)
 _REAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)(e[+-]?[0-9]+)?", re.IGNORECASE)
 _BOOLEANS = {"1": True, "true": True, "0": False, "false": False}
+
+
+KEPT_AS_TEXT = "; kept as text"
+"""Ends the words of a remark about a text that has no value."""
 
 
 class Remark(NamedTuple):
@@ -102,9 +106,9 @@ def _hex_dec(limit: int, bits: int | None = None) -> Callable[[str], tuple[int |
     def parse(text: str) -> tuple[int | None, Remark | None]:
         value = parse_hex_dec(text)
         if value is None:
-            return None, Remark("L06", "E", f"{_quoted(text)} is not a HexDecValue; kept as text")
+            return None, Remark("L06", "E", f"{_quoted(text)} is not a HexDecValue{KEPT_AS_TEXT}")
         if value > limit or (value < 0 and limit == UINT32_MAX) or value < -limit:
-            return None, Remark("L06", "E", f"{_quoted(text)} is out of range; kept as text")
+            return None, Remark("L06", "E", f"{_quoted(text)} is out of range{KEPT_AS_TEXT}")
         if fitting is not None and value not in fitting:
             return value, Remark("L06", "E", f"{_quoted(text)} does not fit into {bits} bits; read as {value}")
         if text[:1] == "#" and text[2:4].lower() == "0x":
@@ -118,6 +122,18 @@ def _hex_dec(limit: int, bits: int | None = None) -> Callable[[str], tuple[int |
     return parse
 
 
+_byte = _hex_dec(MAX_STORED, 8)
+_SWITCHED = {"true": 1, "false": 0}
+
+
+def _switch(text: str) -> tuple[int | None, Remark | None]:
+    """A byte whose bit 0 switches something on; what a boolean says of it is clear."""
+    value = _SWITCHED.get(text.lower())
+    if value is None:
+        return _byte(text)
+    return value, Remark("L06", "E", f"{_quoted(text)} is a boolean instead of a number; read as {value}")
+
+
 def parse_real(text: str) -> float | None:
     """The value of an xs:float that is a finite number (``1.5``, ``-2E3``), or None."""
     value = float(text) if _REAL.fullmatch(text := text.strip()) else float("nan")
@@ -127,7 +143,7 @@ def parse_real(text: str) -> float | None:
 def _integer(text: str) -> tuple[int | None, Remark | None]:
     value = parse_hex_dec(text)
     if value is None or abs(value) > MAX_STORED:
-        return None, Remark("L06", "E", f"{_quoted(text)} is not an integer; kept as text")
+        return None, Remark("L06", "E", f"{_quoted(text)} is not an integer{KEPT_AS_TEXT}")
     if text[:1] in "#0" and text[1:2].lower() == "x":
         return value, Remark(
             "L06", "W", f"{_quoted(text)} is hexadecimal where the schema asks for decimal; read as {value}"
@@ -145,7 +161,7 @@ def _int(text: str) -> tuple[int | None, Remark | None]:
 def _boolean(text: str) -> tuple[bool | None, Remark | None]:
     value = _BOOLEANS.get(text.lower())
     if value is None:
-        return None, Remark("L03", "W", f"{_quoted(text)} is not a boolean; kept as text")
+        return None, Remark("L03", "W", f"{_quoted(text)} is not a boolean{KEPT_AS_TEXT}")
     if text not in _BOOLEANS:  # xs:boolean knows small letters only
         return value, Remark("L03", "W", f"{_quoted(text)} is not spelled as a boolean; read as {text.lower()}")
     return value, None
@@ -155,9 +171,9 @@ def _float(text: str) -> tuple[float | None, Remark | None]:
     try:
         value = float(text)
     except ValueError:
-        return None, Remark("L03", "W", f"{_quoted(text)} is not a number; kept as text")
+        return None, Remark("L03", "W", f"{_quoted(text)} is not a number{KEPT_AS_TEXT}")
     if value != value or value in (float("inf"), float("-inf")):
-        return None, Remark("L03", "W", f"{_quoted(text)} is not a finite number; kept as text")
+        return None, Remark("L03", "W", f"{_quoted(text)} is not a finite number{KEPT_AS_TEXT}")
     return value, None
 
 
@@ -189,14 +205,16 @@ HEX = Scalar("HexDecValue", _hex_dec(MAX_STORED), _spell_hex)
 """HexDecValue usually written in hex: masks, notations."""
 HEX16 = Scalar("HexDecValue (16 bits)", _hex_dec(MAX_STORED, 16), _spell_hex)
 """The same of 16 bits: indices of objects and PDOs, addresses and registers of the slave controller."""
-HEX8 = Scalar("HexDecValue (8 bits)", _hex_dec(MAX_STORED, 8), _spell_hex)
+HEX8 = Scalar("HexDecValue (8 bits)", _byte, _spell_hex)
 """The same of 8 bits: ControlByte."""
 DEC = Scalar("HexDecValue", _hex_dec(MAX_STORED), str)
 """HexDecValue usually written in decimal: values, counts."""
 DEC16 = Scalar("HexDecValue (16 bits)", _hex_dec(MAX_STORED, 16), str)
 """The same of 16 bits: lengths of SyncManagers."""
-DEC8 = Scalar("HexDecValue (8 bits)", _hex_dec(MAX_STORED, 8), str)
+DEC8 = Scalar("HexDecValue (8 bits)", _byte, str)
 """The same of 8 bits: subindices."""
+SWITCH = Scalar("HexDecValue (8 bits)", _switch, str)
+"""The same where bit 0 is a switch: Enable of a SyncManager; a few write a boolean."""
 IDENTITY = Scalar("HexDecValue (uint32)", _hex_dec(UINT32_MAX), lambda value: f"#x{value:08X}")
 """uint32 identity number: vendor, product, revision, serial, module ident."""
 INT = Scalar("xs:int", _int, str)

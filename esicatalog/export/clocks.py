@@ -219,7 +219,7 @@ def _fixed_remarks(found: Clocks, cycle_ns: int) -> Iterator[str]:
 
 
 def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
-    """What the OpMode says at this bus cycle; None without AssignActivate, which means no distributed clocks.
+    """What the OpMode says at this bus cycle; None where AssignActivate is 0, not given, or cannot be read.
 
     Raises :class:`InputError` when the cycle cannot be divided as the OpMode says. A fixed time may drift against it:
     :meth:`Clocks.drifts`.
@@ -260,7 +260,7 @@ def _sync0_cycle(op_mode: OpMode, signals: SyncSignals, remarks: list[str]) -> T
         return Time(Fraction(factor) if factor > 0 else Fraction(1, -factor))
     if not signals.sync0 and not signals.sync1:
         return Time()
-    remarks.append("CycleTimeSync0 is not given: SYNC0 follows the bus cycle")
+    remarks.append("CycleTimeSync0 gives no cycle: SYNC0 follows the bus cycle")
     return Time(Fraction(1))
 
 

@@ -9,6 +9,8 @@ from esicatalog.errors import InputError
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.esi.records.pdo import Entry
+from esicatalog.esi.unreadable import unreadable
 from esicatalog.export.choice import Choice
 from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
@@ -21,9 +23,10 @@ from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import apply_choice
 from esicatalog.export.pdo_objects import PdoObject, contradictions
 from esicatalog.export.subject import Subject
+from esicatalog.export.unread_remarks import unread_remarks
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, has_length, is_described
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, has_length, has_object, is_described, object_words
 from esicatalog.model.process_image import PlacedPdo, SmImage, process_image
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_direction
@@ -197,6 +200,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     remarks = [
         *((subject.ambiguity,) if subject.ambiguity is not None else ()),
         *((missing.words,) if missing is not None else ()),
+        *unread_remarks(chosen.device, chosen.plugged, op_mode, images),
         *op_mode_remarks,
         *chosen.remarks,
         *assignment_remarks(device, plugged, op_mode, default, images),
@@ -323,16 +327,18 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
     name = " ".join((display_text(pdo.names) or "").split())
     if pdo.pdo_index is None or not 0 < pdo.pdo_index <= _MAX_INDEX:
         named = f"{placed.direction} {name or pdo.ref or 'without name'!r}"
-        raise InputError(f"{named} is assigned and has no index; its content is not described, take a newer file")
+        unread = unreadable(pdo, "pdo_index")
+        why = "has no index; its content is not described, take a newer file"
+        if unread is not None:
+            why = f"its Index {unread}; correct the file"
+        raise InputError(f"{named} is assigned and {why}")
     entries = []
     for number, (item, entry_identifier) in enumerate(zip(placed.entries, identifiers, strict=True)):
-        index, subindex, bit_length = item.entry.entry_index or 0, item.entry.subindex or 0, item.entry.bit_length or 0
-        if not has_length(item.entry):
-            what = f"0x{index:04X}:{subindex:02X}" if index else "a gap"
+        if (problem := _problem(item.entry, number + 1)) is not None:
             raise InputError(
-                f"PDO 0x{pdo.pdo_index:04X} maps {what} without a usable BitLen, and nothing tells where the entries "
-                "behind it lie; correct the file, or choose other PDOs or entries (--pdo)"
+                f"PDO 0x{pdo.pdo_index:04X} {problem}; correct the file, or choose other PDOs or entries (--pdo)"
             )
+        index, subindex, bit_length = item.entry.entry_index or 0, item.entry.subindex or 0, item.entry.bit_length or 0
         if not bit_length:
             continue
         if not 0 <= index <= _MAX_INDEX or not 0 <= subindex <= _MAX_SUBINDEX:
@@ -354,3 +360,22 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
     return AssignedPdo(
         pdo.pdo_index, name, placed.direction, bool(pdo.fixed), placed.slot_number, tuple(entries), is_described(pdo)
     )
+
+
+def _problem(entry: Entry, number: int) -> str | None:
+    """Why nothing can be made of an assigned entry."""
+    if not has_object(entry):
+        field, element = ("entry_index", "Index") if entry.entry_index is None else ("subindex", "SubIndex")
+        return (
+            f"has an entry, number {number}, without a usable {element}{_reason(entry, field)}: what it maps is unknown"
+        )
+    if not has_length(entry):
+        what = object_words(entry) if entry.entry_index else "a gap"
+        reason = _reason(entry, "bit_length")
+        return f"maps {what} without a usable BitLen{reason}, and nothing tells where the entries behind it lie"
+    return None
+
+
+def _reason(entry: Entry, field: str) -> str:
+    problem = unreadable(entry, field)
+    return f" ({problem})" if problem is not None else ""

@@ -67,6 +67,8 @@ def op_mode_words(configuration: Configuration) -> str:
     op_mode, found = configuration.op_mode, configuration.clocks
     name = f"{configuration.op_mode_position} {op_mode.name!r}" if op_mode is not None else ""
     without = "DC time only" if configuration.uses_dc_time else "no distributed clocks"
+    if op_mode is not None and op_mode.assign_activate is None:
+        without = "AssignActivate unknown, no distributed clocks are set up"
     return f"{name}: {clock_words(found) if found is not None else without}"
 
 

@@ -9,6 +9,7 @@ from typing import Generic, NamedTuple, TypeVar
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.esi.unreadable import unreadable
 from esicatalog.model.cia402 import AXIS_STEP
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
@@ -110,14 +111,15 @@ def _init_cmds(mailbox: Mailbox | None) -> Iterator[tuple[str, InitCmd]]:
 
 
 def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[str]) -> Iterator[StartCommand]:
-    index = command.idn if protocol == "SoE" else command.object_index
     if protocol in _WITHOUT_GENERATOR:
         remarks.append(f"{protocol} InitCmd of the {owner} is left out: it is no parameter of the device")
         return
-    data = decode_hex_binary(command.data)
-    if index is None or not 0 <= index <= 0xFFFF or not 0 <= (command.subindex or 0) <= 0xFF:
-        remarks.append(f"{protocol} InitCmd of the {owner} is left out: its index cannot be used")
+    index = command.idn if protocol == "SoE" else command.object_index
+    unusable = next(_unusable(index, command), None)
+    if index is None or unusable is not None:
+        remarks.append(f"{protocol} InitCmd of the {owner} is left out: its {unusable} cannot be used")
         return
+    data = decode_hex_binary(command.data)
     for transition in command.transitions:
         found = StartCommand(
             transition_of(transition),
@@ -136,6 +138,18 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
             remarks.append(f"InitCmd {found.place} of the {owner} is left out: its data are missing or not hex")
         else:
             yield found
+
+
+def _unusable(index: int | None, command: InitCmd) -> Iterator[str]:
+    """What does not tell where a command writes to; a subindex and the like that is absent counts as 0."""
+    if index is None or not 0 <= index <= 0xFFFF:
+        yield "index"
+    if unreadable(command, "subindex") is not None or not 0 <= (command.subindex or 0) <= 0xFF:
+        yield "subindex"
+    if unreadable(command, "channel") is not None:
+        yield "channel"
+    if unreadable(command, "complete_access") is not None:
+        yield "CompleteAccess"
 
 
 def _module_list(device: Device, plugged: Iterable[PluggedModule]) -> Iterator[StartCommand]:

@@ -3,8 +3,11 @@
 from collections.abc import Callable, Iterable, Iterator
 
 from esicatalog.esi.numbers import decode_hex_binary
-from esicatalog.esi.records.device import Device, Eeprom
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.dc import OpMode
+from esicatalog.esi.records.device import Device, Eeprom, EepromCategory, SyncManager
+from esicatalog.esi.records.mailbox import Mailbox
+from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.unreadable import unreadable_values
 from esicatalog.export.esc_registers import esc_registers
 from esicatalog.export.sii import FMMU_USAGE_CODES, PORT_CODES, SM_USAGE_CODES, data_type_code, valid_op_modes
 from esicatalog.export.sii_changes import stored_otherwise
@@ -13,8 +16,8 @@ from esicatalog.export.sii_limits import used_bytes
 from esicatalog.export.sii_merge import PDI_BYTES, MergedImage
 from esicatalog.export.sii_texts import storable
 from esicatalog.identity import Identity
-from esicatalog.model.pdo_facts import entry_facts, has_length
-from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.pdo_facts import entry_facts, has_length, has_object, object_words
+from esicatalog.model.sm_facts import sm_facts, sm_role
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, header_checksum
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import SiiImage
@@ -25,6 +28,14 @@ WHY_MERGE = (
     "else and are lost when they are overwritten."
 )
 """Why an image should not be written as computed."""
+_STORED = (Eeprom, EepromCategory, Mailbox, SyncManager, Pdo, Entry, OpMode)
+"""Parts of a device whose values an image stores."""
+_MAILBOX_ATTRIBUTES = {
+    "start_address": "StartAddress",
+    "default_size": "DefaultSize",
+    "control_byte": "ControlByte",
+    "enable": "Enable",
+}
 _CHECK_PDI = (
     "PDI words would change: wrong ones make the device unreachable. Write only when you know them to be right."
 )
@@ -159,12 +170,32 @@ def _unknown_types(device: Device) -> list[str]:
     return [entry.data_type for entry in entries if entry.data_type and not data_type_code(entry.data_type)]
 
 
-def _without_length(device: Device) -> list[str]:
+def _entries_without(
+    is_given: Callable[[Entry], bool], words: Callable[[int, Entry], str]
+) -> Callable[[Device], list[str]]:
+    def look(device: Device) -> list[str]:
+        return [
+            f"{words(number, entry)} of PDO 0x{pdo.pdo_index:04X}"
+            for pdo in _pdos(device)
+            for number, entry in enumerate(pdo.entries, start=1)
+            if pdo.pdo_index is not None and not is_given(entry)
+        ]
+
+    return look
+
+
+def _unread(device: Device) -> list[str]:
+    return [" ".join(item) for item in unreadable_values(device, lambda part: isinstance(part, _STORED))]
+
+
+def _mailboxes_incomplete(device: Device) -> list[str]:
+    roles = ((number, sm, sm_role(sm)) for number, sm in enumerate(device.sync_managers))
     return [
-        f"0x{entry.entry_index or 0:04X}:{entry.subindex or 0:02X} of PDO 0x{pdo.pdo_index:04X}"
-        for pdo in _pdos(device)
-        for entry in pdo.entries
-        if pdo.pdo_index is not None and not has_length(entry)
+        f"{name} of SM{number}"
+        for number, sm, role in roles
+        if role is not None and role.is_mailbox
+        for field, name in _MAILBOX_ATTRIBUTES.items()
+        if getattr(sm, field) is None
     ]
 
 
@@ -212,7 +243,12 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
         "start its process data interface.",
     ),
     (_codes_missing, "Not given, so 0: {}."),
-    (_byte_size_missing, "No ByteSize is given; {} bytes are assumed."),
+    (_unread, "Values that cannot be read, stored as if they were absent; correct the file: {}."),
+    (
+        _mailboxes_incomplete,
+        "Mailboxes without a usable attribute, stored as 0; do not write this image, no master reaches them: {}.",
+    ),
+    (_byte_size_missing, "No usable ByteSize is given; {} bytes are assumed."),
     (
         _config_data_too_short,
         f"ConfigData has {{}} of the {PDI_BYTES} bytes of the PDI words; the others are zero, in a merged image those "
@@ -246,7 +282,12 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
         "PDOs without index, left out: {}.",
     ),
     (
-        _without_length,
+        _entries_without(has_object, lambda number, entry: f"entry {number}"),
+        "Entries without a usable Index or SubIndex, stored as gaps or with subindex 0; do not write this image, its "
+        "PDOs are wrong: {}.",
+    ),
+    (
+        _entries_without(has_length, lambda number, entry: object_words(entry)),
         "Entries without a usable BitLen, stored with length 0; do not write this image, the lengths of its process "
         "data are wrong: {}.",
     ),

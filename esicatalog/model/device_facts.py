@@ -67,7 +67,7 @@ def device_facts(
         input_bytes=data.byte_size(INPUT),
         dc_supported=any(signal.dc_active for signal in signals) or bool(device.dc_time_loop_control_only),
         dc_needed=bool(valid) and all(signal.dc_active for signal in valid),
-        runs_without_dc=not valid or any(not signal.dc_active for signal in valid),
+        runs_without_dc=not valid or any(signal.dc_active is False for signal in valid),
         supports_sync0=any(signal.sync0 for signal in signals),
         supports_sync1=any(signal.sync1 for signal in signals),
         uses_latch=any(signal.latch0_pdi or signal.latch1_pdi or signal.time_only for signal in signals),

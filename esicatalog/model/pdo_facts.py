@@ -8,6 +8,7 @@ from esicatalog.esi.numbers import MAX_STORED
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.unreadable import unreadable
 
 PDO_MAPPINGS = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
 """Mapping objects of each direction: a PDO has the index of one (ETG.1000.6)."""
@@ -71,6 +72,21 @@ _PADDING, _NO_PADDING = EntryFacts(is_padding=True), EntryFacts(is_padding=False
 def has_length(entry: Entry) -> bool:
     """Whether an entry says how many bits it takes; none is a number only for a gap, as real files have it."""
     return entry.bit_length is not None and (entry.bit_length > 0 or (entry.bit_length == 0 and not entry.entry_index))
+
+
+def has_object(entry: Entry) -> bool:
+    """Whether an entry says what it maps, be it padding."""
+    is_padding = entry_facts(entry).is_padding
+    return is_padding or (entry.entry_index is not None and unreadable(entry, "subindex") is None)
+
+
+def object_words(entry: Entry) -> str:
+    """What an entry maps, e.g. ``0x6041:00``."""
+    if entry_facts(entry).is_padding:
+        return "padding"
+    if entry.entry_index is None:
+        return "unknown"
+    return f"{index_words(entry.entry_index)}:{f'{entry.subindex or 0:02X}' if has_object(entry) else '?'}"
 
 
 def pdo_yields(pdo: Pdo, of_modules: Container[int | None]) -> bool:

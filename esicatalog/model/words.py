@@ -59,15 +59,16 @@ def profile_numbers(device: Device) -> list[str]:
 def clock_words(device: Device, facts: DeviceFacts) -> str:
     """Whether distributed clocks are needed, and the signals that some OpMode generates.
 
-    Only OpModes that all leave the sync unit off say that there is no DC; a description without Dc says nothing of it
-    (couplers have clocks and rarely a Dc element).
+    Only OpModes that all leave the sync unit off say that there is no DC; one without readable AssignActivate says
+    nothing of it, nor does a description without Dc (couplers have clocks and rarely a Dc element).
     """
     if facts.dc_supported:
         signals = [name for name, on in (("SYNC0", facts.supports_sync0), ("SYNC1", facts.supports_sync1)) if on]
         return ", ".join(["DC needed" if facts.dc_needed else "DC optional", *signals])
     if device.dc_potential_reference_clock:
         return "can be the reference clock"
-    return "no DC" if any(mode.assign_activate is not None for mode in device.op_modes) else "not described"
+    is_described = bool(device.op_modes) and all(mode.assign_activate is not None for mode in device.op_modes)
+    return "no DC" if is_described else "not described"
 
 
 def fsoe_words(facts: DeviceFacts) -> str | None:

@@ -21,7 +21,7 @@ from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.module_choice import module_choices, module_labels
-from esicatalog.model.pdo_facts import pdo_bits, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import object_words, pdo_bits, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import fitting_modules, numbered_slots
@@ -223,9 +223,7 @@ def _image(image: SmImage) -> dict[str, Any]:
             {
                 "place": byte_bit(placed.bit_offset),
                 "bits": placed.entry.bit_length,
-                "entry": f"0x{placed.entry.entry_index:04X}:{placed.entry.subindex or 0:02X}"
-                if placed.entry.entry_index
-                else "padding",
+                "entry": object_words(placed.entry),
                 "type": placed.entry.data_type or "",
                 "name": display_text(placed.entry.names) or "",
                 "pdo": f"0x{pdo.pdo.pdo_index or 0:04X}" + (f" in slot {pdo.slot_number}" if pdo.module else ""),
@@ -254,8 +252,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
             "excludes": exclusions.get(pdo.pdo_index, ()),
             "entries": [
                 {
-                    "index": entry.entry_index,
-                    "subindex": entry.subindex or 0,
+                    "object": object_words(entry),
                     "bits": entry.bit_length,
                     "type": entry.data_type or "",
                     "name": display_text(entry.names) or "",
