@@ -145,7 +145,7 @@ select other_device_id as device_id, other_type as device_type, other_vendor_id_
   output_bytes, input_bytes
 from same_process_image_layout
 where vendor_id = parse_hex(:vendor) and product_code = parse_hex(:product)
-  and (:revision = '' or revision_no = parse_hex(:revision))
+  and (:revision = '' or revision_no = parse_hex(:revision)) and variant = 1
   and other_device_id in (select id from devices where {_SHOWN})
 order by vendor_id_hex, product_code_hex, revision_no_hex
 """,
@@ -202,8 +202,8 @@ order by d.vendor_id, d.product_code, d.revision_no, m.module_ident, pdo
         "title": "Revisions of a product",
         "description": (
             "vendor: vendor id (empty = any); product: product code; both as 0x044c2c52, #x044c2c52 or 72100946. "
-            "superseded_by names the revisions whose HideType hides this one; layout_changed compares the default "
-            "process image with that of the revision before."
+            "superseded_by names the other revisions whose HideType hides this one; layout_changed compares the "
+            "default process image with that of the revision before."
         ),
         "params": ["vendor", "product"],
         "sql": f"""\
@@ -212,7 +212,8 @@ select device_id, {_IDENTITY},
   (select group_concat(distinct hex0x(newer.revision_no, 8))
     from hidden_revisions h join devices newer on newer.id = h.device_id
     where newer.vendor_id = d.vendor_id and ifnull(h.product_code, newer.product_code) = d.product_code
-      and h.revision_no = d.revision_no) as superseded_by
+      and h.revision_no = d.revision_no
+      and (newer.product_code <> d.product_code or newer.revision_no is not d.revision_no)) as superseded_by
 from device_revisions d
 where (:vendor = '' or vendor_id = parse_hex(:vendor)) and product_code = parse_hex(:product)
 order by {_ORDER}

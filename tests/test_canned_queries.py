@@ -50,6 +50,16 @@ ASKED: dict[str, tuple[dict[str, str], dict[str, Any]]] = {
 """Queries that ask for devices by what they can do: parameters, and the filter that asks the same."""
 
 
+async def test_no_revision_supersedes_itself(tmp_path):
+    """The second hides the first and, as it says, itself."""
+    hiding = "<HideType RevisionNo='#x1'/><HideType RevisionNo='#x2'/>"
+    db = catalog_of(tmp_path, esi(device(revision="#x1") + device(hiding, revision="#x2")))
+    query = "/catalog/revisions_of_a_product.json"
+    answer = await (await client(db)).get(query, params={"vendor": "", "product": "1", "_shape": "array"})
+    found = [(row["revision_no_hex"], row["hidden"], row["superseded_by"]) for row in answer.json()]
+    assert found == [("0x00000001", 1, "0x00000002"), ("0x00000002", 0, None)]
+
+
 @pytest.fixture(scope="module")
 def drives_db(tmp_path_factory) -> Path:
     return catalog_of(tmp_path_factory.mktemp("drives"), DRIVES)

@@ -179,6 +179,29 @@ def test_same_layout_is_found_and_never_called_a_replacement(tmp_path):
     assert "replacement" not in text
 
 
+def test_what_has_no_known_length_is_like_nothing(tmp_path):
+    """Two revisions with the same words for what nobody describes: no change between them, and no same layout."""
+    open_sm = '<Sm DefaultSize="8">Outputs</Sm>'
+    db = catalog_of(tmp_path, esi("".join(device(open_sm, revision=number) for number in "12")))
+    with Catalog.open(db) as catalog:
+        assert [r.layout_changed for r in catalog.device("0xE5C:1:1").revisions] == [False, False]
+        assert catalog.device("0xE5C:1:1").same_layout == ()
+        with pytest.raises(InputError, match="the length of the default process image of"):
+            catalog.devices(like=Identity(0xE5C, 1, 1))
+    assert rows(db, "SELECT * FROM same_process_image_layout") == []
+
+
+def test_a_variant_is_listed_beside_the_preferred_ones_of_its_layout(tmp_path):
+    """Variant 2 has fewer PDO entries, and the layout of product 7."""
+    wide, narrow = pdo("RxPdo", "#x1600", 8, 8, attributes='Sm="0"'), pdo("RxPdo", "#x1600", 16, attributes='Sm="0"')
+    other = device(SM + narrow, product="7")
+    db = catalog_of(tmp_path, esi(device(SM + wide)), esi(device(SM + narrow) + other))
+    pairs = "SELECT product_code, variant, other_product_code_hex FROM same_process_image_layout"
+    assert rows(db, pairs) == [(1, 2, "0x00000007")]
+    with Catalog.open(db) as catalog:
+        assert [found.product_code for found in catalog.devices(like=Identity(0xE5C, 1, 1, 2))] == [7]
+
+
 def test_revisions_with_another_layout_are_marked(tmp_path):
     db = catalog_of(tmp_path, layouts())
     marked = rows(db, "SELECT revision_no, layout_changed FROM device_revisions WHERE product_code = 1 ORDER BY 1")

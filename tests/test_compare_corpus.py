@@ -17,6 +17,8 @@ from esicatalog.model.compare import compare_devices
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.model.compare_documents import DescribedDevice, described_devices
 from esicatalog.model.compare_facts import ADDED, AREAS, CHANGED, REMOVED, Difference
+from esicatalog.model.compare_image import compare_images
+from esicatalog.model.process_data import ProcessData
 
 MIRRORED = {ADDED: REMOVED, REMOVED: ADDED, CHANGED: CHANGED}
 BECKHOFF, BECKHOFF_OLDER = "DiamondLightSource+ethercat.zip", "DiamondLightSource+ethercat-history.zip"
@@ -152,7 +154,20 @@ def check_archive(path: Path) -> int:
         assert mirrored(found) == as_told(compared(right, left))
         assert {item.area for item in found} <= set(AREAS)
         assert all(item.left != item.right for item in found)
+    check_layouts(devices)
     return len(devices)
+
+
+def check_layouts(devices: list[DescribedDevice]) -> None:
+    """Of neighbours by identity, the signature of the catalog and the comparison say the same."""
+    signatures = [ProcessData(item.device, item.modules).image_signature for item in devices]
+    in_order = sorted(
+        zip(devices, signatures, strict=True),
+        key=lambda pair: (pair[0].device.product_code or 0, pair[0].device.revision_no or 0),
+    )
+    for (left, signature), (right, other) in pairwise(in_order):
+        differences = compare_images(left.device, left.modules, right.device, right.modules)
+        assert (signature != other) == any(True for _ in differences)
 
 
 def test_sample_archives(sample_archives):

@@ -125,7 +125,10 @@ def test_another_layout_of_a_variant_is_a_warning(several):
     ("there", "words"),
     [
         ("<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="8"'), "sampled otherwise: 4 bytes"),
-        ("<Sm>Other</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="4"'), "SM0 Other there"),
+        (
+            '<Sm ControlByte="#x20">Outputs</Sm>' + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="4"'),
+            "SyncManagers with PDOs are SM0 output here, SM0 input there",
+        ),
     ],
 )
 def test_layouts_with_the_same_entries_say_in_what_they_differ(tmp_path, there, words):
@@ -136,7 +139,34 @@ def test_layouts_with_the_same_entries_say_in_what_they_differ(tmp_path, there, 
     assert "modules" not in warning
 
 
+def gap(bits: int) -> str:
+    return f"<Entry><Index>0</Index><BitLen>{bits}</BitLen></Entry>"
+
+
+def test_how_a_gap_is_cut_is_no_difference(tmp_path):
+    """Seven bits are one gap, or two of one and six; in the third revision the entry behind them lies elsewhere."""
+    parts = [gap(7), gap(1) + gap(6), gap(1) + gap(14)]
+    begin = '<Sm>Outputs</Sm><RxPdo Sm="0"><Index>#x1600</Index><Entry><Index>#x7000</Index><BitLen>1</BitLen></Entry>'
+    end = "<Entry><Index>#x7001</Index><BitLen>8</BitLen></Entry></RxPdo>"
+    text = "".join(device(begin + part + end, revision=f"#x{number}") for number, part in enumerate(parts, 1))
+    db = catalog_of(tmp_path, esi(text))
+    (warning,) = answer(db, 0xE5C, 1, 1).warnings
+    assert warning == (
+        "default process image differs in 1 of 2 other revisions; 0x00000003 for example: "
+        "SM0 byte 0.1 is padding (7 bit) here, padding (15 bit) there"
+    )
+    assert rows(db, "SELECT layout_changed FROM device_revisions ORDER BY revision_no") == [(0,), (0,), (1,)]
+
+
+def test_nothing_is_sampled_where_only_a_gap_of_no_bits_is_more(tmp_path):
+    content = "<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 16, attributes='Sm="0"')
+    more = content.replace("</RxPdo>", gap(0) + "</RxPdo>")
+    db = catalog_of(tmp_path, esi(device(content, revision="#x1") + device(more, revision="#x2")))
+    assert answer(db, 0xE5C, 1, 1).warnings == ()
+
+
 VARIABLE = '<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name></RxPdo>'
+NO_LENGTH = '<RxPdo Sm="0"><Index>#x1600</Index><Entry><Index>#x7000</Index></Entry></RxPdo>'
 
 
 @pytest.mark.parametrize(
@@ -151,6 +181,26 @@ VARIABLE = '<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name></RxPdo>'
             '<Sm DefaultSize="4">Outputs</Sm><Sm>Inputs</Sm>' + pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"'),
             '<Sm DefaultSize="8">Outputs</Sm><Sm>Inputs</Sm>' + pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"'),
             "SyncManagers without PDOs have DefaultSize SM0 4 here, SM0 8 there",
+        ),
+        (
+            '<Sm DefaultSize="8">Outputs</Sm>',
+            '<Sm DefaultSize="64">Outputs</Sm>',
+            "SyncManagers without PDOs have DefaultSize SM0 8 here, SM0 64 there",
+        ),
+        (
+            "<Sm>Outputs</Sm>" + VARIABLE,
+            "<Sm>Outputs</Sm>" + VARIABLE.replace("1600", "1601"),
+            "in PDOs of unknown length, or behind them",
+        ),
+        (
+            "<Sm>Outputs</Sm>" + NO_LENGTH,
+            "<Sm>Outputs</Sm>" + NO_LENGTH.replace("1600", "1601"),
+            "in PDOs of unknown length, or behind them",
+        ),
+        (
+            "<Sm>Outputs</Sm>" + NO_LENGTH,
+            "<Sm>Outputs</Sm>" + NO_LENGTH.replace("</Index></Entry>", "</Index><BitLen>16</BitLen></Entry>"),
+            "SM0 byte 0.0 is 0x7000:00 (no length) here, 0x7000:00 (16 bit) there",
         ),
     ],
 )

@@ -31,9 +31,39 @@ def test_pdos_as_described():
 
 def test_another_mapping_is_told_entry_by_entry():
     text = '  RxPDO 0x1600 "R"\n    PDO entry 0x7000:01, 16 bit, "a"\n    PDO entry 0x0000:00, 32 bit, "gap"\n'
-    assert pdos(text) == ["RxPDO 0x1600, entry 2: maps a gap of 32 bit; described is 0x7000:02 (32 bit)"]
+    assert pdos(text) == ["RxPDO 0x1600, entry 2: maps padding (32 bit); described is 0x7000:02 (32 bit)"]
     text = '  RxPDO 0x1600 "R"\n    PDO entry 0x7000:01, 16 bit, "a"\n'
     assert pdos(text) == ["RxPDO 0x1600: maps 1 entry; described with 2"]
+
+
+def test_what_the_description_leaves_open_is_no_difference():
+    """The second entry has no BitLen, PDO 0x1601 variable content, the empty list of 0x1602 is Fixed."""
+    lengths = ((1, "<BitLen>16</BitLen>"), (2, ""))
+    entries = "".join(
+        f"<Entry><Index>#x7000</Index><SubIndex>{sub}</SubIndex>{length}</Entry>" for sub, length in lengths
+    )
+    described = only_device(
+        esi(
+            device(
+                f'{SMS}<RxPdo Sm="2"><Index>#x1600</Index>{entries}</RxPdo><RxPdo Sm="2"><Index>#x1601</Index></RxPdo>'
+                '<RxPdo Sm="2" Fixed="1"><Index>#x1602</Index></RxPdo>'
+            )
+        )
+    )
+
+    def differences(second: str, reserved: str) -> list[str]:
+        text = (
+            f'{HEAD}  RxPDO 0x1600 "R"\n    PDO entry 0x7000:01, 16 bit, "a"\n    PDO entry {second}, "b"\n'
+            f'  RxPDO 0x1601 "V"\n    PDO entry 0x7010:01, 8 bit, "c"\n  RxPDO 0x1602 "F"\n{reserved}'
+        )
+        (slave,) = read_pdos(text).slaves
+        return compare_pdos(described, (), slave)
+
+    assert differences("0x7000:02, 16 bit", "") == []
+    assert differences("0x7000:03, 16 bit", '    PDO entry 0x7020:01, 8 bit, "d"\n') == [
+        "RxPDO 0x1600, entry 2: maps 0x7000:03 (16 bit); described is 0x7000:02 (no length)",
+        "RxPDO 0x1602: maps 1 entry; described with 0",
+    ]
 
 
 def test_a_pdo_that_is_not_described_and_another_assignment():

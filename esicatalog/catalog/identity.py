@@ -10,8 +10,10 @@ from typing import Any, NamedTuple
 
 from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
 from esicatalog.model.bus import DeviceAtBus
+from esicatalog.model.pdo_facts import mapped_words
 from esicatalog.model.process_image import byte_bit
 from esicatalog.model.revision_check import EXACT, Described, rank
+from esicatalog.model.sm_facts import SM_ROLES, TRANSFER_DIRECTIONS
 
 NEAREST = 10
 """How many other candidates an answer names."""
@@ -38,16 +40,23 @@ _LAYOUT = (
 _WITHOUT_PLACE = (
     "SELECT p.image_sm, p.pdo_index, e.entry_index, coalesce(e.subindex, 0), e.bit_length FROM pdos p "
     "LEFT JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND p.image_sm IS NOT NULL "
-    "AND e.image_bit_offset IS NULL ORDER BY p.image_sm, p.direction, p.position, e.position"
+    "AND (e.image_bit_offset IS NULL OR e.bit_length IS NULL OR e.bit_length < 0 OR e.bit_length = 0 "
+    "AND e.entry_index <> 0) AND (e.pdo_id IS NOT NULL OR p.fixed IS NOT TRUE OR p.ref IS NOT NULL) "
+    "ORDER BY p.image_sm, p.direction, p.position, e.position"
 )
-"""Assigned PDOs without entries, and entries behind what has no known length."""
+"""Assigned PDOs of variable content, entries without a usable BitLen, and what lies behind either."""
 _HAS_MODULES = "SELECT 1 FROM device_modules WHERE device_id = ? LIMIT 1"
+_BY_ROLE, _BY_PDO = (
+    " ".join(f"WHEN '{word}' THEN '{direction}'" for word, direction in known.items())
+    for known in ({usage: role.transfer_direction for usage, role in SM_ROLES.items()}, TRANSFER_DIRECTIONS)
+)
 _BESIDE_LAYOUT = (
     (
         "SyncManagers with PDOs are {} here, {} there",
-        "SELECT 'SM' || s.position, coalesce(nullif(s.usage, ''), 'of no use') FROM sync_managers s "
-        "WHERE s.device_id = ? AND EXISTS "
-        "(SELECT 1 FROM pdos p WHERE p.device_id = s.device_id AND p.image_sm = s.position) ORDER BY s.position",
+        f"SELECT 'SM' || s.position, coalesce(s.transfer_direction, CASE s.usage {_BY_ROLE} END, "
+        f"CASE min(p.direction) {_BY_PDO} END) FROM sync_managers s "
+        "JOIN pdos p ON p.device_id = s.device_id AND p.image_sm = s.position WHERE s.device_id = ? "
+        "GROUP BY s.position, s.transfer_direction, s.usage ORDER BY s.position",
     ),
     (
         "SyncManagers without PDOs have DefaultSize {} here, {} there",
@@ -227,13 +236,19 @@ class IdentityLookup:
             shown = [_listed(self._query(statement, (device_id,))) for device_id in (here, there)]
             if shown[0] != shown[1]:
                 return words.format(*shown)
-        return "in the samples of oversampled PDOs"
+        return "in the samples of oversampled PDOs, or in PDOs that are too long for a SyncManager"
 
     def _layout(self, device_id: int) -> dict[tuple[int, int], str]:
-        return {
-            (sm, offset): f"0x{index:04X}:{subindex:02X} ({bits} bit)" if index else f"a gap ({bits} bit)"
-            for sm, offset, index, subindex, bits in self._query(_LAYOUT, (device_id,))
-        }
+        """What begins where, in words; gaps that follow each other are one."""
+        found = {}
+        gap = (-1, 0, 0)  # SyncManager, begin and end of the last one
+        for sm, offset, index, subindex, bits in self._query(_LAYOUT, (device_id,)):
+            if index != 0:
+                found[sm, offset] = mapped_words(index, subindex, bits)
+            elif bits is not None and bits > 0:
+                gap = (sm, gap[1] if (sm, offset) == (gap[0], gap[2]) else offset, offset + bits)
+                found[sm, gap[1]] = mapped_words(0, 0, gap[2] - gap[1])
+        return found
 
 
 def _device(row: tuple[Any, ...]) -> FoundDevice:

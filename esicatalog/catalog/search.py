@@ -168,6 +168,11 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
 def _like_condition(connection: sa.Connection, identity: Identity) -> Condition:
     number, found, _ = find_device(connection, identity)
     facts = connection.execute(sa.select(schema.device_facts).where(schema.device_facts.c.device_id == number)).one()
+    if facts.output_bytes is None or facts.input_bytes is None:
+        raise InputError(
+            f"the length of the default process image of {found.identity_text} is not known; "
+            "there is no layout to compare"
+        )
     if facts.image_signature is None:
         raise InputError(f"{found.identity_text} has no process data by default; there is no layout to compare")
     return capability.like(number, f"{found.identity_text} {found.type or ''}".rstrip(), facts)

@@ -50,9 +50,13 @@ def revisions_of(connection: sa.Connection, device_id: int, found: FoundDevice) 
 
 
 def same_layout(connection: sa.Connection, device_id: int) -> tuple[FoundDevice, ...]:
-    """Other visible devices whose default process image has the same layout: similar, not a replacement."""
+    """Other visible devices whose default process image has the same layout: similar, not a replacement.
+
+    None where its length is not known: what is not described may differ.
+    """
     facts = device_facts.c
-    signature = connection.execute(sa.select(facts.image_signature).where(facts.device_id == device_id)).scalar()
+    known = sa.and_(facts.device_id == device_id, facts.output_bytes.is_not(None), facts.input_bytes.is_not(None))
+    signature = connection.execute(sa.select(facts.image_signature).where(known)).scalar()
     if signature is None:
         return ()
     rows = connection.execute(

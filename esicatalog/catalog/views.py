@@ -249,8 +249,9 @@ def _capabilities(dialect: str) -> list[View]:
         ),
         View(
             "same_process_image_layout",
-            "Pairs of devices whose default process images have the same layout. Similar is not the same: never take "
-            "one for the other by this alone, revisions can be power ratings.",
+            "Descriptions with the preferred ones of other devices whose default process images have the same layout: "
+            "the same entries at the same places, in images of equal and known lengths. Similar is not the same: never "
+            "take one for the other by this alone, revisions can be power ratings.",
             f"SELECT {identity}, o.id AS other_device_id, "
             f"{hex_text('o.vendor_id', 8, dialect)} AS other_vendor_id_hex, "
             f"{hex_text('o.product_code', 8, dialect)} AS other_product_code_hex, "
@@ -258,7 +259,7 @@ def _capabilities(dialect: str) -> list[View]:
             f"{_flag('f.pdo_signature = g.pdo_signature')} AS same_pdo_set, f.output_bytes, "
             f"f.input_bytes {_DEVICES} JOIN device_facts f ON f.device_id = d.id "
             "JOIN device_facts g ON g.image_signature = f.image_signature JOIN devices o ON o.id = g.device_id "
-            "WHERE o.id <> d.id AND o.variant = 1 AND d.variant = 1",
+            "WHERE o.id <> d.id AND o.variant = 1 AND f.output_bytes IS NOT NULL AND f.input_bytes IS NOT NULL",
         ),
         View(
             "drive_modes_by_vendor",

@@ -7,9 +7,9 @@ from typing import NamedTuple
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.compare_facts import PROCESS_IMAGE, Difference, difference, either, matched
-from esicatalog.model.compare_pdos import mapped_words
 from esicatalog.model.compare_words import counted, shown_text
-from esicatalog.model.pdo_facts import entry_facts
+from esicatalog.model.image_layout import ImageLayout, entries_with_place, image_layout
+from esicatalog.model.pdo_facts import Mapped, mapped, mapped_words
 from esicatalog.model.process_image import SmImage, byte_bit, default_process_image
 
 FIRST_PLACES = 3
@@ -19,26 +19,37 @@ FIRST_PLACES = 3
 class _Placed(NamedTuple):
     """What lies at a bit offset."""
 
-    mapped: tuple[int | None, int, int | None]
+    mapped: Mapped
     name: str | None
 
 
 def compare_images(
     left: Device, left_modules: Sequence[Module], right: Device, right_modules: Sequence[Module]
 ) -> Iterator[Difference]:
-    """The default process images (default OpMode, default modules) by SyncManager.
-
-    Padding is no place of its own: where the entries lie is what the master's program relies on. What lies behind a PDO
-    of unknown length has none.
-    """
+    """The default process images (default OpMode, default modules) by SyncManager, as far as their layouts differ."""
     images, others = default_process_image(left, left_modules), default_process_image(right, right_modules)
     for ours, theirs in matched(images, others, lambda image: image.sm):
+        layout, other = (image_layout(image) if image is not None else None for image in (ours, theirs))
+        if layout == other:
+            continue
         place = f"SM{either(ours, theirs).sm}"
         size, other_size = _size_words(ours), _size_words(theirs)
         if size != other_size:
             yield difference(PROCESS_IMAGE, f"{place} size", size, other_size, True)
         if ours is not None and theirs is not None:
             yield from _compare_places(place, ours, theirs)
+        if layout is not None and other is not None:
+            yield from _compare_layouts(place, layout, other)
+
+
+def _compare_layouts(place: str, left: ImageLayout, right: ImageLayout) -> Iterator[Difference]:
+    """What is no size and has no place."""
+    for words, said, also in (
+        ("direction", left.transfer_direction, right.transfer_direction),
+        ("without known place", ", ".join(left.undescribed) or None, ", ".join(right.undescribed) or None),
+    ):
+        if said != also:
+            yield difference(PROCESS_IMAGE, f"{place} {words}", said, also, True)
 
 
 def _size_words(image: SmImage | None) -> str | None:
@@ -64,17 +75,11 @@ def _compare_places(place: str, left: SmImage, right: SmImage) -> Iterator[Diffe
 
 def _places(image: SmImage) -> dict[int, _Placed]:
     return {
-        placed.bit_offset: _Placed(
-            (placed.entry.entry_index, placed.entry.subindex or 0, placed.entry.bit_length),
-            shown_text(placed.entry.names),
-        )
-        for pdo in image.pdos
-        for placed in pdo.entries
-        if placed.bit_offset is not None and not entry_facts(placed.entry).is_padding
+        bit_offset: _Placed(mapped(entry), shown_text(entry.names)) for bit_offset, entry in entries_with_place(image)
     }
 
 
-def _mapped_at(places: dict[int, _Placed], at: int) -> tuple[int | None, int, int | None] | None:
+def _mapped_at(places: dict[int, _Placed], at: int) -> Mapped | None:
     return places[at].mapped if at in places else None
 
 

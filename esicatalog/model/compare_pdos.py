@@ -22,7 +22,7 @@ from esicatalog.model.compare_facts import (
     never,
 )
 from esicatalog.model.compare_words import counted, listed, shown_text, sync_manager, text, yes_no
-from esicatalog.model.pdo_facts import entry_facts, index_words, pdo_bits, symmetric_exclusions
+from esicatalog.model.pdo_facts import entry_facts, index_words, mapped, mapped_words, pdo_bits, symmetric_exclusions
 from esicatalog.model.process_image import NamedAssignment, alternative_assignments
 
 
@@ -73,8 +73,6 @@ _ENTRY = (
     Fact("safety_conn_number", "SafetyConnNumber", always),
     Fact("ads_info", "AdsInfo", never),
 )
-_Mapped = tuple[int | None, int, int | None]
-"""Index, subindex and bit length of an entry; of padding only the length counts."""
 
 
 def compare_pdos(left: Device | Module, right: Device | Module) -> Iterator[Difference]:
@@ -121,11 +119,11 @@ def _pdo_words(pdo: Pdo) -> str:
 
 def _compare_entries(place: str, left: Sequence[Entry], right: Sequence[Entry]) -> Iterator[Difference]:
     """Entries by what they map: one that is put in or taken out does not change those behind it."""
-    for number, other_number in aligned([_mapped(entry) for entry in left], [_mapped(entry) for entry in right]):
+    for number, other_number in aligned([mapped(entry) for entry in left], [mapped(entry) for entry in right]):
         ours = left[number] if number is not None else None
         theirs = right[other_number] if other_number is not None else None
         where = f"{place} entry {_number(number, other_number, ours)}"
-        if ours is None or theirs is None or _mapped(ours) != _mapped(theirs):
+        if ours is None or theirs is None or mapped(ours) != mapped(theirs):
             yield difference(PDO, where, _entry_words(ours), _entry_words(theirs), True)
         elif not entry_facts(ours).is_padding:
             yield from compare_facts(PDO, where, ours, theirs, _ENTRY)
@@ -134,30 +132,18 @@ def _compare_entries(place: str, left: Sequence[Entry], right: Sequence[Entry]) 
 def _number(number: int | None, other: int | None, entry: Entry | None) -> str:
     """The number of an entry, counted from 1; its object when the numbers differ."""
     if number is not None and other is not None and number != other and entry is not None:
-        return mapped_words(*_mapped(entry))
+        return mapped_words(*mapped(entry))
     known = number if number is not None else other
     return str(known + 1) if known is not None else ""
-
-
-def _mapped(entry: Entry) -> _Mapped:
-    if entry_facts(entry).is_padding:
-        return (0, 0, entry.bit_length)
-    return (entry.entry_index, entry.subindex or 0, entry.bit_length)
-
-
-def mapped_words(index: int | None, subindex: int, bit_length: int | None) -> str:
-    """What an entry maps, e.g. ``0x6041:00 (16 bit)``."""
-    target = "padding" if index == 0 else f"{index_words(index)}:{subindex:02X}"
-    return f"{target} ({'no length' if bit_length is None else f'{bit_length} bit'})"
 
 
 def _entry_words(entry: Entry | None) -> str | None:
     if entry is None:
         return None
-    mapped = mapped_words(*_mapped(entry))
+    words = mapped_words(*mapped(entry))
     if entry_facts(entry).is_padding:
-        return mapped
-    return " ".join(filter(None, (mapped, type_words(entry.data_type), shown_text(entry.names))))
+        return words
+    return " ".join(filter(None, (words, type_words(entry.data_type), shown_text(entry.names))))
 
 
 def aligned(left: Sequence[Hashable], right: Sequence[Hashable]) -> list[tuple[int | None, int | None]]:

@@ -39,6 +39,10 @@ class PdoFacts(Record):
     entry_count: Annotated[int, Doc("Number of entries, padding included")] = 0
 
 
+Mapped = tuple[int | None, int, int | None]
+"""Index, subindex and bit length of an entry; of padding only the length counts."""
+
+
 class EntryFacts(Record):
     """What an entry is."""
 
@@ -67,6 +71,17 @@ def entry_facts(entry: Entry) -> EntryFacts:
 
 
 _PADDING, _NO_PADDING = EntryFacts(is_padding=True), EntryFacts(is_padding=False)
+
+
+def mapped(entry: Entry) -> Mapped:
+    """What an entry maps."""
+    return (entry.entry_index, entry.subindex or 0 if entry.entry_index != 0 else 0, entry.bit_length)
+
+
+def mapped_words(index: int | None, subindex: int, bit_length: int | None) -> str:
+    """What an entry maps, e.g. ``0x6041:00 (16 bit)``."""
+    target = "padding" if index == 0 else f"{index_words(index)}:{subindex:02X}"
+    return f"{target} ({'no length' if bit_length is None else f'{bit_length} bit'})"
 
 
 def has_length(entry: Entry) -> bool:

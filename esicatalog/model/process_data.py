@@ -13,9 +13,10 @@ from esicatalog.esi.content import digest
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.model.image_layout import image_layout
 from esicatalog.model.memo import IdentityMemo, identities
-from esicatalog.model.pdo_facts import is_described
+from esicatalog.model.pdo_facts import mapped
 from esicatalog.model.process_image import SmImage, default_process_image
 from esicatalog.model.slot_indices import IndicesInSlots
 from esicatalog.model.slots import default_modules
@@ -88,38 +89,18 @@ class ProcessData:
 
     @cached_property
     def image_signature(self) -> str | None:
-        """Digest of the default process image, None where it is empty or longer than SyncManagers can be.
-
-        SyncManagers that exchange nothing do not belong to it: a virtual one more is the same layout. Of those of
-        unknown length counts what is described, with the PDOs whose length is not.
-        """
-        if not any(image.bit_size for image in self.images) or any(image.overflow for image in self.images):
-            return None
-        return digest(_encode([*map(self._image_layout, filter(_may_exchange, self.images))])).hex()
-
-    def _image_layout(self, image: SmImage) -> Sequence[object]:
-        entries = [(placed.bit_offset, *_layout(placed.entry)) for pdo in image.pdos for placed in pdo.entries]
-        if image.has_known_size:
-            return image.sm, image.usage, entries
-        unknown = [pdo.pdo.pdo_index for pdo in image.pdos if not is_described(pdo.pdo)]
-        return image.sm, image.usage, entries, unknown or self.sync_managers[image.sm].default_size
+        """Digest of the layout of the default process image, None where nothing is exchanged."""
+        layouts = [(image.sm, layout) for image in self.images if (layout := image_layout(image)) is not None]
+        return digest(_encode(layouts)).hex() if layouts else None
 
     @cached_property
     def pdo_signature(self) -> str | None:
         """Digest of all PDOs with their entries, None without PDOs."""
         layout = [
-            [(pdo.pdo_index, [_layout(entry) for entry in pdo.entries]) for pdo in pdos]
+            [(pdo.pdo_index, [mapped(entry) for entry in pdo.entries]) for pdo in pdos]
             for pdos in (self.rx_pdos, self.tx_pdos)
         ]
         return digest(_encode(layout)).hex() if self.rx_pdos or self.tx_pdos else None
-
-
-def _may_exchange(image: SmImage) -> bool:
-    return bool(image.bit_size) or not image.has_known_size
-
-
-def _layout(entry: Entry) -> tuple[int | None, int, int | None]:
-    return (entry.entry_index, entry.subindex or 0 if entry.entry_index else 0, entry.bit_length)
 
 
 class SharedProcessData:

@@ -80,6 +80,8 @@ class SmImage(NamedTuple):
     overflow: str | None = None
     has_known_size: bool = True
     """Whether the described bits are all; the remarks say why not."""
+    left_open: int | None = None
+    """DefaultSize of a SyncManager that has no PDO and exchanges something that is not described."""
 
     @property
     def byte_size(self) -> int | None:
@@ -164,11 +166,10 @@ def _image(device: Device, assigned: SmAssignment, factors: Mapping[int, int | N
     for pdo in assigned.pdos:
         builder.place(pdo)
     builder.align(None)
-    has_known_size = builder.is_known
     remarks += _unknown_words(number, builder.placed)
-    if sm is not None and not assigned.is_named and _is_left_open(sm):
-        has_known_size = False
-        remarks.append(f"SM{number} has DefaultSize {sm.default_size} and no PDO: what it exchanges is not described")
+    left_open = sm.default_size if sm is not None and not assigned.is_named and _is_left_open(sm) else None
+    if left_open is not None:
+        remarks.append(f"SM{number} has DefaultSize {left_open} and no PDO: what it exchanges is not described")
     return SmImage(
         number,
         sm.usage if sm is not None else None,
@@ -177,7 +178,8 @@ def _image(device: Device, assigned: SmAssignment, factors: Mapping[int, int | N
         builder.bit_size,
         tuple(remarks),
         builder.overflow,
-        has_known_size,
+        builder.is_known and left_open is None,
+        left_open,
     )
 
 

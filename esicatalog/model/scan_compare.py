@@ -6,7 +6,7 @@ assignment other than the default one is told as such and need not be a fault.
 
 import itertools
 from collections import defaultdict
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -15,6 +15,7 @@ from esicatalog.model.base_types import base_type
 from esicatalog.model.compare_words import counted
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
+from esicatalog.model.pdo_facts import Mapped, has_length, is_described, mapped, mapped_words
 from esicatalog.model.process_image import default_process_image
 from esicatalog.model.slots import SlotShift, fitting_modules, numbered_slots
 from esicatalog.scan.records import ScannedDictionary, ScannedObjectEntry, ScannedPdo, ScannedPdos
@@ -25,8 +26,8 @@ _STATES = ("PREOP", "SAFEOP", "OP")
 _READ_BITS, _WRITE_BITS = 0, 3
 """Lowest bits of the CoE access word for reading and writing."""
 
-_Mapping = tuple[tuple[int, int, int], ...]
-"""(index, subindex, bit length) of entries; index and subindex 0 for gaps."""
+_Mapping = tuple[Mapped, ...] | None
+"""What the entries of a described PDO map, as far as it says; None for variable content."""
 
 _ALIKE = {"uint": "uint", "bits": "uint", "bool": "bool"}
 """Kinds that devices and descriptions use for the same thing."""
@@ -95,48 +96,53 @@ def _pdos(owner: Device | Module) -> Iterator[tuple[bool, Pdo]]:
 
 def _described_pdos(
     device: Device, slots: _AnySlot, printed: Container[int]
-) -> Mapping[tuple[bool, int], set[_Mapping]]:
+) -> Mapping[tuple[bool, int], dict[_Mapping, None]]:
     """Mappings by direction (true = RxPDO) and index: the device's own, and what modules bring of the printed ones."""
-    known: dict[tuple[bool, int], set[_Mapping]] = defaultdict(set)
+    known: dict[tuple[bool, int], dict[_Mapping, None]] = defaultdict(dict)
     for is_rx, pdo in _pdos(device):
         if pdo.pdo_index is not None:
-            known[is_rx, pdo.pdo_index].add(_described_mapping(pdo))
+            known[is_rx, pdo.pdo_index][_described_mapping(pdo)] = None
     for module, shift in slots:
         for is_rx, pdo in _pdos(module):
             if pdo.pdo_index is None:
                 continue
             index = shift.pdo_index(pdo.pdo_index, pdo.depend_on_slot, pdo.depend_on_slot_group)
             if index in printed:
-                known[is_rx, index].add(_described_mapping(shift.pdo(pdo)))
+                known[is_rx, index][_described_mapping(shift.pdo(pdo))] = None
     return known
 
 
 def _described_mapping(pdo: Pdo) -> _Mapping:
-    return tuple(
-        (entry.entry_index or 0, (entry.subindex or 0) if entry.entry_index else 0, entry.bit_length or 0)
-        for entry in pdo.entries
-    )
+    if not pdo.entries and not is_described(pdo):
+        return None
+    found = [(mapped(entry), has_length(entry)) for entry in pdo.entries]
+    return tuple((index, subindex, bits if known else None) for (index, subindex, bits), known in found)
 
 
-def _pdo_differences(pdo: ScannedPdo, known: Mapping[tuple[bool, int], set[_Mapping]]) -> Iterator[str]:
+def _fits(printed: Mapped, described: Mapped) -> bool:
+    """Whether an entry is as described; what the description leaves open may be anything."""
+    index, subindex, bits = described
+    return (index is None or printed[:2] == (index, subindex)) and (bits is None or printed[2] == bits)
+
+
+def _pdo_differences(pdo: ScannedPdo, known: Mapping[tuple[bool, int], Collection[_Mapping]]) -> Iterator[str]:
     where = f"{'Rx' if pdo.is_rx else 'Tx'}PDO 0x{pdo.index:04X}"
     mappings = known.get((pdo.is_rx, pdo.index))
     if mappings is None:
         yield f"{where}: not described"
         return
-    mapped = tuple((e.index, e.subindex if e.index else 0, e.bit_length) for e in pdo.entries)
-    if mapped in mappings:
+    printed = [(e.index, e.subindex if e.index else 0, e.bit_length) for e in pdo.entries]
+    described = [mapping for mapping in mappings if mapping is not None]
+    if len(described) < len(mappings) or any(
+        len(mapping) == len(printed) and all(map(_fits, printed, mapping)) for mapping in described
+    ):
         return
-    described = min(mappings, key=lambda mapping: abs(len(mapping) - len(mapped)))
-    if len(mapped) != len(described):
-        yield f"{where}: maps {counted(len(mapped), 'entry', 'entries')}; described with {len(described)}"
-    for number, (ours, theirs) in enumerate(zip(mapped, described, strict=False), 1):
-        if ours != theirs:
-            yield f"{where}, entry {number}: maps {_entry_words(*ours)}; described is {_entry_words(*theirs)}"
-
-
-def _entry_words(index: int, subindex: int, bits: int) -> str:
-    return f"0x{index:04X}:{subindex:02X} ({bits} bit)" if index else f"a gap of {bits} bit"
+    nearest = min(described, key=lambda mapping: abs(len(mapping) - len(printed)))
+    if len(printed) != len(nearest):
+        yield f"{where}: maps {counted(len(printed), 'entry', 'entries')}; described with {len(nearest)}"
+    for number, (ours, theirs) in enumerate(zip(printed, nearest, strict=False), 1):
+        if not _fits(ours, theirs):
+            yield f"{where}, entry {number}: maps {mapped_words(*ours)}; described is {mapped_words(*theirs)}"
 
 
 def compare_objects(device: Device, modules: Sequence[Module], seen: ScannedDictionary) -> list[str]:

@@ -1,0 +1,99 @@
+"""When two process images have the same layout: the signature of the catalog and the comparison say it alike."""
+
+import pytest
+from snippets import device, esi, only_device, pdo
+
+from esicatalog.model.compare_image import compare_images
+from esicatalog.model.process_data import ProcessData
+
+SMS = "<Sm>Outputs</Sm><Sm>Inputs</Sm>"
+VARIABLE = '<RxPdo Sm="0"><Index>{}</Index><Name>R</Name></RxPdo>'
+
+
+def rx(*entries: tuple[int, str], index: str = "#x1600", attributes: str = "") -> str:
+    """A RxPDO of SM0; entries are (subindex, bit length) of 0x7000, subindex 0 is a gap."""
+    found = "".join(
+        f"<Entry><Index>{'#x7000' if sub else 0}</Index><SubIndex>{sub}</SubIndex>"
+        + (f"<BitLen>{bits}</BitLen>" if bits else "")
+        + "</Entry>"
+        for sub, bits in entries
+    )
+    return f'<RxPdo Sm="0" {attributes}><Index>{index}</Index><Name>R</Name>{found}</RxPdo>'
+
+
+A, B, GAP_7 = (1, "1"), (2, "8"), (0, "7")
+SAME = {
+    "a gap in one or two": (SMS + rx(A, GAP_7, B), SMS + rx(A, (0, "1"), (0, "6"), B)),
+    "a gap across PDOs": (SMS + rx(A, GAP_7) + rx(B, index="#x1601"), SMS + rx(A) + rx(GAP_7, B, index="#x1601")),
+    "a gap of no bits": (SMS + rx(A, B), SMS + rx(A, (0, "0"), B)),
+    "a gap in two behind what has no length": (
+        SMS + rx((3, ""), A, GAP_7, B),
+        SMS + rx((3, ""), A, (0, "3"), (0, "0"), (0, "4"), B),
+    ),
+    "no role": (SMS + rx(A), "<Sm></Sm><Sm>Inputs</Sm>" + rx(A)),
+    "a role of its own": (SMS + rx(A), "<Sm>OrbitaOut</Sm><Sm>Inputs</Sm>" + rx(A)),
+    "a SyncManager of no bits": (SMS + rx(A), "<Sm>Outputs</Sm>" + rx(A)),
+    "the PDO that maps it": (SMS + rx(A), SMS + rx(A, index="#x1601")),
+    "the same DefaultSize": ('<Sm DefaultSize="8">Outputs</Sm>', '<Sm DefaultSize="8">Outputs</Sm><Sm>Inputs</Sm>'),
+}
+OTHER = {
+    "an entry moved": (SMS + rx(A, GAP_7, B), SMS + rx(A, B, GAP_7)),
+    "a gap at the end": (SMS + rx(A), SMS + rx(A, GAP_7)),
+    "a gap of no length": (SMS + rx((3, ""), A), SMS + rx((3, ""), (0, ""), A)),
+    "the direction": (
+        '<Sm ControlByte="#x64">Outputs</Sm>' + rx(A),
+        '<Sm ControlByte="#x20">Outputs</Sm>' + rx(A),
+    ),
+    "a DefaultSize without PDO": ('<Sm DefaultSize="8">Outputs</Sm>', '<Sm DefaultSize="64">Outputs</Sm>'),
+    "a DefaultSize or none": ('<Sm DefaultSize="8">Outputs</Sm>', '<Sm DefaultSize="0">Outputs</Sm>'),
+    "which PDO has variable content": (SMS + VARIABLE.format("#x1600"), SMS + VARIABLE.format("#x1601")),
+    "variable content or none": (SMS + VARIABLE.format("#x1600"), SMS),
+    "what lies behind an entry without length": (SMS + rx(A, (3, ""), B), SMS + rx(A, (3, ""), (4, "8"))),
+    "which PDO has an entry without length": (SMS + rx(A, (3, "")), SMS + rx(A, (3, ""), index="#x1601")),
+    "where the unknown begins": (
+        SMS + rx(GAP_7) + VARIABLE.format("#x1601") + rx(B, index="#x1602"),
+        SMS + VARIABLE.format("#x1601") + rx(GAP_7, B, index="#x1602"),
+    ),
+    "what no SyncManager holds": (
+        SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="0" OSFac="300000000"'),
+        SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="0" OSFac="32768"'),
+    ),
+}
+
+
+def verdicts(left: str, right: str) -> tuple[bool, bool]:
+    """Whether the layouts are the same: as the signature says, as the comparison says from both sides."""
+    ours, theirs = (only_device(esi(device(content))) for content in (left, right))
+    found, back = list(compare_images(ours, (), theirs, ())), list(compare_images(theirs, (), ours, ()))
+    assert [item.place for item in found] == [item.place for item in back]
+    assert all(item.counts for item in found)
+    return ProcessData(ours).image_signature == ProcessData(theirs).image_signature, not found
+
+
+@pytest.mark.parametrize(("left", "right"), SAME.values(), ids=SAME)
+def test_layouts_that_are_the_same(left, right):
+    assert verdicts(left, right) == (True, True)
+
+
+@pytest.mark.parametrize(("left", "right"), OTHER.values(), ids=OTHER)
+def test_layouts_that_differ(left, right):
+    assert verdicts(left, right) == (False, False)
+
+
+@pytest.mark.parametrize("content", ["", SMS, SMS + rx(attributes='Fixed="1"')])
+def test_what_exchanges_nothing_has_no_signature(content):
+    """The list of entries of a Fixed PDO is empty and stays so."""
+    assert ProcessData(only_device(esi(device(content)))).image_signature is None
+
+
+def test_what_has_no_place_is_told_in_order():
+    """0x7000:02 lies behind a PDO of unknown length, and so does a gap of three bits and four."""
+    left = SMS + VARIABLE.format("#x1600") + rx((0, "3"), (0, "4"), B, index="#x1601")
+    right = SMS + VARIABLE.format("#x1600") + rx(GAP_7, (4, "8"), index="#x1601")
+    ours, theirs = (only_device(esi(device(content))) for content in (left, right))
+    (found,) = compare_images(ours, (), theirs, ())
+    assert (found.place, found.left, found.right) == (
+        "SM0 without known place",
+        "PDO 0x1600, padding (7 bit), 0x7000:02 (8 bit)",
+        "PDO 0x1600, padding (7 bit), 0x7000:04 (8 bit)",
+    )
