@@ -262,8 +262,18 @@ class Catalog:
         )
 
     def content_hash(self) -> str | None:
-        """SHA-256 of what the catalog holds, as the last ingest stored it; None while one is under way."""
+        """SHA-256 over all descriptions and the documents that carry them, as the last ingest stored it.
+
+        None while one is under way. Documents that describe no device and what versions derive do not count.
+        """
         return self._identities().content_hash()
+
+    def state_hash(self) -> str | None:
+        """SHA-256 of what the content hash leaves out: all documents with the versions that read them, and the schema.
+
+        None while an ingest is under way, and until one has stored it.
+        """
+        return self._identities().state_hash()
 
     def findings(self, rules: "Iterable[Rule]") -> "Iterator[DocumentFinding]":
         """What an ingest found by these rules, document by document, then what documents contradict each other in."""
@@ -291,6 +301,8 @@ class Catalog:
 
     def snapshot(self, to: str | os.PathLike[str]) -> "Snapshot":
         """Copy the catalog into one read-only SQLite file; ``<hash>`` in its name becomes the content hash.
+
+        ``<state>`` becomes the first 16 digits of a digest of what that leaves out (:meth:`state_hash`).
 
         Raises :class:`~esicatalog.errors.CatalogError` while an ingest is under way, when the file holds another
         catalog, and :class:`~esicatalog.errors.InputError` for a file that cannot be written.

@@ -276,7 +276,10 @@ def test_a_length_that_is_not_described_is_no_number(tmp_path):
         assert [len(catalog.devices(bytes_out=Bounds(0, most))) for most in (0, 2, None)] == [0, 0, 0]
         assert len(catalog.devices(bytes_in=Bounds(0, 0))) == 1
     result = run("show", "0xe5c:1", "--db", db, "--format", "json")
-    (image,) = json.loads(result.stdout)["process_image"]
+    sheet = json.loads(result.stdout)
+    (image,) = sheet["process_image"]
+    facts = sheet["facts"]
+    assert (facts["output_bytes"], facts["input_bytes"], facts["runs_without_dc"]) == (None, 0, True)
     assert (image["byte_size"], image["bit_size"], image["size"]) == (None, None, "at least 2 bytes (16 bits)")
     assert [entry["bit_offset"] for entry in image["entries"]] == [None]
     shown = run("show", "0xe5c:1", "--db", db).stdout

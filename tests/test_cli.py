@@ -247,6 +247,15 @@ def test_show_prints_a_sheet(data_db):
     assert sheet["identity"]["revision_no"] == 143
 
 
+def test_json_of_a_device_has_all_that_is_derived(data_db):
+    """What the tables have as columns, be it the default: only who knows the defaults could tell what was left out."""
+    sheet = json.loads(run("show", "0x1097:0x2406", "--format", "json", db=data_db).stdout)
+    for part, table in (("facts", "device_facts"), ("drive_modes", "drive_modes"), ("mode_evidence", "mode_evidence")):
+        columns = {name for _, name, *_ in rows(data_db, f"PRAGMA table_info({table})")}
+        for found in [sheet[part]] if part == "facts" else sheet[part]:
+            assert found.keys() == columns - {"id", "device_id", "position", "spelling"}
+
+
 def test_an_argument_that_cannot_be_read_is_told_with_its_option(data_db):
     for words, says in (
         (("devices", "--bytes-in", "abc"), "--bytes-in 'abc' is not a number"),

@@ -43,6 +43,61 @@ def test_wrong_declared_encoding_is_read_and_told():
     assert parsed.error_line == 3
 
 
+@pytest.mark.parametrize(
+    ("declared", "name", "encoding"),
+    [
+        ("gb2312", "伺服驱动器镕", "gb18030"),
+        ("GBK", "伺服€𠀀", "gb18030"),
+        ("windows-31j", "①サーボ ~ \\ 表", "cp932"),
+        ("MS932", "①サーボ ~ \\ 表", "cp932"),
+        ("Shift_JIS", "①サーボ ~ \\ 表", "cp932"),
+        ("ks_c_5601-1987", "서보 똠방", "cp949"),
+        ("euc-kr", "서보 똠방", "cp949"),
+        ("Big5", "伺服驅動器碁€", "cp950"),
+    ],
+)
+def test_the_code_page_that_an_east_asian_name_means_is_read_and_told(declared, name, encoding):
+    """Each name has a character that only the code page has: GBK for GB 2312, NEC's for JIS, UHC, ETEN's for Big5."""
+    parsed = parse_document((DECLARED.format(declared) + esi(device(name=name))).encode(encoding))
+    assert parsed.root.findtext("Descriptions/Devices/Device/Name") == name
+    assert (parsed.encoding, parsed.recovered.endswith(f"read as {encoding}")) == (encoding, True)
+
+
+@pytest.mark.parametrize("declared", ["Shift_JIS", "shift-jis"])
+def test_a_backslash_and_a_tilde_of_shift_jis_are_no_yen_and_overline(declared):
+    content = (DECLARED.format(declared) + esi(device(name="サーボ ~200V C:\\表"))).encode("shift_jis")
+    parsed = parse_document(content)
+    assert parsed.root.findtext("Descriptions/Devices/Device/Name") == "サーボ ~200V C:\\表"
+    assert (parsed.encoding, parsed.recovered) == ("cp932", None)
+
+
+def test_what_a_declared_encoding_reads_stays_as_it_reads_it():
+    """A middle dot, which GB 2312 and GB 18030 take for different characters."""
+    declared = (DECLARED.format("gb2312") + esi(device(name="N"))).encode().replace(b">N<", b">\xa1\xa4<")
+    parsed = parse_document(declared)
+    assert parsed.root.findtext("Descriptions/Devices/Device/Name") in "・·"
+    assert (parsed.encoding.lower(), parsed.recovered) == ("gb2312", None)
+
+
+@pytest.mark.parametrize("declared", ["gb2312", "windows-31j", "martian"])
+def test_utf_8_under_another_name_is_read_as_such(declared):
+    parsed = parse_document((DECLARED.format(declared) + esi(device(name="伺服驱动器"))).encode("utf-8"))
+    assert parsed.root.findtext("Descriptions/Devices/Device/Name") == "伺服驱动器"
+    assert parsed.recovered.endswith("read as utf-8")
+
+
+@pytest.mark.parametrize(
+    ("between", "line"),
+    [('\n<?xml version="1.0" ?>\n', 4), ("\n\n", 4), ("</oops>\n", 3)],
+    ids=["as ethercat xml writes", "without declaration", "behind an end tag too many"],
+)
+def test_a_second_document_in_a_file_is_named_with_its_line(between, line):
+    first, second = esi(device(name="kept")), esi(device(name="lost"))
+    parsed = parse_document(f'<?xml version="1.0" ?>\n{first}{between}{second}\n'.encode())
+    assert [name.text for name in parsed.root.iter("Name") if name.text in ("kept", "lost")] == ["kept"]
+    assert f"the document in line {line} and all behind it is left out: make a file of each" in parsed.recovered
+
+
 def test_content_after_the_root_is_recovered_with_its_line():
     content = esi(device(name="kept")) + "\n\n<more/>"
     read_document = read(content)

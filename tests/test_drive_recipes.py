@@ -211,6 +211,29 @@ def test_a_pdo_that_the_description_rules_out_is_no_setpoint(pdos, sync_managers
     assert csv.recipe.split("; ")[0] == f"no setpoint: RxPDO 0x1601 has 0x60FF, but {obstacle}"
 
 
+@pytest.mark.parametrize(
+    ("first", "second", "obstacle"),
+    [
+        ("1601", "1601", "cannot be chosen: its index means the PDO that is described before it"),
+        ("1600", "", "cannot be assigned without an index"),
+    ],
+)
+def test_a_setpoint_in_a_pdo_that_no_index_means_is_none(first, second, obstacle):
+    """An assignment holds indices, and of two PDOs of one index the first is assigned."""
+    one = in_rx_pdo(first, ("6040", 16), attributes='Sm="2" Fixed="1"')
+    other = in_rx_pdo(second, ("60FF", 32), attributes='Fixed="1"').replace("<Index>#x</Index>", "", 1)
+    csv = verdict_of(one_drive(dictionary(CSV) + one + other + PDO_ASSIGN), "CSV")
+    assert (csv.verdict, csv.rx_pdo_index) == ("yes", None)
+    named = f"RxPDO 0x{second}" if second else "an RxPDO"
+    assert csv.recipe.split("; ")[0] == f"no setpoint: {named} has 0x60FF, but {obstacle}"
+
+
+def test_of_two_pdos_of_one_index_that_are_alike_either_is_meant():
+    two = ADDED * 2
+    csv = verdict_of(one_drive(dictionary(CSV) + PLAIN_AND_CSV + two + PDO_ASSIGN), "CSV")
+    assert csv.recipe.startswith("RxPDO 0x1601 maps the setpoint; it is not assigned by default")
+
+
 def test_a_setpoint_in_a_pdo_that_is_ruled_out_may_be_mapped_into_another():
     fixed = SMS.replace("<Sm>Outputs", '<Sm FixedAssignment="1">Outputs')
     pdos = in_rx_pdo("1600", ("6040", 16)) + ADDED

@@ -48,7 +48,7 @@ def rx(index: str, *entries: str, attributes: str = 'Sm="2"', name: str = "R", e
 PDOS = (
     pdo("RxPdo", "#x1600", 16, attributes='Sm="2"', extra="<Exclude>#x1601</Exclude>")
     + pdo("RxPdo", "#x1601", 8)
-    + pdo("RxPdo", "#x1602", 32)
+    + pdo("RxPdo", "#x1602", 32).replace("#x7000", "#x7002")
     + pdo("TxPdo", "#x1A00", 16, attributes='Sm="3"')
     + pdo("TxPdo", "#x1A01", 8, attributes='Virtual="1"')
     + pdo("TxPdo", "#x1A02", 8, extra="<ExcludedSm>3</ExcludedSm>")

@@ -375,9 +375,6 @@ def test_what_the_structures_cannot_hold():
     assert re.findall(r"\{0x7000, 0x01, (\d+)\}", header_of(long)) == ["248", "8"]
     with pytest.raises(InputError, match="0x7000:01 of PDO 0x1600 has 256 bits"):
         header_of(long + COE)
-    twice = SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') * 2
-    with pytest.raises(InputError, match="0x1600 is assigned twice"):
-        header_of(twice)
     with pytest.raises(InputError, match="SM16; IgH knows SM0 to SM15"):
         header_of("<Sm>Outputs</Sm>" * 17 + pdo("RxPdo", "#x1600", 8, attributes='Sm="16"'))
 

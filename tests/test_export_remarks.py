@@ -2,16 +2,18 @@
 
 import pytest
 from snippets import dictionary, pdo
-from test_export_configuration import SMS, configured, dc, entry, init_cmd, pdos, rx, times
+from test_export_configuration import SMS, configured, dc, entry, init_cmd, pdos, rx, subject, times
 
 from esicatalog.errors import InputError
-from esicatalog.export.choice import parse_pdo_choice
+from esicatalog.export.choice import Choice, parse_pdo_choice
+from esicatalog.export.configuration import configure
 from esicatalog.export.igh import igh_header
 from esicatalog.export.linuxcnc import linuxcnc_configuration
 from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.ros2 import ros2_slave
 from esicatalog.export.soem import soem_header
 from esicatalog.export.soem_startup import hook_commands
+from esicatalog.export.subject import Subject
 from esicatalog.identity import ModuleChoice
 
 EXPORTS = (igh_header, soem_header, pysoem_module, ros2_slave, linuxcnc_configuration)
@@ -126,7 +128,8 @@ def slot(idents: tuple[str, ...], attributes: str) -> str:
     return f"<Slot {attributes}>{''.join(f'<ModuleIdent>{ident}</ModuleIdent>' for ident in idents)}</Slot>"
 
 
-AXIS_MODULES = a_module("#x10", AXIS) + a_module("#x20", AXIS)
+OTHER_AXIS = AXIS.replace("#x16", "#x17").replace("#x1A", "#x1B")
+AXIS_MODULES = a_module("#x10", AXIS) + a_module("#x20", OTHER_AXIS)
 VALUE_MODULES = a_module("#x10", pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')) + a_module("#x20", "")
 BOTH = ("#x10", "#x20")
 
@@ -153,7 +156,7 @@ def test_process_data_of_modules_that_are_not_plugged(slots, words, modules, may
     plugged = configured(
         content,
         modules,
-        modules={0: ModuleChoice(0x10), 1: ModuleChoice(0x10)} if "1" in words else {0: ModuleChoice(0x10)},
+        modules={0: ModuleChoice(0x10), 1: ModuleChoice(0x20)} if "1" in words else {0: ModuleChoice(0x10)},
     )
     assert plugged.missing_modules is None
 
@@ -173,7 +176,7 @@ def sized(start: str, attributes: str = "") -> str:
     )
 
 
-ASSIGNABLE = AXIS + '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
+ASSIGNABLE = AXIS.replace("#x6040", "#x7040", 1) + '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
 
 
 @pytest.mark.parametrize(
@@ -237,3 +240,57 @@ def test_no_more_entries_than_the_mapping_has_subindices():
     for known in (declared(1, 2, 3), declared()):
         found = configured(known + MAPPABLE, pdos=three)
         assert [sm.byte_size for sm in found.sync_managers if sm.pdos] == [12]
+
+
+def slots_without_increments() -> Subject:
+    """Two slots, each with a module whose PDO stays at 0x1600 in both."""
+    slot = "<Slot><Name>s</Name><ModuleIdent Default='1'>1</ModuleIdent></Slot>"
+    mapped = rx("#x1600", entry("#x6040", 16, "Controlword"))
+    one = f'<Module><Type ModuleIdent="1">m</Type><Name>m</Name>{mapped}</Module>'
+    return subject(f"{SMS}<Slots>{slot}{slot}</Slots>", one)
+
+
+@pytest.mark.parametrize("described", [slots_without_increments(), subject(SMS + rx("#x1600", entry("#x7000", 8)) * 2)])
+def test_a_pdo_that_is_assigned_twice_is_refused_whatever_the_export(described):
+    """The assignment object lists indices, and a device has one PDO of each."""
+    with pytest.raises(InputError, match="PDO 0x1600 is assigned twice"):
+        configure(described)
+
+
+def test_choosing_a_pdo_that_is_assigned_twice_assigns_it_once():
+    found = configure(slots_without_increments(), Choice(pdos=parse_pdo_choice("0x1600")))
+    assert pdos(found) == {2: [0x1600]}
+
+
+REPEATED = (
+    rx("#x1600", entry("#x6040", 16, "Controlword"), entry("#x607A", 32, "Target"))
+    + rx("#x1601", entry("#x6040", 16, "Controlword"))
+    + rx("#x1602", entry("#x6040", 16, "Controlword"))
+)
+MAPPED_3_TIMES = "0x6040:00 Controlword is mapped 3 times: every copy is sent, so write all of them, or choose PDOs"
+
+
+@pytest.mark.parametrize("export", EXPORTS)
+def test_outputs_that_are_mapped_again_are_told(export):
+    text = " ".join(export(configured(SMS + REPEATED)).replace("#", "").replace("*", "").split())
+    assert MAPPED_3_TIMES in text
+
+
+@pytest.mark.parametrize("export", [ros2_slave, linuxcnc_configuration])
+def test_programs_that_reach_one_copy_say_what_becomes_of_the_others(export):
+    text = " ".join(export(configured(SMS + REPEATED)).replace("#", "").split())
+    assert text.count("reaches the first one only, the others stay 0") == 1
+
+
+@pytest.mark.parametrize(
+    ("content", "choice"),
+    [
+        (REPEATED, {"pdos": parse_pdo_choice("0x1600")}),
+        (REPEATED.replace("RxPdo", "TxPdo").replace("#x160", "#x1A0").replace('Sm="2"', 'Sm="3"'), {}),
+        (REPEATED.replace("#x1600", "#x18").replace("#x1601", "#x1018").replace("#x1602", "#x2018"), {}),
+        (rx("#x1600", entry("#x7000", 8, "sample"), attributes='Sm="2" OSFac="4"'), {}),
+    ],
+    ids=["chosen once", "inputs", "IDNs of several drives", "samples"],
+)
+def test_what_is_not_mapped_again(content, choice):
+    assert not [remark for remark in configured(SMS + content, **choice).remarks if "every copy is sent" in remark]

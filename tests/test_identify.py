@@ -412,6 +412,19 @@ async def test_bounds_methods_and_etag(data_db):
     assert "access-control-allow-origin" not in first.headers
 
 
+async def test_a_document_without_devices_makes_other_answers(tmp_path):
+    """Pages count all documents, and the content hash tells of those with devices only."""
+    folder = write(tmp_path / "esi", {"a.xml": esi(device())})
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([folder], jobs=1)
+        web = await client(tmp_path / "c.db")
+        before = await web.get("/-/esi/")
+        write(folder, {"b.xml": "<EtherCATConfig/>"})
+        catalog.ingest([folder], jobs=1)
+    after = await web.get("/-/esi/", headers={"if-none-match": before.headers["etag"]})
+    assert (after.status_code, after.headers["etag"] != before.headers["etag"]) == (200, True)
+
+
 async def test_cors_only_where_datasette_has_it(data_db):
     web = await new_client(data_db, cors=True)
     response = await web.get(f"{ROUTE}?vendor=1&product=1")

@@ -88,6 +88,39 @@ def test_the_same_content_again_is_no_error_and_other_content_is(tmp_path, snaps
     assert snapshot.read_bytes() == before
 
 
+def test_documents_without_devices_make_it_another_snapshot(tmp_path):
+    """An ENI document is skipped and describes no device: the content hash stays what it was."""
+    folder = write(tmp_path / "esi", {"a.xml": esi(device())})
+    db, plain = tmp_path / "c.db", tmp_path / "plain.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([folder], jobs=1)
+        before = catalog.snapshot(tmp_path / "<hash>-<state>.db")
+        catalog.snapshot(plain)
+        hashes = catalog.content_hash(), catalog.state_hash()
+        write(folder, {"b.xml": "<EtherCATConfig/>"})
+        catalog.ingest([folder], jobs=1)
+        assert catalog.content_hash() == hashes[0] == before.content_hash
+        assert catalog.state_hash() != hashes[1]
+        with pytest.raises(CatalogError, match="holds the same descriptions, but other documents"):
+            catalog.snapshot(plain)
+        after = catalog.snapshot(tmp_path / "<hash>-<state>.db")
+        assert (after.was_there, after.path == before.path) == (False, False)
+        assert one(after.path, "SELECT count(*) FROM sources") == 2
+        assert catalog.snapshot(tmp_path / "<hash>-<state>.db") == after._replace(was_there=True)
+    names = [name.stem.split("-") for name in (before.path, after.path)]
+    assert [(content, len(state)) for content, state in names] == [(hashes[0], 16)] * 2
+
+
+def test_what_another_version_read_makes_it_another_snapshot(tmp_path, data_db, snapshot):
+    """A version derives other facts of the same descriptions."""
+    with closing(sqlite3.connect(data_db)) as source, closing(sqlite3.connect(tmp_path / "c.db")) as copy:
+        source.backup(copy)
+        copy.execute("UPDATE sources SET reader_version = '0.0.1'")
+        copy.commit()
+    result = words("snapshot", "--from", tmp_path / "c.db", "--to", snapshot)
+    assert (result.exit_code, "what another version read" in result.stderr) == (2, True)
+
+
 def test_an_unfinished_catalog_gives_none(tmp_path, data_db):
     with closing(sqlite3.connect(data_db)) as source, closing(sqlite3.connect(tmp_path / "c.db")) as copy:
         source.backup(copy)

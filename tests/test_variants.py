@@ -12,7 +12,7 @@ from web_client import client
 from esicatalog import Catalog, NotFound
 from esicatalog.catalog.database import catalog_url, make_engine
 from esicatalog.catalog.rederive import derive_again
-from esicatalog.catalog.settle import CONTENT_HASH, content_hash, write_state
+from esicatalog.catalog.state import CONTENT_HASH, content_hash, write_state
 from esicatalog.web.links import device_path
 
 PLAIN = device(name="plain")

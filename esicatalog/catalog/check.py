@@ -9,7 +9,7 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.check_rows import rules
 from esicatalog.catalog.load import is_unfinished, secondary_indexes
 from esicatalog.catalog.schema import devices, vendors
-from esicatalog.catalog.settle import CONTENT_HASH, content_hash, read_state
+from esicatalog.catalog.state import CONTENT_HASH, content_hash, read_state
 from esicatalog.catalog.views import FULL_TEXT, views
 
 CUT_SHORT = "an ingest was cut short: run it again"

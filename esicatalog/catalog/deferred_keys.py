@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
-from esicatalog.catalog.settle import read_state, write_state
+from esicatalog.catalog.state import read_state, write_state
 from esicatalog.catalog.turns import take_turn
 from esicatalog.errors import CatalogError
 

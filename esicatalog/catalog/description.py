@@ -12,6 +12,7 @@ from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.results import DeviceSource, FoundDevice
 from esicatalog.catalog.siblings import Revision, revisions_of, same_layout
+from esicatalog.esi.binding import Record
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -146,16 +147,19 @@ def _in_lines() -> sa.ColumnElement[bool]:
 
 
 def description_json(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
-    """Identity, sources, process image, facts, drive modes, and the records of device and modules."""
+    """Identity, sources, process image, facts, drive modes, and the records of device and modules.
+
+    Records hold what their document says, and leave out what it does not; what is derived is complete.
+    """
     derived = derive(description.device, description.modules)
     images = description.images(choice) if choice else derived.images
     return {
         "identity": description.found.as_json(),
         "sources": [{"member": s.member, "line": s.line, "group_type": s.group_type} for s in description.sources],
         "process_image": [_image_json(image) for image in images],
-        "facts": msgspec.to_builtins(derived.facts),
-        "drive_modes": msgspec.to_builtins(derived.modes.verdicts),
-        "mode_evidence": msgspec.to_builtins(derived.modes.evidence),
+        "facts": _complete(derived.facts),
+        "drive_modes": [_complete(verdict) for verdict in derived.modes.verdicts],
+        "mode_evidence": [_complete(evidence) for evidence in derived.modes.evidence],
         "findings": [item._asdict() for item in description.findings],
         "revisions": [
             {**item.device.as_json(), "hidden": item.hidden, "layout_changed": item.layout_changed}
@@ -165,6 +169,11 @@ def description_json(description: DeviceDescription, choice: Mapping[int, Module
         "device": msgspec.to_builtins(description.device),
         "modules": [msgspec.to_builtins(module) for module in description.modules],
     }
+
+
+def _complete(derived: Record) -> dict[str, Any]:
+    """All fields of a record that no document spells."""
+    return {name: value for name, value in msgspec.structs.asdict(derived).items() if name != "spelling"}
 
 
 def _image_json(image: SmImage) -> dict[str, Any]:

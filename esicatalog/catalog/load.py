@@ -14,7 +14,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.deferred_keys import are_keys_pending, broken_reference, drop_keys, is_empty, restore_keys
-from esicatalog.catalog.settle import CONTENT_HASH, content_hash, read_state, write_state
+from esicatalog.catalog.state import CONTENT_HASH, read_state, store_hashes, write_state
 from esicatalog.catalog.turns import take_turn
 
 _INDEXES_PENDING = "indexes_pending"
@@ -92,7 +92,7 @@ def finish_indexes(connection: sa.Connection) -> None:
 
 
 def finish_load(connection: sa.Connection, changed: bool) -> None:
-    """Do what was put off, store the content hash."""
+    """Do what was put off, store the hashes."""
     finish_indexes(connection)
     restore_keys(connection)
     connection.commit()
@@ -100,7 +100,7 @@ def finish_load(connection: sa.Connection, changed: bool) -> None:
         connection.exec_driver_sql("PRAGMA synchronous = FULL")
     if changed or read_state(connection, CONTENT_HASH) is None:
         take_turn(connection)
-        write_state(connection, CONTENT_HASH, content_hash(connection))
+        store_hashes(connection)
         connection.commit()
         if connection.dialect.name == "sqlite":
             # By itself each table that it looks at would be written through one by one.

@@ -1,9 +1,8 @@
-"""Putting the catalog in order after documents came or went: variants, vendors, search, content hash.
+"""Putting the catalog in order after documents came or went: variants, vendors, search.
 
 All of it follows from the stored rows alone, so that any order of ingest gives the same catalog.
 """
 
-import hashlib
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -15,12 +14,11 @@ from esicatalog.catalog.bulk import RowBuffer, chunks
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, codec
 from esicatalog.catalog.schema import device_sources, devices, source_vendors, sources, vendor_names, vendors
+from esicatalog.catalog.state import CONTENT_HASH, read_state, store_hashes
 from esicatalog.esi.records.common import ENGLISH
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Vendor
 from esicatalog.esi.records.module import Module
-
-CONTENT_HASH = "content_hash"
 
 
 class Affected:
@@ -133,7 +131,7 @@ def number_variants_again(connection: sa.Connection) -> None:
     identity = sa.select(columns.vendor_id, columns.product_code, columns.revision_no, columns.type).distinct()
     _number_variants(connection, map(tuple, connection.execute(identity).all()))
     if read_state(connection, CONTENT_HASH) is not None:
-        write_state(connection, CONTENT_HASH, content_hash(connection))
+        store_hashes(connection)
 
 
 def variant_group(vendor_id: int | None, product: int | None, revision: int | None, type_text: str | None) -> Any:
@@ -344,45 +342,3 @@ def _delete_unreferenced(connection: sa.Connection) -> bool:
             connection.execute(sa.delete(table).where(table.c[key].in_(part)))
         deleted = deleted or bool(unused)
     return deleted
-
-
-def content_hash(connection: sa.Connection) -> str:
-    """SHA-256 over the sorted (identity, variant, content hash, source sha256, member) of all descriptions."""
-    columns = devices.c
-    rows = connection.execute(
-        sa.select(
-            columns.vendor_id,
-            columns.product_code,
-            columns.revision_no,
-            columns.type,
-            columns.variant,
-            columns.content_hash,
-            sources.c.sha256,
-            sources.c.member,
-        )
-        .join(device_sources, device_sources.c.device_id == columns.id)
-        .join(sources, sources.c.id == device_sources.c.source_id)
-    )
-    hashed = hashlib.sha256()
-    for line in sorted({"\t".join("" if value is None else str(value) for value in row) for row in rows}):
-        hashed.update(line.encode() + b"\n")
-    return hashed.hexdigest()
-
-
-def forget_content_hash(connection: sa.Connection) -> None:
-    """The catalog is about to change: until a load is finished there is no content hash."""
-    write_state(connection, CONTENT_HASH, None)
-
-
-def write_state(connection: sa.Connection, key: str, value: str | None) -> None:
-    """Set or delete (None) an entry of catalog_state."""
-    state = schema.catalog_state
-    connection.execute(sa.delete(state).where(state.c.key == key))
-    if value is not None:
-        connection.execute(sa.insert(state).values(key=key, value=value))
-
-
-def read_state(connection: sa.Connection, key: str) -> str | None:
-    """An entry of catalog_state."""
-    state = schema.catalog_state
-    return connection.execute(sa.select(state.c.value).where(state.c.key == key)).scalar()

@@ -15,12 +15,15 @@ from esicatalog.catalog.database import database_error, open_catalog
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.inspect_data import inspect_data, inspect_path
 from esicatalog.catalog.load import end_load, finish_load, prepare_load
-from esicatalog.catalog.settle import CONTENT_HASH, read_state
+from esicatalog.catalog.state import CONTENT_HASH, read_state, state_hash
 from esicatalog.catalog.views import FULL_TEXT
 from esicatalog.errors import CatalogError, InputError
 
 HASH_PLACE = "<hash>"
 """Stands for the content hash in the name of a snapshot."""
+STATE_PLACE = "<state>"
+"""Stands for the first digits of the digest of what the content hash leaves out."""
+_STATE_DIGITS = 16
 _BATCH_ROWS = 10_000
 _READ_ONLY = 0o444
 
@@ -34,7 +37,7 @@ class Snapshot(NamedTuple):
 
 
 def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
-    """Write a snapshot of what a transaction sees; a file that is there stays if it holds the same content.
+    """Write a snapshot of what a transaction sees; a file that is there stays if it holds the same.
 
     The file appears under its name only when it is complete and its content hash was verified. Raises
     :class:`CatalogError` and :class:`InputError`.
@@ -47,9 +50,10 @@ def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
         raise CatalogError("an ingest is under way or was cut short: wait for it or repeat it, then take the snapshot")
     if "://" in name:
         raise InputError(f"{name}: a snapshot is a file; name one, for example catalog-{HASH_PLACE}.db")
-    path = Path(name.replace(HASH_PLACE, expected))
+    state = state_hash(source)
+    path = Path(name.replace(HASH_PLACE, expected).replace(STATE_PLACE, state[:_STATE_DIGITS]))
     if path.exists():
-        _check_same(path, expected)
+        _check_same(path, expected, state)
         return Snapshot(path, expected, was_there=True)
     if not path.parent.is_dir():
         raise InputError(f"{path.parent}: no such folder for the snapshot")
@@ -65,18 +69,20 @@ def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
     return Snapshot(path, expected, was_there=False)
 
 
-def _check_same(path: Path, expected: str) -> None:
+def _check_same(path: Path, expected: str, state: str) -> None:
     engine = open_catalog(path, read_only=True)
     try:
         with engine.connect() as connection:
-            found = read_state(connection, CONTENT_HASH)
+            found, has_same_state = read_state(connection, CONTENT_HASH), state_hash(connection) == state
     finally:
         engine.dispose()
+    if found == expected and has_same_state:
+        return
+    what = "the same descriptions, but other documents or what another version read"
     if found != expected:
-        raise CatalogError(
-            f"{path}: holds another catalog (content hash {found}); name another file, for example "
-            f"{path.with_name(f'catalog-{HASH_PLACE}.db')}"
-        )
+        what = f"another catalog (content hash {found})"
+    example = path.with_name(f"catalog-{HASH_PLACE}-{STATE_PLACE}.db")
+    raise CatalogError(f"{path}: holds {what}; name another file, for example {example}")
 
 
 def _copy(source: sa.Connection, file: Path, expected: str) -> None:

@@ -23,8 +23,9 @@ from esicatalog.catalog.rows import (
     TypeRows,
     TypeSetRows,
 )
-from esicatalog.catalog.settle import Affected, collect_garbage, forget_content_hash, settle
+from esicatalog.catalog.settle import Affected, collect_garbage, settle
 from esicatalog.catalog.shared import NewlyShared, Row
+from esicatalog.catalog.state import forget_hashes
 from esicatalog.catalog.turns import take_turn
 from esicatalog.esi.content import digest
 from esicatalog.esi.records.document import Vendor
@@ -144,7 +145,7 @@ class Writer:
             self._look_up()
         self._turn = turn
         self._is_writing = True
-        forget_content_hash(self._connection)
+        forget_hashes(self._connection)
 
     def _look_up(self) -> None:
         """Forget what was known of the rows in the database. Nothing may be queued."""

@@ -29,7 +29,8 @@ def command(identity: "Identity", db: str, modules: "tuple[tuple[int, ModuleChoi
     """Print the sheet of one device: sync managers, process image, PDOs, InitCmds, DC modes, drive modes.
 
     IDENTITY is VENDOR:PRODUCT[:REVISION][@VARIANT]; without REVISION the latest, with - as REVISION the description
-    that names none.
+    that names none. JSON has every fact, drive mode and evidence complete, with null for what is not known or not
+    there; its records of the document (device, modules) leave out what has its default.
     """
     from esicatalog.api import Catalog
     from esicatalog.catalog.description import description_json

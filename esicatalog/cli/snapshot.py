@@ -7,13 +7,21 @@ from esicatalog.cli.common import reporting_errors
 
 @click.command("snapshot")
 @click.option("--from", "source", metavar="FILE|URL", required=True, help="The catalog to copy.")
-@click.option("--to", "target", metavar="FILE", required=True, help="The file to make; <hash> = the content hash.")
+@click.option(
+    "--to",
+    "target",
+    metavar="FILE",
+    required=True,
+    help="The file to make; <hash> = the content hash, <state> = digest of the rest.",
+)
 @reporting_errors
 def command(source: str, target: str) -> None:
     """Copy a catalog into one read-only SQLite file, for `esicatalog serve --immutable`.
 
     Prints the file, which appears only when it is complete and verified; FILE.inspect.json beside it holds its row
-    counts. A file that holds the same content already is left as it is, any other is not touched: exit code 2.
+    counts. A file that holds the same already is left as it is, any other is not touched: exit code 2. The content hash
+    covers the descriptions and the documents that carry them; <state> tells the documents without devices and the
+    versions that read and derive: name both where a snapshot is taken again and again.
     """
     from esicatalog.api import Catalog
 

@@ -37,6 +37,20 @@ _PREFIX = re.compile(rb"xmlns:([^\s=]+)")
 _HAS_TOO_MANY_ATTRIBUTES = etree.XPath(f"boolean(/descendant::*/@*[{MAX_ATTRIBUTES + 1}])")
 _UNSAFE_ENCODINGS = ("UTF-7", "UTF7")
 """They spell the same text in many ways, so that no look at the bytes tells what it says."""
+_DECLARED_ENCODING = re.compile(rb"""<\?xml[^>]*?encoding\s*=\s*["']([\w.:-]+)["']""")
+_CODE_PAGES = {
+    label: code_page
+    for code_page, labels in {
+        "cp932": "shift_jis shift-jis sjis x-sjis ms_kanji windows-31j windows-932 ms932",
+        "gb18030": "gb2312 gb_2312-80 euc-cn gbk x-gbk cp936 ms936 windows-936",
+        "cp949": "euc-kr ks_c_5601-1987 ksc5601 ms949 uhc windows-949 x-windows-949",
+        "cp950": "big5 big-5 ms950 windows-950 x-windows-950",
+    }.items()
+    for label in labels.split()
+}
+"""What documents hold that declare an East Asian encoding: Windows calls its code pages by the names of standards that
+have fewer characters. GB 18030 has all of code page 936."""
+_ROOT_STARTS = re.compile(rf"<(?:{'|'.join(ESI_ROOTS)})(?=[\s/>])".encode())
 _LEADING_MARKUP = re.compile(rb"\s*<")
 
 
@@ -78,9 +92,12 @@ def parse_document(content: bytes) -> ParsedDocument:
         raise NotAnEsiDocument("no XML document")
     _check_namespaces(content)
     try:
-        return _known(content, etree.fromstring(content, make_parser()), None, 0)
+        root = etree.fromstring(content, make_parser())
     except etree.XMLSyntaxError as error:
         return _recover(content, error)
+    # Shift_JIS by the letter has a yen sign and an overline where ASCII has \ and ~; nobody who declares it means them.
+    meant = _read_as(content, "cp932") if _code_page(content) == "cp932" else None
+    return _known(content, meant if meant is not None else root, None, 0)
 
 
 def parse_as_it_is(content: bytes) -> ParsedDocument | None:
@@ -123,12 +140,10 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
     if b"<EtherCAT" not in content and not content.startswith(_BOMS[1:]):
         raise NotAnEsiDocument(f"XML without an EtherCAT root, and not well-formed: {reason}", line)
     if "encoding" in reason.lower() or "utf-8" in reason.lower():
-        try:
-            root = etree.fromstring(content, make_parser(encoding="windows-1252"))
-        except etree.XMLSyntaxError:
-            pass
-        else:
-            return _known(content, root, f"{reason}; read as windows-1252", line)
+        for encoding in ("utf-8", _code_page(content), "windows-1252"):
+            root = _read_as(content, encoding) if encoding is not None else None
+            if root is not None:
+                return _known(content, root, f"{reason}; read as {encoding}", line)
     parser, rest = make_parser(recover=True), None
     with contextlib.suppress(etree.XMLSyntaxError):
         rest = etree.fromstring(content, parser)
@@ -137,9 +152,34 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
     if rest is None:
         raise BrokenDocument(f"not well-formed and nothing could be recovered: {reason}", line)
     try:
-        return _known(content, rest, f"{reason}; read by recovery", line)
+        return _known(content, rest, f"{reason}; read by recovery{_left_out(content, rest)}", line)
     except NotAnEsiDocument as other:
         raise BrokenDocument(f"not well-formed: {reason}", line) from other
+
+
+def _left_out(content: bytes, root: etree._Element) -> str:
+    """Words about documents behind the one that was read, as they lie in a file that several were written to."""
+    found = [start.start() for start in _ROOT_STARTS.finditer(content)]
+    read = sum(1 for _ in root.iter(*ESI_ROOTS))
+    if len(found) <= read:
+        return ""
+    line = content.count(b"\n", 0, found[read]) + 1
+    return (
+        f"; the document in line {line} and all behind it is left out: make a file of each, as for each slave, or put "
+        "them into one EtherCATInfoList"
+    )
+
+
+def _code_page(content: bytes) -> str | None:
+    """What the bytes are likely to be where a document declares an East Asian encoding."""
+    declared = _DECLARED_ENCODING.match(content)
+    return _CODE_PAGES.get(declared[1].decode().lower()) if declared is not None else None
+
+
+def _read_as(content: bytes, encoding: str) -> etree._Element | None:
+    with contextlib.suppress(etree.XMLSyntaxError):
+        return etree.fromstring(content, make_parser(encoding=encoding))
+    return None
 
 
 def _check_limits(code: int, reason: str, line: int) -> None:

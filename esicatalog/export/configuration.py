@@ -14,7 +14,7 @@ from esicatalog.esi.unreadable import unreadable
 from esicatalog.export.choice import Choice
 from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
-from esicatalog.export.image_remarks import assignment_remarks, memory_remarks, swap_remarks
+from esicatalog.export.image_remarks import assignment_remarks, memory_remarks, repeat_remarks, swap_remarks
 from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
 from esicatalog.export.missing_modules import missing_modules
 from esicatalog.export.mode_commands import mode_remarks
@@ -205,6 +205,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *chosen.remarks,
         *assignment_remarks(device, plugged, op_mode, default, images),
         *(remark for image in images for remark in image.remarks),
+        *repeat_remarks(images),
         *swap_remarks(images),
         *memory_remarks(device, subject.modules, images),
         *programmed.remarks,
@@ -214,6 +215,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *mode_remarks(commands, names.axes, expanded, images),
     ]
     sync_managers = tuple(_sync_managers(device, images, names.identifiers, objects, remarks))
+    _check_assigned_once(sync_managers)
     found = list(contradictions(commands, _pdo_objects(sync_managers)))
     remarks += [
         f"the start-up commands of the description contradict the PDO configuration here: {item.words}; they are left "
@@ -272,6 +274,18 @@ def _pdo_objects(sync_managers: Iterable[SmConfiguration]) -> Iterator[PdoObject
     for sm in sync_managers:
         if sm.is_described:
             yield from (item for item in (sm.assignment, *(pdo.mapping for pdo in sm.pdos)) if item is not None)
+
+
+def _check_assigned_once(sync_managers: Iterable[SmConfiguration]) -> None:
+    """Raise :class:`InputError` for an index that is assigned again, as modules have it whose slots do not move it."""
+    seen: set[int] = set()
+    for pdo in (pdo for sm in sync_managers for pdo in sm.pdos):
+        if pdo.pdo_index in seen:
+            raise InputError(
+                f"PDO 0x{pdo.pdo_index:04X} is assigned twice, and devices and masters tell PDOs apart by their index: "
+                "choose PDOs (--pdo) or modules (--module), or take a correct file"
+            )
+        seen.add(pdo.pdo_index)
 
 
 def _sync_managers(

@@ -11,6 +11,7 @@ from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration, MappedEntry, SmConfiguration
 from esicatalog.export.igh_limits import check_limits, master_written
 from esicatalog.export.init_cmds import BEFORE_SAFE_OP, StartCommand
+from esicatalog.model.sm_facts import OUTPUT
 
 
 class Listed(NamedTuple):
@@ -41,14 +42,14 @@ def listed(configuration: Configuration, program: str) -> Listed:
     remarks = [*_left_out_sync_managers(configuration), *_left_out_commands(configuration, program, written)]
     remarks += [
         f"{entry.place} {entry.name} is mapped again: {program} finds entries by index and subindex, and reaches the "
-        "first one only"
-        for entry in repeated
+        f"first one only{', the others stay 0' if sm.direction == OUTPUT else ''}"
+        for sm, entry in repeated
     ]
     return Listed(
         tuple(sm for sm in configuration.sync_managers if sm.is_described or _is_mailbox(sm)),
         tuple(command for command in configuration.commands if _why_left_out(command, written) is None),
-        frozenset(entry.identifier for entry in repeated),
-        tuple(remarks),
+        frozenset(entry.identifier for _, entry in repeated),
+        tuple(dict.fromkeys(remarks)),
     )
 
 
@@ -80,11 +81,11 @@ def _why_left_out(command: StartCommand, written: Container[StartCommand]) -> st
     return None
 
 
-def _repeated(configuration: Configuration) -> Iterator[MappedEntry]:
+def _repeated(configuration: Configuration) -> Iterator[tuple[SmConfiguration, MappedEntry]]:
     known: set[tuple[int, int]] = set()
     for sm in configuration.sync_managers:
         for entry in sm.entries:
             place = (entry.entry_index, entry.subindex)
             if place in known:
-                yield entry
+                yield sm, entry
             known.add(place)

@@ -45,14 +45,10 @@ def check_limits(configuration: Configuration) -> None:
     """Raise :class:`InputError` for what the master's structures cannot hold."""
     mailbox = configuration.subject.device.mailbox
     writes_mapping = mailbox is not None and bool(mailbox.coe_pdo_config)
-    seen: set[int] = set()
     for sm in configuration.sync_managers:
         if sm.pdos and not 0 <= sm.number < MAX_SYNC_MANAGERS:
             raise InputError(f"PDOs are assigned to SM{sm.number}; IgH knows SM0 to SM{MAX_SYNC_MANAGERS - 1}")
         for pdo in sm.pdos:
-            if pdo.pdo_index in seen:
-                raise InputError(f"PDO 0x{pdo.pdo_index:04X} is assigned twice; IgH tells PDOs apart by their index")
-            seen.add(pdo.pdo_index)
             long = next((entry for entry in pdo.entries if entry.bit_length > MAX_BIT_LENGTH), None)
             if long is not None and writes_mapping and sm.is_described:
                 raise InputError(

@@ -1,15 +1,17 @@
 """What a process image asks of a device or of its application that nothing generated here does for them."""
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
+from esicatalog.model.pdo_facts import PDO_MAPPINGS
 from esicatalog.model.process_image import SmImage, default_process_image, process_image
 from esicatalog.model.slots import PluggedModule
-from esicatalog.model.sm_facts import sm_role
+from esicatalog.model.sm_facts import OUTPUT, sm_role
 from esicatalog.model.sm_memory import memory_overlaps, size_conflict
 from esicatalog.model.sync import default_op_mode
 
@@ -47,6 +49,31 @@ def swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:
             + f" asks the master to swap its bytes ({entry.swap_data}), which nothing here does: swap them in the "
             "application"
         )
+
+
+def repeat_remarks(images: Iterable[SmImage]) -> Iterator[str]:
+    """Outputs that are mapped again: whoever writes one copy sends zeros in the others.
+
+    Samples are no copies, nor are IDNs of SoE, which has PDOs of other indices: one of each drive of the device.
+    """
+    found = [
+        (entry.entry_index, entry.subindex or 0, display_text(entry.names) or "")
+        for image in images
+        if image.transfer_direction == OUTPUT
+        for placed in image.pdos
+        if placed.pdo.pdo_index in PDO_MAPPINGS["RxPdo"]
+        for entry in placed.pdo.entries
+        if entry.entry_index and entry.bit_length
+    ]
+    counts = Counter((index, subindex) for index, subindex, _ in found)
+    names = {(index, subindex): name for index, subindex, name in reversed(found)}
+    for (index, subindex), count in counts.items():
+        if count > 1:
+            yield (
+                f"0x{index:04X}:{subindex:02X} {names[index, subindex]}".rstrip()
+                + f" is mapped {count} times: every copy is sent, so write all of them, or choose PDOs (--pdo) so that "
+                "it is mapped once"
+            )
 
 
 def memory_remarks(device: Device, modules: Sequence[Module], images: Sequence[SmImage]) -> Iterator[str]:

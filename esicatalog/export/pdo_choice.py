@@ -12,9 +12,15 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.export.choice import PdoChoice
 from esicatalog.export.entry_types import ObjectTable
-from esicatalog.model.assignable_pdos import AvailablePdo, assignment_place, available_pdos, mandatory_pdos
+from esicatalog.model.assignable_pdos import (
+    AvailablePdo,
+    assignment_place,
+    available_pdos,
+    mandatory_pdos,
+    meant_by_index,
+)
 from esicatalog.model.pdo_assignment import Assignment
-from esicatalog.model.pdo_facts import PDO_FIELDS, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import PDO_FIELDS, entry_places, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import PluggedModule
@@ -61,7 +67,7 @@ def apply_choice(
     for found, item in picked:
         if item.entries:
             entries = _chosen_entries(device, found, item, objects)
-            if _places(entries) == _places(found.pdo.entries):
+            if entry_places(entries) == entry_places(found.pdo.entries):
                 continue
             device, plugged = _with_entries(device, plugged, found, entries)
             remarks.append(
@@ -71,20 +77,14 @@ def apply_choice(
     return ChosenPdos(device, tuple(plugged), assignment, tuple(remarks))
 
 
-def _find(available: Iterable[AvailablePdo], wanted: PdoChoice) -> AvailablePdo:
-    """The PDO of an index, be it described by several that agree."""
-    named = f"PDO 0x{wanted.pdo_index:04X}"
-    described = [item for item in available if item.pdo.pdo_index == wanted.pdo_index]
-    if not described:
-        known = ", ".join(f"0x{item.pdo.pdo_index:04X}" for item in available if item.pdo.pdo_index is not None)
-        raise InputError(f"{named} is not described; the PDOs are {known or 'none'}")
-    first, *others = described
-    if first.pdo.virtual:
-        raise InputError(f"{named} is virtual: described, not transported")
-    for other in others:
-        if other.owner != first.owner and _places(other.pdo.entries) != _places(first.pdo.entries):
-            raise InputError(f"{named} is ambiguous: {first.owner} and {other.owner} describe it in different ways")
-    return first
+def _find(available: Sequence[AvailablePdo], wanted: PdoChoice) -> AvailablePdo:
+    found, obstacle = meant_by_index(available, wanted.pdo_index)
+    if found is None:
+        known = sorted({item.pdo.pdo_index for item in available if item.pdo.pdo_index is not None})
+        if wanted.pdo_index not in known:
+            obstacle += f"; the PDOs are {', '.join(f'0x{index:04X}' for index in known) or 'none'}"
+        raise InputError(f"PDO 0x{wanted.pdo_index:04X} {obstacle}")
+    return found
 
 
 def _sync_manager(device: Device, found: AvailablePdo) -> int:
@@ -152,10 +152,6 @@ def _mapped_object(found: AvailablePdo, wanted: PdoChoice, index: int, subindex:
         names=(Name(text=declared.name or ""),),
         data_type=declared.base_type,
     )
-
-
-def _places(entries: Iterable[Entry]) -> list[tuple[int | None, int, int | None]]:
-    return [(entry.entry_index, entry.subindex or 0, entry.bit_length) for entry in entries]
 
 
 def _with_entries(

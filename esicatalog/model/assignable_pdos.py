@@ -9,7 +9,7 @@ from typing import NamedTuple
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.pdo_facts import pdo_yields, pdos_by_direction
+from esicatalog.model.pdo_facts import entry_places, pdo_yields, pdos_by_direction
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sm_facts import may_transport, sm_role
 
@@ -60,6 +60,13 @@ class Place(NamedTuple):
     obstacle: str = ""
 
 
+class Meant(NamedTuple):
+    """The PDO that is assigned by an index, or what is in the way, as the end of a sentence about the PDO."""
+
+    found: AvailablePdo | None
+    obstacle: str = ""
+
+
 def available_pdos(device: Device, plugged: Iterable[PluggedModule]) -> AvailablePdos:
     """The PDOs of the device, without those that yield to modules (OverwrittenByModule), and of the modules."""
     problems: list[str] = []
@@ -80,6 +87,22 @@ def available_pdos(device: Device, plugged: Iterable[PluggedModule]) -> Availabl
         if not pdo_yields(pdo, replaced)
     ]
     return AvailablePdos(own + of_modules, problems)
+
+
+def meant_by_index(available: Iterable[AvailablePdo], pdo_index: int | None) -> Meant:
+    """The first PDO of an index, be it described by several owners that agree."""
+    if pdo_index is None:
+        return Meant(None, "cannot be assigned without an index")
+    described = [item for item in available if item.pdo.pdo_index == pdo_index]
+    if not described:
+        return Meant(None, "is not described")
+    first, *others = described
+    if first.pdo.virtual:
+        return Meant(None, "is virtual: described, not transported")
+    for other in others:
+        if other.owner != first.owner and entry_places(other.pdo.entries) != entry_places(first.pdo.entries):
+            return Meant(None, f"is ambiguous: {first.owner} and {other.owner} describe it in different ways")
+    return Meant(first)
 
 
 def assignment_place(device: Device, direction: str, pdo: Pdo) -> Place:

@@ -9,10 +9,16 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.assignable_pdos import AvailablePdo, assignment_place, available_pdos, mandatory_pdos
+from esicatalog.model.assignable_pdos import (
+    AvailablePdo,
+    assignment_place,
+    available_pdos,
+    mandatory_pdos,
+    meant_by_index,
+)
 from esicatalog.model.cia402 import DriveMode
 from esicatalog.model.drive_parts import Part
-from esicatalog.model.pdo_facts import symmetric_exclusions
+from esicatalog.model.pdo_facts import entry_places, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, process_image
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.start_up import written_places, yields
@@ -77,7 +83,12 @@ class DriveSetup:
 
     def obstacle(self, pdo: Pdo) -> str | None:
         """Why an RxPDO that is not in the process image cannot be chosen beside it, None when it can."""
-        place = assignment_place(self.device, "RxPdo", pdo)
+        meant = meant_by_index(self._available, pdo.pdo_index)
+        if meant.found is None:
+            return meant.obstacle
+        if entry_places(meant.found.pdo.entries) != entry_places(pdo.entries):
+            return "cannot be chosen: its index means the PDO that is described before it"
+        place = assignment_place(self.device, meant.found.direction, meant.found.pdo)
         if place.sm is None:
             return place.obstacle
         rivals = self._staying.intersection(self.exclusions.get(pdo.pdo_index, ()))

@@ -144,8 +144,9 @@ def status_of(error: EsiCatalogError) -> int:
 
 
 def _validators(catalog: Catalog, kind: str = "") -> dict[str, str]:
-    """What an answer depends on: the content of the catalog, the version that answers, and what it is of several."""
-    return {"ETag": f'"{__version__}-{catalog.content_hash() or "changing"}{kind}"', "Cache-Control": "no-cache"}
+    """What an answer depends on: what the catalog holds, the version that answers, and what it is of several."""
+    held = f"{catalog.content_hash() or 'changing'}-{catalog.state_hash() or 'unknown'}"
+    return {"ETag": f'"{__version__}-{held}{kind}"', "Cache-Control": "no-cache"}
 
 
 def _json(value: Any, status: int, headers: dict[str, str]) -> Response:

@@ -274,6 +274,8 @@ def openapi_document(base_url: str) -> dict[str, Any]:
                 "get": {
                     "operationId": "showDevice",
                     "summary": "Everything that the catalog knows of one device",
+                    "description": "Facts, drive modes and evidence are complete, null = not known or not there; the "
+                    "records of the document (device, modules) leave out what has its default.",
                     "parameters": [*_IN_PATH, _MODULE],
                     "responses": {
                         "200": _answers("The device", {"type": "object", "required": ["identity", "device"]}),
