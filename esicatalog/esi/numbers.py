@@ -214,7 +214,7 @@ DEC16 = Scalar("HexDecValue (16 bits)", _hex_dec(MAX_STORED, 16), str)
 DEC8 = Scalar("HexDecValue (8 bits)", _byte, str)
 """The same of 8 bits: subindices."""
 SWITCH = Scalar("HexDecValue (8 bits)", _switch, str)
-"""The same where bit 0 is a switch: Enable of a SyncManager; a few write a boolean."""
+"""The same where bit 0 is a switch, of which a boolean says as much: Enable of a SyncManager."""
 IDENTITY = Scalar("HexDecValue (uint32)", _hex_dec(UINT32_MAX), lambda value: f"#x{value:08X}")
 """uint32 identity number: vendor, product, revision, serial, module ident."""
 INT = Scalar("xs:int", _int, str)
