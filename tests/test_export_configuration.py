@@ -451,6 +451,22 @@ def times(activate: str, sync0: str = "", sync1: str = "", shift0: str = "", shi
     return "".join(parts)
 
 
+@pytest.mark.parametrize("exclude", ["<Exclude>#x1601</Exclude>", ""])
+def test_a_pdo_whose_list_is_replaced_does_not_go_back_to_its_own_sync_manager(exclude):
+    """The OpMode moves 0x1600 from SM2 to SM4; what is chosen for SM4 takes the place of that."""
+    moved = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"', extra=exclude)
+    other = pdo("RxPdo", "#x1601", 8, attributes='Sm="4"')
+    mode = "<AssignActivate>0</AssignActivate><Sm No='4'><Pdo>#x1600</Pdo></Sm>"
+    content = SMS + '<Sm ControlByte="#x64">Outputs</Sm>' + moved + other + COE + dc(("m", mode))
+    assert pdos(configured(content)) == {4: [0x1600]}
+    assert pdos(configured(content, pdos=parse_pdo_choice("0x1601"))) == {4: [0x1601]}
+
+
+def test_a_pdo_of_a_sync_manager_below_zero_is_refused():
+    with pytest.raises(InputError, match="assigned to SM-1, which cannot be"):
+        configured(pdo("RxPdo", "#x1600", 8, attributes='Sm="-1"'))
+
+
 FACTOR_1 = 'Factor="1">0'
 
 

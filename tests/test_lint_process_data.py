@@ -30,6 +30,17 @@ def test_l27_knows_what_a_sync_manager_is_for(tmp_path, kind, sm, role, in_modul
     assert [item["message"].partition("which is ")[2] for item in found] == ([f"{role}: correct Sm"] if role else [])
 
 
+def test_l27_says_nothing_of_an_excluded_sync_manager_that_cannot_be_read(tmp_path):
+    somewhere = pdo("RxPdo", "#x1600", 8, extra="<ExcludedSm>two</ExcludedSm>")
+    assert linted(tmp_path, "L27", device(MAILBOX_AND_PROCESS_DATA + somewhere)) == []
+
+
+def test_l35_says_nothing_of_an_image_of_unknown_length(tmp_path):
+    variable = "<RxPdo Sm='2'><Index>#x1600</Index><Name>P</Name></RxPdo>"
+    content = MAILBOX_AND_PROCESS_DATA + variable + pdo("RxPdo", "#x1601", 11, attributes='Sm="2"')
+    assert linted(tmp_path, "L35", device(content)) == []
+
+
 def test_l27_finds_a_pdo_that_may_not_go_to_its_own_sync_manager(tmp_path):
     assigned = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"', extra="<ExcludedSm>2</ExcludedSm>")
     (found,) = linted(tmp_path, "L27", device(MAILBOX_AND_PROCESS_DATA + assigned))

@@ -61,6 +61,7 @@ _BESIDE_LAYOUT = (
     (
         "SyncManagers without PDOs have DefaultSize {} here, {} there",
         "SELECT 'SM' || s.position, s.default_size FROM sync_managers s WHERE s.device_id = ? AND s.default_size > 0 "
+        "AND s.usage IN ('Outputs', 'Inputs') AND s.virtual IS NOT TRUE "
         "AND NOT EXISTS (SELECT 1 FROM pdos p WHERE p.device_id = s.device_id AND p.image_sm = s.position) "
         "ORDER BY s.position",
     ),
@@ -225,7 +226,11 @@ class IdentityLookup:
 
     def _layout_difference(self, _: str | None, __: str | None, here: int, there: int) -> str:
         ours, theirs = self._layout(here), self._layout(there)
+        has_modules, also_has = (any(self._query(_HAS_MODULES, (device_id,))) for device_id in (here, there))
         for place in sorted(ours.keys() | theirs.keys()):
+            # Where one has nothing of its own there may be an entry of a module.
+            if (place not in ours and has_modules) or (place not in theirs and also_has):
+                continue
             if ours.get(place) != theirs.get(place):
                 sm, bit_offset = place
                 return (
@@ -235,7 +240,7 @@ class IdentityLookup:
         without, also = (list(self._query(_WITHOUT_PLACE, (device_id,))) for device_id in (here, there))
         if without != also:
             return "in PDOs of unknown length, or behind them"
-        if any(list(self._query(_HAS_MODULES, (device_id,))) for device_id in (here, there)):
+        if has_modules or also_has:
             return "in PDOs of modules"
         for words, statement in _BESIDE_LAYOUT:
             shown = [_listed(self._query(statement, (device_id,))) for device_id in (here, there)]

@@ -193,6 +193,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     for image in images:
         if image.overflow is not None:
             raise InputError(f"SM{image.sm}: {image.overflow}")
+    _check_assigned(choice, images)
     programmed = programmed_clocks(device, op_mode, choice.cycle_ns)
     commands, command_remarks = start_commands(device, plugged, expanded)
     names = entry_names(device, expanded, images, objects)
@@ -274,6 +275,15 @@ def _pdo_objects(sync_managers: Iterable[SmConfiguration]) -> Iterator[PdoObject
     for sm in sync_managers:
         if sm.is_described:
             yield from (item for item in (sm.assignment, *(pdo.mapping for pdo in sm.pdos)) if item is not None)
+
+
+def _check_assigned(choice: Choice, images: Sequence[SmImage]) -> None:
+    """Raise :class:`InputError` for a chosen PDO that rules of the description keep out all the same."""
+    assigned = {placed.pdo.pdo_index for image in images for placed in image.pdos}
+    for index in (item.pdo_index for item in choice.pdos if item.pdo_index not in assigned):
+        named = f"PDO 0x{index:04X}"
+        reasons = [remark for image in images for remark in image.remarks if remark.startswith(named)]
+        raise InputError("; ".join([f"{named} cannot be chosen", *reasons]))
 
 
 def _check_assigned_once(sync_managers: Iterable[SmConfiguration]) -> None:

@@ -94,7 +94,7 @@ def _memory_conflicts(device: Device, images: Sequence[SmImage]) -> Iterator[str
         if role is not None and role.is_mailbox:
             byte_sizes[number] = sm.default_size or 0
     for image in images:
-        if image.pdos and image.sm < len(device.sync_managers):
+        if image.pdos and 0 <= image.sm < len(device.sync_managers):
             byte_sizes[image.sm] = image.byte_size
             if (conflict := size_conflict(device.sync_managers[image.sm], image.byte_size)) is not None:
                 yield f"SM{image.sm}: {conflict}; the device may refuse it"

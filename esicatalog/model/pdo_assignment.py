@@ -5,7 +5,7 @@ the mandatory ones, which have to stay; a PDO that it lists goes there, whatever
 SyncManager has is described, not transported, like a virtual PDO.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.dc import OpMode
@@ -49,7 +49,7 @@ def assigned_pdos(
     by_choice = {index for indices in chosen.values() for index in indices}
     wanted = {number: [index for index in items if index not in by_choice] for number, items in lists.items()}
     wanted |= {number: [*indices] for number, indices in chosen.items()}
-    unlisted = _unlisted(device, candidates, wanted) if wanted else candidates
+    unlisted = _unlisted(device, candidates, [*lists.items(), *chosen.items()]) if wanted else candidates
     numbers = {c.pdo.sm for c in candidates if c.pdo.sm is not None} | wanted.keys()
     numbers |= {number for number, sm in enumerate(device.sync_managers) if has_default_image(sm)}
     found = []
@@ -75,12 +75,15 @@ def _sync_manager(device: Device, number: int) -> SyncManager | None:
 
 
 def _unlisted(
-    device: Device, candidates: list[AvailablePdo], wanted: Mapping[int, Sequence[int]]
+    device: Device, candidates: list[AvailablePdo], lists: Iterable[tuple[int, Collection[int]]]
 ) -> list[AvailablePdo]:
-    """PDOs that no list assigns, be it to another SyncManager than their own: for these their Sm counts."""
+    """PDOs that no list names, be it for another SyncManager than their own: for these their Sm counts.
+
+    A list of the OpMode in whose place the user's counts names them, too: they do not go back to their own Sm.
+    """
     listed = {
         (candidate.direction, candidate.pdo.pdo_index)
-        for number, indices in wanted.items()
+        for number, indices in lists
         for candidate in candidates
         if candidate.pdo.pdo_index in indices and _may_have(_sync_manager(device, number), candidate)
     }

@@ -37,7 +37,7 @@ def sync_manager_of_pdo(subject: ProcessSubject | ModuleSubject) -> Iterator[Fou
             elif not may_transport(sync_managers[number], placed.direction):
                 yield Found(f"{words}{of}, which is {sync_managers[number].usage}: correct Sm", (*placed.place, "sm"))
     for placed in subject.pdos:
-        if placed.pdo.sm in placed.pdo.excluded_sms:
+        if placed.pdo.sm is not None and placed.pdo.sm in placed.pdo.excluded_sms:
             yield Found(
                 f"{_sm_words(placed)}, which its ExcludedSm rules out: correct one of them", (*placed.place, "sm")
             )
@@ -225,7 +225,7 @@ def padding_with_type(pdo: Pdo) -> Iterator[Found]:
 def not_whole_bytes(subject: ProcessSubject) -> Iterator[Found]:
     """The only PDO of a SyncManager is no whole number of bytes (several PDOs together: I)."""
     for image in subject.data.images:
-        if not image.bit_size % 8:
+        if not image.bit_size % 8 or not image.has_known_size:
             continue
         alone = len(image.pdos) == 1
         first = image.pdos[0]
