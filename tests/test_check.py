@@ -152,6 +152,10 @@ DAMAGES = {
         ["UPDATE sources SET sha256 = '0' WHERE member = 'l6n_drive.xml'"],
         "is not that of the rows: delete the catalog and ingest again",
     ),
+    "a state hash of something else": (
+        ["UPDATE catalog_state SET value = '00' WHERE key = 'state_hash'"],
+        "the stored state hash 00 is not that of the sources: delete the catalog and ingest again",
+    ),
     "an ingest under way": (["DELETE FROM catalog_state WHERE key = 'content_hash'"], CUT_SHORT),
     "a load under way": (["INSERT INTO catalog_state VALUES ('indexes_pending', '1')"], CUT_SHORT),
 }

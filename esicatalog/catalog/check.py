@@ -9,7 +9,7 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.check_rows import rules
 from esicatalog.catalog.load import is_unfinished, secondary_indexes
 from esicatalog.catalog.schema import devices, vendors
-from esicatalog.catalog.state import CONTENT_HASH, content_hash, read_state
+from esicatalog.catalog.state import CONTENT_HASH, STATE_HASH, content_hash, read_state, state_hash
 from esicatalog.catalog.views import FULL_TEXT, views
 
 CUT_SHORT = "an ingest was cut short: run it again"
@@ -67,6 +67,8 @@ def _load_problems(connection: sa.Connection, recomputed: str) -> Iterator[str]:
         yield CUT_SHORT
     elif stored != recomputed:
         yield f"the stored content hash {stored} is not that of the rows: delete the catalog and ingest again"
+    elif (state := read_state(connection, STATE_HASH)) not in (None, state_hash(connection)):
+        yield f"the stored state hash {state} is not that of the sources: delete the catalog and ingest again"
 
 
 def _missing_parts(connection: sa.Connection) -> Iterator[str]:

@@ -50,7 +50,7 @@ def revisions_of(connection: sa.Connection, device_id: int, found: FoundDevice) 
 
 
 def same_layout(connection: sa.Connection, device_id: int) -> tuple[FoundDevice, ...]:
-    """Other visible devices whose default process image has the same layout: similar, not a replacement.
+    """Other visible descriptions whose default process image has the same layout: similar, not a replacement.
 
     None where its length is not known: what is not described may differ.
     """

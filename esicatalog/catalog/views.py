@@ -249,9 +249,9 @@ def _capabilities(dialect: str) -> list[View]:
         ),
         View(
             "same_process_image_layout",
-            "Descriptions with the preferred ones of other devices whose default process images have the same layout: "
-            "the same entries at the same places, in images of equal and known lengths. Similar is not the same: never "
-            "take one for the other by this alone, revisions can be power ratings.",
+            "Descriptions with other, preferred ones (a variant with that of its own identity, too) whose default "
+            "process images have the same layout: the same entries at the same places, of equal and known lengths. "
+            "Similar is not the same: never take one for the other by this alone, revisions can be power ratings.",
             f"SELECT {identity}, o.id AS other_device_id, "
             f"{hex_text('o.vendor_id', 8, dialect)} AS other_vendor_id_hex, "
             f"{hex_text('o.product_code', 8, dialect)} AS other_product_code_hex, "
