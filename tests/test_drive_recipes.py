@@ -277,3 +277,24 @@ def test_a_command_that_leads_back_starts_no_mode(transition):
     """SP SafeOP to PreOP, OP OP to PreOP, OS OP to SafeOP (ESI-FACTS section 10)."""
     found = one_drive("</Profile>" + BOTH + commands((transition, 6)) + DC)
     assert "HM" not in {item.mode for item in (*found.evidence, *found.verdicts)}
+
+
+@pytest.mark.parametrize(
+    ("place", "unread"),
+    [
+        ("<SubIndex>0</SubIndex>", "<SubIndex>0h</SubIndex>"),
+        ("<SubIndex>0</SubIndex>", "<SubIndex>256</SubIndex>"),
+        ("<InitCmd>", '<InitCmd CompleteAccess="yes">'),
+    ],
+)
+def test_a_command_that_does_not_tell_where_it_writes_to_starts_no_mode(place, unread):
+    """No export sends it."""
+    pdos = in_rx_pdo("1600", ("6040", 16), ("60FF", 32))
+    command = init_cmd(9)
+    told, csv = (
+        verdict_of(one_drive("</Profile>" + pdos + text + DC), "CSV")
+        for text in (command, command.replace(place, unread))
+    )
+    assert (told.verdict, csv.verdict) == ("yes", "likely")
+    assert told.recipe.endswith("0x6060 = 9 is written by an InitCmd")
+    assert csv.recipe.endswith("0x6060 is in none of the assigned RxPDOs: write 9 to it before operation")

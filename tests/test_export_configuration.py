@@ -720,6 +720,15 @@ def test_a_command_marked_overwritten_by_module_yields_to_the_module():
     assert [(c.object_index, c.data) for c in found.commands] == [(0x6061, b"\x01"), (0x6060, b"\x09")]
 
 
+def test_a_command_of_a_module_that_is_left_out_replaces_none():
+    own = init_cmd("PS", "#x6060", "08", 'OverwrittenByModule="1"').replace("<SubIndex>1<", "<SubIndex>0<")
+    of_module = init_cmd("PS", "#x6060", "09").replace("<SubIndex>1<", "<SubIndex>0h<")
+    found = configured(
+        SMS + f"<Mailbox><CoE>{own}</CoE></Mailbox>" + ONE_SLOT, module(f"<Mailbox><CoE>{of_module}</CoE></Mailbox>")
+    )
+    assert [(c.object_index, c.subindex, c.data) for c in found.commands] == [(0x6060, 0, b"\x08")]
+
+
 def written(index: str, subindex: int, data: str, adapt: str = "") -> str:
     place = f"<Transition>PS</Transition><Index>{index}</Index><SubIndex>{subindex}</SubIndex>"
     return f"<InitCmd>{place}<Data {adapt}>{data}</Data></InitCmd>"
