@@ -149,6 +149,14 @@ def test_a_mandatory_pdo_is_assigned_too_and_cannot_be_excluded():
         configured(content, pdos=parse_pdo_choice("0x1601"))
 
 
+def test_a_mandatory_pdo_that_is_itself_left_out_stands_in_no_way():
+    """Of 0x1600 and 0x1601, which exclude each other, the first stays."""
+    first = pdo("RxPdo", "#x1600", 16, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1601</Exclude>")
+    second = pdo("RxPdo", "#x1601", 8, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1602</Exclude>")
+    found = configured(SMS + first + second + pdo("RxPdo", "#x1602", 8) + COE, pdos=parse_pdo_choice("0x1602"))
+    assert pdos(found) == {2: [0x1600, 0x1602]}
+
+
 BOTH_WAYS = (
     pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')
     + pdo("RxPdo", "#x1601", 16, extra="<Exclude>#x1A00</Exclude>")
