@@ -234,6 +234,32 @@ def test_of_two_pdos_of_one_index_that_are_alike_either_is_meant():
     assert csv.recipe.startswith("RxPDO 0x1601 maps the setpoint; it is not assigned by default")
 
 
+UNUSABLE = [
+    ("<BitLen>{}</BitLen>", "", "without a usable BitLen"),
+    ("<BitLen>{}</BitLen>", "<BitLen>0</BitLen>", "without a usable BitLen"),
+    ("<SubIndex>0</SubIndex>", "<SubIndex>0h</SubIndex>", "without a usable SubIndex"),
+]
+
+
+@pytest.mark.parametrize(("place", "unusable", "obstacle"), UNUSABLE)
+@pytest.mark.parametrize("attributes", ["", 'Sm="2"'])
+def test_a_setpoint_in_an_entry_that_no_export_makes_is_none(place, unusable, obstacle, attributes):
+    """Assigned by default or not."""
+    pdos = in_rx_pdo("1601", ("60FF", 32), attributes=attributes).replace(place.format(32), unusable)
+    csv = verdict_of(one_drive(dictionary(CSV) + pdos + PDO_ASSIGN), "CSV")
+    assert (csv.verdict, csv.rx_pdo_index) == ("yes", None)
+    assert csv.recipe.split("; ")[0] == f"no setpoint: RxPDO 0x1601 has 0x60FF, but {obstacle}"
+
+
+@pytest.mark.parametrize(("place", "unusable", "obstacle"), UNUSABLE)
+def test_0x6060_in_an_entry_that_no_export_makes_cannot_be_set(place, unusable, obstacle):
+    pdos = in_rx_pdo("1600", ("60FF", 32)) + in_rx_pdo("1601", ("6060", 8)).replace(place.format(8), unusable)
+    csv = verdict_of(one_drive(dictionary(CSV) + pdos + PDO_ASSIGN), "CSV")
+    assert csv.recipe == (
+        f"RxPDO 0x1600 maps the setpoint; 0x6060 is mapped in RxPDO 0x1601 (assigned by default), but {obstacle}"
+    )
+
+
 def test_a_setpoint_in_a_pdo_that_is_ruled_out_may_be_mapped_into_another():
     fixed = SMS.replace("<Sm>Outputs", '<Sm FixedAssignment="1">Outputs')
     pdos = in_rx_pdo("1600", ("6040", 16)) + ADDED
