@@ -175,6 +175,13 @@ def test_an_op_mode_is_named_so_that_an_export_takes_it():
     assert "; OpMode 2 'DC'; " in csp.recipe
 
 
+def test_an_op_mode_whose_position_is_the_name_of_another_is_named_by_an_explicit_position():
+    pdos = in_rx_pdo("1600", ("6040", 16), ("607A", 32))
+    csp = verdict_of(one_drive("</Profile>" + pdos + op_modes(("1", "0", ""), ("", "#x300", ""))), "CSP")
+    assert csp.op_mode == "#1"
+    assert "; OpMode #1; " in csp.recipe
+
+
 PLAIN_AND_CSV = in_rx_pdo("1600", ("6040", 16), attributes='Sm="2" Fixed="1"')
 ADDED = in_rx_pdo("1601", ("60FF", 32), attributes='Fixed="1"')
 MANDATORY = PLAIN_AND_CSV.replace("<RxPdo ", '<RxPdo Mandatory="1" ')

@@ -672,9 +672,15 @@ def test_without_a_choice_the_bus_cycle_is_the_usual_one_or_that_of_a_sync0_that
 MODES = SMS + dc(("free", times("0")), ("DC", times("#x300", FACTOR_1)), ("DC", times("#x700", FACTOR_1, FACTOR_1)))
 
 
-@pytest.mark.parametrize(("wanted", "position"), [(None, 0), ("free", 0), ("2", 2), ("1", 1)])
+@pytest.mark.parametrize(("wanted", "position"), [(None, 0), ("free", 0), ("2", 2), ("1", 1), ("#2", 2)])
 def test_op_modes_by_name_and_position(wanted, position):
     assert configured(MODES, op_mode=wanted).op_mode_position == position
+
+
+@pytest.mark.parametrize(("wanted", "position"), [("1", 0), ("#1", 1)])
+def test_an_explicit_position_is_no_name(wanted, position):
+    modes = SMS + dc(("1", times("0")), ("", times("#x300", FACTOR_1)))
+    assert configured(modes, op_mode=wanted).op_mode_position == position
 
 
 @pytest.mark.parametrize(

@@ -37,7 +37,7 @@ class Recipe(NamedTuple):
     pdos_are_default: bool
     """Whether they are assigned with its modules and OpMode, without being chosen."""
     op_mode: str | None
-    """What chooses the OpMode: its name or position."""
+    """What chooses the OpMode: its name or position, as exports take it."""
     words: str
 
 

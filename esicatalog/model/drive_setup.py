@@ -69,9 +69,9 @@ class DriveSetup:
         if op_mode is None:
             return None
         if not op_mode.name:
-            return f"OpMode {self._position}"
+            return f"OpMode {self.op_mode_choice}"
         is_chosen_by_name = self.op_mode_choice == op_mode.name.strip()
-        return f"OpMode {op_mode.name!r}" if is_chosen_by_name else f"OpMode {self._position} {op_mode.name!r}"
+        return f"OpMode {op_mode.name!r}" if is_chosen_by_name else f"OpMode {self.op_mode_choice} {op_mode.name!r}"
 
     @property
     def assigning(self) -> str:
