@@ -175,6 +175,13 @@ def test_an_op_mode_is_named_so_that_an_export_takes_it():
     assert "; OpMode 2 'DC'; " in csp.recipe
 
 
+def test_an_op_mode_whose_position_is_the_name_of_another_is_named_by_an_explicit_position():
+    pdos = in_rx_pdo("1600", ("6040", 16), ("607A", 32))
+    csp = verdict_of(one_drive("</Profile>" + pdos + op_modes(("1", "0", ""), ("", "#x300", ""))), "CSP")
+    assert csp.op_mode == "#1"
+    assert "; OpMode #1; " in csp.recipe
+
+
 PLAIN_AND_CSV = in_rx_pdo("1600", ("6040", 16), attributes='Sm="2" Fixed="1"')
 ADDED = in_rx_pdo("1601", ("60FF", 32), attributes='Fixed="1"')
 MANDATORY = PLAIN_AND_CSV.replace("<RxPdo ", '<RxPdo Mandatory="1" ')
@@ -234,6 +241,32 @@ def test_of_two_pdos_of_one_index_that_are_alike_either_is_meant():
     assert csv.recipe.startswith("RxPDO 0x1601 maps the setpoint; it is not assigned by default")
 
 
+UNUSABLE = [
+    ("<BitLen>{}</BitLen>", "", "without a usable BitLen"),
+    ("<BitLen>{}</BitLen>", "<BitLen>0</BitLen>", "without a usable BitLen"),
+    ("<SubIndex>0</SubIndex>", "<SubIndex>0h</SubIndex>", "without a usable SubIndex"),
+]
+
+
+@pytest.mark.parametrize(("place", "unusable", "obstacle"), UNUSABLE)
+@pytest.mark.parametrize("attributes", ["", 'Sm="2"'])
+def test_a_setpoint_in_an_entry_that_no_export_makes_is_none(place, unusable, obstacle, attributes):
+    """Assigned by default or not."""
+    pdos = in_rx_pdo("1601", ("60FF", 32), attributes=attributes).replace(place.format(32), unusable)
+    csv = verdict_of(one_drive(dictionary(CSV) + pdos + PDO_ASSIGN), "CSV")
+    assert (csv.verdict, csv.rx_pdo_index) == ("yes", None)
+    assert csv.recipe.split("; ")[0] == f"no setpoint: RxPDO 0x1601 has 0x60FF, but {obstacle}"
+
+
+@pytest.mark.parametrize(("place", "unusable", "obstacle"), UNUSABLE)
+def test_0x6060_in_an_entry_that_no_export_makes_cannot_be_set(place, unusable, obstacle):
+    pdos = in_rx_pdo("1600", ("60FF", 32)) + in_rx_pdo("1601", ("6060", 8)).replace(place.format(8), unusable)
+    csv = verdict_of(one_drive(dictionary(CSV) + pdos + PDO_ASSIGN), "CSV")
+    assert csv.recipe == (
+        f"RxPDO 0x1600 maps the setpoint; 0x6060 is mapped in RxPDO 0x1601 (assigned by default), but {obstacle}"
+    )
+
+
 def test_a_setpoint_in_a_pdo_that_is_ruled_out_may_be_mapped_into_another():
     fixed = SMS.replace("<Sm>Outputs", '<Sm FixedAssignment="1">Outputs')
     pdos = in_rx_pdo("1600", ("6040", 16)) + ADDED
@@ -277,3 +310,24 @@ def test_a_command_that_leads_back_starts_no_mode(transition):
     """SP SafeOP to PreOP, OP OP to PreOP, OS OP to SafeOP (ESI-FACTS section 10)."""
     found = one_drive("</Profile>" + BOTH + commands((transition, 6)) + DC)
     assert "HM" not in {item.mode for item in (*found.evidence, *found.verdicts)}
+
+
+@pytest.mark.parametrize(
+    ("place", "unread"),
+    [
+        ("<SubIndex>0</SubIndex>", "<SubIndex>0h</SubIndex>"),
+        ("<SubIndex>0</SubIndex>", "<SubIndex>256</SubIndex>"),
+        ("<InitCmd>", '<InitCmd CompleteAccess="yes">'),
+    ],
+)
+def test_a_command_that_does_not_tell_where_it_writes_to_starts_no_mode(place, unread):
+    """No export sends it."""
+    pdos = in_rx_pdo("1600", ("6040", 16), ("60FF", 32))
+    command = init_cmd(9)
+    told, csv = (
+        verdict_of(one_drive("</Profile>" + pdos + text + DC), "CSV")
+        for text in (command, command.replace(place, unread))
+    )
+    assert (told.verdict, csv.verdict) == ("yes", "likely")
+    assert told.recipe.endswith("0x6060 = 9 is written by an InitCmd")
+    assert csv.recipe.endswith("0x6060 is in none of the assigned RxPDOs: write 9 to it before operation")

@@ -149,6 +149,14 @@ def test_a_mandatory_pdo_is_assigned_too_and_cannot_be_excluded():
         configured(content, pdos=parse_pdo_choice("0x1601"))
 
 
+def test_a_mandatory_pdo_that_is_itself_left_out_stands_in_no_way():
+    """Of 0x1600 and 0x1601, which exclude each other, the first stays."""
+    first = pdo("RxPdo", "#x1600", 16, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1601</Exclude>")
+    second = pdo("RxPdo", "#x1601", 8, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1602</Exclude>")
+    found = configured(SMS + first + second + pdo("RxPdo", "#x1602", 8) + COE, pdos=parse_pdo_choice("0x1602"))
+    assert pdos(found) == {2: [0x1600, 0x1602]}
+
+
 BOTH_WAYS = (
     pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')
     + pdo("RxPdo", "#x1601", 16, extra="<Exclude>#x1A00</Exclude>")
@@ -680,9 +688,15 @@ def test_without_a_choice_the_bus_cycle_is_the_usual_one_or_that_of_a_sync0_that
 MODES = SMS + dc(("free", times("0")), ("DC", times("#x300", FACTOR_1)), ("DC", times("#x700", FACTOR_1, FACTOR_1)))
 
 
-@pytest.mark.parametrize(("wanted", "position"), [(None, 0), ("free", 0), ("2", 2), ("1", 1)])
+@pytest.mark.parametrize(("wanted", "position"), [(None, 0), ("free", 0), ("2", 2), ("1", 1), ("#2", 2)])
 def test_op_modes_by_name_and_position(wanted, position):
     assert configured(MODES, op_mode=wanted).op_mode_position == position
+
+
+@pytest.mark.parametrize(("wanted", "position"), [("1", 0), ("#1", 1)])
+def test_an_explicit_position_is_no_name(wanted, position):
+    modes = SMS + dc(("1", times("0")), ("", times("#x300", FACTOR_1)))
+    assert configured(modes, op_mode=wanted).op_mode_position == position
 
 
 @pytest.mark.parametrize(
@@ -734,6 +748,15 @@ def test_a_command_marked_overwritten_by_module_yields_to_the_module():
     of_module = f"<Mailbox><CoE>{init_cmd('PS', '#x6060', '09')}</CoE></Mailbox>"
     found = configured(SMS + f"<Mailbox><CoE>{own}</CoE></Mailbox>" + ONE_SLOT, module(of_module))
     assert [(c.object_index, c.data) for c in found.commands] == [(0x6061, b"\x01"), (0x6060, b"\x09")]
+
+
+def test_a_command_of_a_module_that_is_left_out_replaces_none():
+    own = init_cmd("PS", "#x6060", "08", 'OverwrittenByModule="1"').replace("<SubIndex>1<", "<SubIndex>0<")
+    of_module = init_cmd("PS", "#x6060", "09").replace("<SubIndex>1<", "<SubIndex>0h<")
+    found = configured(
+        SMS + f"<Mailbox><CoE>{own}</CoE></Mailbox>" + ONE_SLOT, module(f"<Mailbox><CoE>{of_module}</CoE></Mailbox>")
+    )
+    assert [(c.object_index, c.subindex, c.data) for c in found.commands] == [(0x6060, 0, b"\x08")]
 
 
 def written(index: str, subindex: int, data: str, adapt: str = "") -> str:

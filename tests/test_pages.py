@@ -717,18 +717,18 @@ async def test_op_mode_and_cycle_are_chosen_in_a_form(tmp_path):
     web = await client(db)
     section = (await page(db, "/-/esi/device/0xe5c/1/1")).cssselect("section[aria-labelledby=exports]")[0]
     form = section.cssselect("form")[0]
-    assert [option.get("value") for option in form.cssselect("option")] == ["", "0", "1"]
+    assert [option.get("value") for option in form.cssselect("option")] == ["", "#0", "#1"]
     buttons = [button.get("formaction") for button in form.cssselect("button")]
     assert {target.rpartition("/")[2] for target in buttons} == {*EXPORTS} - {"sii", "esi"}
     for target in buttons:
         for chosen, status in (
             ({}, 200),
-            ({"op-mode": "1", "cycle-ns": "2000000"}, 200),
+            ({"op-mode": "#1", "cycle-ns": "2000000"}, 200),
             ({"cycle-ns": "soon"}, 400),
         ):
             sent = dict(form.form_values()) | chosen
             assert (await web.get(target, params=sent)).status_code == status, target
-    header = await web.get(buttons[0], params={"op-mode": "1", "cycle-ns": "2000000"})
+    header = await web.get(buttons[0], params={"op-mode": "#1", "cycle-ns": "2000000"})
     assert "0x0300" in header.text
     assert "2000000" in header.text
 

@@ -137,6 +137,18 @@ def test_defaults_of_two_sync_managers_may_exclude_each_other():
     assert found[4].remarks == ("PDO 0x1601 is left out: 0x1600 excludes it",)
 
 
+def test_a_mandatory_pdo_that_is_itself_left_out_excludes_nothing():
+    """0x1600 stays, so 0x1601 does not, and nothing speaks against 0x1602."""
+    content = (
+        pdo("RxPdo", "#x1600", 8, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1601</Exclude>")
+        + pdo("RxPdo", "#x1601", 8, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1602</Exclude>")
+        + pdo("RxPdo", "#x1602", 8, attributes='Sm="2"')
+    )
+    image = images(content)[2]
+    assert indices(image) == [0x1600, 0x1602]
+    assert image.remarks == ("PDO 0x1601 is left out: 0x1600 excludes it",)
+
+
 def test_the_op_mode_that_a_plugged_module_asks_for_counts():
     """DcOpModeName of the default module: its OpMode lists 0x1601, the first one 0x1600."""
     dc = op_mode('<Sm No="2"><Pdo>#x1600</Pdo></Sm>') + op_mode(LISTED).replace("<Name>m<", "<Name>asked<")

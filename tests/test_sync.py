@@ -9,7 +9,14 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.esi.records.module import Module
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import default_op_mode, default_position, generated_signals, op_mode_choice, sync_signals
+from esicatalog.model.sync import (
+    chosen_positions,
+    default_op_mode,
+    default_position,
+    generated_signals,
+    op_mode_choice,
+    sync_signals,
+)
 
 
 @pytest.mark.parametrize(
@@ -102,6 +109,22 @@ def test_a_module_asks_for_the_first_valid_op_mode_of_a_name(asked, position):
 
 def test_an_op_mode_is_chosen_by_its_name_where_that_is_its_own():
     assert [op_mode_choice(named_modes(), position) for position in range(4)] == ["0", "SM", "2", "3"]
+
+
+def test_a_name_that_looks_like_a_position_is_a_name():
+    """The OpMode at that position is chosen by ``#1``, which is always a position."""
+    modes = [OpMode(name="1"), OpMode(), OpMode(name="#0"), OpMode(name=" 3 ")]
+    choices = [op_mode_choice(modes, position) for position in range(4)]
+    assert choices == ["1", "#1", "2", "3"]
+    assert [chosen_positions(modes, choice) for choice in choices] == [[0], [1], [2], [3]]
+    assert chosen_positions(modes, "#0") == [0]
+
+
+@given(st.lists(st.sampled_from(["", "0", "1", "#0", "#1", "DC", " DC", "٠"]), min_size=1, max_size=4))
+def test_what_chooses_an_op_mode_means_it(names):
+    modes = [OpMode(name=name) for name in names]
+    for position in range(len(modes)):
+        assert chosen_positions(modes, op_mode_choice(modes, position)) == [position]
 
 
 def named_modes() -> tuple[OpMode, ...]:

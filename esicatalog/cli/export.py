@@ -39,7 +39,11 @@ _CHOICE: tuple[Option, ...] = (
         type=PLUGGED,
         help="Plug this module, by its Type too where several share the ident: '0=0x1785/KL6021-A'.",
     ),
-    click.option("--op-mode", metavar="POSITION|NAME", help="OpMode of the distributed clocks; else the default one."),
+    click.option(
+        "--op-mode",
+        metavar="POSITION|NAME",
+        help="OpMode of the distributed clocks; '#1' is position 1 even where a name is 1. Else the default one.",
+    ),
     click.option(
         "--cycle-ns",
         metavar="N",

@@ -39,6 +39,8 @@ def unreadable_values(record: Record, is_wanted: Callable[[Record], bool]) -> It
 
 def unreadable(record: Record, name: str) -> str | None:
     """What stands where a field has its value, and why it is none; None for one that was read or is absent."""
+    if not record.spelling:
+        return None
     return next((_problem(record, field, None) for field in fields_of(type(record)) if field.name == name), None)
 
 

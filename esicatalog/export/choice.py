@@ -25,7 +25,7 @@ class Choice(NamedTuple):
     modules: Mapping[int, ModuleChoice] = {}
     """By slot number; other slots keep their default module."""
     op_mode: str | None = None
-    """Name or position (from 0) of the OpMode; None = the default one."""
+    """Name or position (from 0, ``#1`` where a name is a number) of the OpMode; None = the default one."""
     cycle_ns: int | None = None
     """Bus cycle; None = :data:`DEFAULT_CYCLE_NS`, or the cycle that the OpMode fixes where that would drift."""
     name: str | None = None

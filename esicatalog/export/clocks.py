@@ -15,7 +15,14 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.export.choice import DEFAULT_CYCLE_NS
-from esicatalog.model.sync import SyncSignals, asked_op_modes, default_position, sync_signals
+from esicatalog.model.sync import (
+    SyncSignals,
+    asked_op_modes,
+    chosen_positions,
+    default_position,
+    op_mode_choice,
+    sync_signals,
+)
 
 _UINT32_MAX, _INT32_MAX = 0xFFFF_FFFF, 0x7FFF_FFFF
 _ASSIGN_ACTIVATE = range(0x1_0000)
@@ -154,14 +161,14 @@ def chosen_op_mode(device: Device, modules: tuple[Module, ...], wanted: str | No
     if wanted is None:
         return _by_modules(device, modules)
     listed = ", ".join(f"{position} {mode.name!r}" for position, mode in enumerate(modes)) or "none"
-    named = [position for position, mode in enumerate(modes) if (mode.name or "").strip() == wanted.strip()]
-    if len(named) > 1:
-        raise InputError(f"OpMode {wanted!r} exists at positions {', '.join(map(str, named))}; choose by position")
-    if named:
-        return named[0], []
-    if wanted.strip().isdecimal() and int(wanted) < len(modes):
-        return int(wanted), []
-    raise InputError(f"OpMode {wanted!r} does not exist; the device has {listed}")
+    match chosen_positions(modes, wanted):
+        case []:
+            raise InputError(f"OpMode {wanted!r} does not exist; the device has {listed}")
+        case [position]:
+            return position, []
+        case several:
+            words = ", ".join(op_mode_choice(modes, position) for position in several)
+            raise InputError(f"OpMode {wanted!r} exists at positions {words}; choose by position")
 
 
 def _by_modules(device: Device, modules: tuple[Module, ...]) -> tuple[int | None, list[str]]:

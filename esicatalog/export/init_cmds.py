@@ -9,11 +9,10 @@ from typing import Generic, NamedTuple, TypeVar
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
-from esicatalog.esi.unreadable import unreadable
 from esicatalog.model.cia402 import AXIS_STEP
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
-from esicatalog.model.start_up import TRANSITIONS, transition_of, written_places, yields
+from esicatalog.model.start_up import TRANSITIONS, transition_of, unusable_part, written_places, yields
 from esicatalog.model.sync_parameters import SYNC_PARAMETERS
 
 MODULE_IDENT_LIST = 0xF030
@@ -115,7 +114,7 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
         remarks.append(f"{protocol} InitCmd of the {owner} is left out: it is no parameter of the device")
         return
     index = command.idn if protocol == "SoE" else command.object_index
-    unusable = next(_unusable(index, command), None)
+    unusable = unusable_part(command, index)
     if index is None or unusable is not None:
         remarks.append(f"{protocol} InitCmd of the {owner} is left out: its {unusable} cannot be used")
         return
@@ -138,18 +137,6 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
             remarks.append(f"InitCmd {found.place} of the {owner} is left out: its data are missing or not hex")
         else:
             yield found
-
-
-def _unusable(index: int | None, command: InitCmd) -> Iterator[str]:
-    """What does not tell where a command writes to; a subindex and the like that is absent counts as 0."""
-    if index is None or not 0 <= index <= 0xFFFF:
-        yield "index"
-    if unreadable(command, "subindex") is not None or not 0 <= (command.subindex or 0) <= 0xFF:
-        yield "subindex"
-    if unreadable(command, "channel") is not None:
-        yield "channel"
-    if unreadable(command, "complete_access") is not None:
-        yield "CompleteAccess"
 
 
 def _module_list(device: Device, plugged: Iterable[PluggedModule]) -> Iterator[StartCommand]:

@@ -16,8 +16,8 @@ from esicatalog.model.assignable_pdos import (
     AvailablePdo,
     assignment_place,
     available_pdos,
-    mandatory_pdos,
     meant_by_index,
+    staying_pdos,
 )
 from esicatalog.model.pdo_assignment import Assignment
 from esicatalog.model.pdo_facts import PDO_FIELDS, entry_places, pdos_by_direction, symmetric_exclusions
@@ -106,9 +106,9 @@ def _check_exclusions(
         for placed in image.pdos
     }
     beside |= {
-        item.pdo.pdo_index: "is mandatory"
-        for item in mandatory_pdos(device, available)
-        if item.pdo.sm in assignment or item.pdo.pdo_index in beside
+        index: "is mandatory"
+        for index, sm in staying_pdos(device, available).items()
+        if sm in assignment or index in beside
     }
     chosen = {index for indices in assignment.values() for index in indices}
     for index in sorted(chosen):

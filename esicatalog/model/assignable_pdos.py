@@ -3,13 +3,13 @@
 Rules of ESI-FACTS sections 8, 9 and 12, for what exports are given to assign and for what recipes ask for.
 """
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.pdo_facts import entry_places, pdo_yields, pdos_by_direction
+from esicatalog.model.pdo_facts import entry_places, pdo_yields, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sm_facts import may_transport, sm_role
 
@@ -131,14 +131,28 @@ def _transports(sync_manager: SyncManager, direction: str) -> bool:
     return role is not None and role.pdo_direction == direction and not sync_manager.virtual
 
 
-def mandatory_pdos(device: Device, available: Iterable[AvailablePdo]) -> list[AvailablePdo]:
-    """The PDOs that have to stay in their SyncManagers whatever is chosen beside them."""
-    return [
-        item
+def staying_pdos(device: Device, available: Sequence[AvailablePdo]) -> dict[int, int]:
+    """Indices of the PDOs that stay whatever is chosen beside them, each with its SyncManager."""
+    exclusions = symmetric_exclusions(item.pdo for item in available)
+    places = {
+        item.pdo.pdo_index: item.pdo.sm
         for item in available
-        if item.pdo.mandatory and not item.pdo.virtual and item.pdo.sm is not None
+        if item.pdo.mandatory and not item.pdo.virtual and item.pdo.pdo_index is not None and item.pdo.sm is not None
         if assignment_place(device, item.direction, item.pdo).sm is not None
-    ]
+    }
+    return {index: places[index] for index in without_rivals(sorted(places, key=places.__getitem__), exclusions)}
+
+
+def without_rivals(mandatory: Iterable[int], exclusions: Mapping[int | None, Collection[int]]) -> list[int]:
+    """The mandatory PDOs that stay, given in the order of their assignment: of two that exclude each other the first.
+
+    One that is itself left out excludes nothing.
+    """
+    staying: list[int] = []
+    for index in mandatory:
+        if not any(rival in staying for rival in exclusions.get(index, ())):
+            staying.append(index)
+    return staying
 
 
 def declares_pdo_assign(device: Device) -> bool:

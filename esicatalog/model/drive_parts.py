@@ -4,7 +4,7 @@ Rules of ESI-FACTS sections 12 and 16: axes by their controlword, objects that y
 RxPDOs that map a mode's setpoint.
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Mapping, Sequence
 from itertools import combinations, product
 from typing import NamedTuple
 
@@ -26,7 +26,7 @@ from esicatalog.model.cia402 import (
 )
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
-from esicatalog.model.pdo_facts import pdo_yields, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import has_length, has_object, pdo_yields, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import is_mappable
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import PluggedModule
@@ -236,6 +236,14 @@ def _go_together(pdos: Iterable[Pdo], rivals: Mapping[int | None, Collection[int
 def mapping_pdo(index: int, pdos: Iterable[Pdo]) -> Pdo | None:
     """The first of some PDOs that maps an object."""
     return next((pdo for pdo in pdos if any(entry.entry_index == index for entry in pdo.entries)), None)
+
+
+def unusable_entry(pdo: Pdo, objects: Container[int | None]) -> str | None:
+    """What makes exports refuse the entries of a PDO for some objects, as the end of a sentence; else None."""
+    for entry in pdo.entries:
+        if entry.entry_index in objects and not (has_object(entry) and has_length(entry)):
+            return f"without a usable {'BitLen' if has_object(entry) else 'SubIndex'}"
+    return None
 
 
 def setpoint_words(part: Part, mode: DriveMode) -> str:

@@ -4,7 +4,7 @@ A recipe asks for nothing that the description rules out: where no RxPDO has the
 says so instead.
 """
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.pdo import Pdo
@@ -22,6 +22,7 @@ from esicatalog.model.drive_parts import (
     object_words,
     pdo_words,
     setpoint_words,
+    unusable_entry,
 )
 from esicatalog.model.drive_setup import ConfiguredDrive, DriveSetup
 from esicatalog.model.pdo_mapping import mapping_obstacle
@@ -36,7 +37,7 @@ class Recipe(NamedTuple):
     pdos_are_default: bool
     """Whether they are assigned with its modules and OpMode, without being chosen."""
     op_mode: str | None
-    """What chooses the OpMode: its name or position."""
+    """What chooses the OpMode: its name or position, as exports take it."""
     words: str
 
 
@@ -53,14 +54,20 @@ def mode_recipe(drive: ConfiguredDrive, mode: DriveMode, parts: Sequence[Part], 
 
 def _usable(part: Part, mode: DriveMode, setup: DriveSetup) -> Part:
     """The part with what is assigned in a setup, and without the RxPDOs of the setpoint that cannot be."""
-    assigned = assigned_rx_pdos(setup.images, part.slot_number)
+    in_setup = part._replace(assigned=assigned_rx_pdos(setup.images, part.slot_number))
     setpoint = {part.at(index) for index in mode.setpoints}
     ruled_out = [
         pdo
         for pdo in part.rx_pdos
-        if pdo not in assigned and any(entry.entry_index in setpoint for entry in pdo.entries) and setup.obstacle(pdo)
+        if any(entry.entry_index in setpoint for entry in pdo.entries) and _obstacle(pdo, setpoint, in_setup, setup)
     ]
-    return part._replace(assigned=assigned, rx_pdos=tuple([pdo for pdo in part.rx_pdos if pdo not in ruled_out]))
+    return in_setup._replace(rx_pdos=tuple([pdo for pdo in part.rx_pdos if pdo not in ruled_out]))
+
+
+def _obstacle(pdo: Pdo, setpoint: Collection[int], part: Part, setup: DriveSetup) -> str | None:
+    """Why the setpoint in an RxPDO of a part, as it is in a setup, is of no use, as the end of a sentence."""
+    unusable = unusable_entry(pdo, setpoint)
+    return setup.obstacle(pdo) if unusable is None and pdo not in part.assigned else unusable
 
 
 def _mapping(parts: Sequence[Part], mode: DriveMode) -> tuple[Part, Sequence[Pdo]]:
@@ -83,9 +90,10 @@ def _setpoint(mode: DriveMode, parts: Sequence[Part], usable: Sequence[Part], se
     if problem is None:
         return f"map the setpoint {objects} into an RxPDO"
     of_part, described = _mapping(parts, mode)
-    for pdo in [pdo for pdo in described if pdo not in usable[parts.index(of_part)].rx_pdos]:
+    in_setup = usable[parts.index(of_part)]
+    for pdo in [pdo for pdo in described if pdo not in in_setup.rx_pdos]:
         held = [index for index in map(of_part.at, mode.setpoints) if mapping_pdo(index, [pdo]) is not None]
-        return f"no setpoint: {pdo_words(pdo)} has {object_words(held)}, but {setup.obstacle(pdo)}"
+        return f"no setpoint: {pdo_words(pdo)} has {object_words(held)}, but {_obstacle(pdo, held, in_setup, setup)}"
     return problem
 
 
@@ -124,7 +132,9 @@ def _mode_of_operation(mode: DriveMode, part: Part, pdos: Sequence[Pdo], setup: 
     staying = [pdo for pdo in assigned if pdo.pdo_index not in excluded]
     for candidates, how in ((pdos, ""), (staying, f" (assigned {setup.assigning})")):
         if (pdo := mapping_pdo(index, candidates)) is not None:
-            return f"0x{index:04X} is mapped in {pdo_words(pdo)}{how}: set it to {mode.code}"
+            unusable = unusable_entry(pdo, (index,))
+            step = f": set it to {mode.code}" if unusable is None else f", but {unusable}"
+            return f"0x{index:04X} is mapped in {pdo_words(pdo)}{how}{step}"
     command = start_command(setup.commands, index)
     data = written_data(command, index) if command is not None else None
     code = mode_code(data) if data is not None else None

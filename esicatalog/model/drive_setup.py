@@ -1,6 +1,6 @@
 """What an export of a recipe would make: its modules, its OpMode, the process image and the commands that follow."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from functools import cached_property
 from itertools import chain
 
@@ -13,8 +13,8 @@ from esicatalog.model.assignable_pdos import (
     AvailablePdo,
     assignment_place,
     available_pdos,
-    mandatory_pdos,
     meant_by_index,
+    staying_pdos,
 )
 from esicatalog.model.cia402 import DriveMode
 from esicatalog.model.drive_parts import Part
@@ -53,10 +53,9 @@ class DriveSetup:
         return available_pdos(self.device, self._plugged).pdos
 
     @cached_property
-    def _staying(self) -> set[int | None]:
-        """Indices of the mandatory PDOs in its process image."""
-        assigned = {placed.pdo.pdo_index for image in self.images for placed in image.pdos}
-        return assigned & {item.pdo.pdo_index for item in mandatory_pdos(self.device, self._available)}
+    def _staying(self) -> Collection[int]:
+        """Indices of the mandatory PDOs that stay whatever is chosen."""
+        return staying_pdos(self.device, self._available)
 
     @property
     def op_mode_choice(self) -> str | None:
@@ -70,9 +69,9 @@ class DriveSetup:
         if op_mode is None:
             return None
         if not op_mode.name:
-            return f"OpMode {self._position}"
+            return f"OpMode {self.op_mode_choice}"
         is_chosen_by_name = self.op_mode_choice == op_mode.name.strip()
-        return f"OpMode {op_mode.name!r}" if is_chosen_by_name else f"OpMode {self._position} {op_mode.name!r}"
+        return f"OpMode {op_mode.name!r}" if is_chosen_by_name else f"OpMode {self.op_mode_choice} {op_mode.name!r}"
 
     @property
     def assigning(self) -> str:
@@ -91,8 +90,7 @@ class DriveSetup:
         place = assignment_place(self.device, meant.found.direction, meant.found.pdo)
         if place.sm is None:
             return place.obstacle
-        rivals = self._staying.intersection(self.exclusions.get(pdo.pdo_index, ()))
-        for rival in sorted(index for index in rivals if index is not None):
+        for rival in sorted(set(self.exclusions.get(pdo.pdo_index, ())).intersection(self._staying)):
             return f"cannot be assigned beside 0x{rival:04X}, which is mandatory"
         return None
 

@@ -17,7 +17,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
-from esicatalog.model.assignable_pdos import AvailablePdo
+from esicatalog.model.assignable_pdos import AvailablePdo, without_rivals
 from esicatalog.model.pdo_assignment import Assignment, SmAssignment, assigned_pdos, has_default_image
 from esicatalog.model.pdo_facts import (
     has_length,
@@ -147,13 +147,12 @@ class _Rivals:
     def __init__(self, pdos: Iterable[Pdo]) -> None:
         known = list(pdos)
         self._exclusions = symmetric_exclusions(known)
-        self._mandatory = {pdo.pdo_index for pdo in known if pdo.mandatory}
-        self._taken: set[int | None] = set()
+        mandatory = [pdo.pdo_index for pdo in known if pdo.mandatory and pdo.pdo_index is not None]
+        self._taken: set[int | None] = {*without_rivals(mandatory, self._exclusions)}
 
     def rival(self, pdo: Pdo) -> int | None:
-        """What excludes a PDO: one that was taken before or, unless itself mandatory, one that is."""
-        stronger = self._taken if pdo.mandatory else self._taken | self._mandatory
-        return next((index for index in self._exclusions.get(pdo.pdo_index, ()) if index in stronger), None)
+        """What excludes a PDO: one that was taken before, or a mandatory one that stays."""
+        return next((index for index in self._exclusions.get(pdo.pdo_index, ()) if index in self._taken), None)
 
     def take(self, pdo: Pdo) -> None:
         """A PDO is assigned."""
@@ -220,7 +219,7 @@ class _ImageBuilder:
         self.overflow: str | None = None
 
     def place(self, candidate: AvailablePdo) -> None:
-        """Add a PDO unless it is excluded by one that came before or, itself not so, is mandatory."""
+        """Add a PDO unless it is excluded by one that came before or by a mandatory one that stays."""
         pdo = candidate.pdo
         rival = self._rivals.rival(pdo)
         if rival is not None:

@@ -1,4 +1,7 @@
-"""What InitCmds have written when a device is in operation, and which of the device's own yield to those of modules."""
+"""What InitCmds have written when a device is in operation, and which of the device's own yield to those of modules.
+
+A command that does not tell where it writes to is sent by nobody, so it writes nothing.
+"""
 
 from collections.abc import Collection, Iterable
 from typing import TypeVar
@@ -6,6 +9,7 @@ from typing import TypeVar
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
+from esicatalog.esi.unreadable import unreadable
 
 START_TRANSITIONS = ("IP", "PS", "SO")
 """In the order of a start (ESI-FACTS section 10)."""
@@ -30,9 +34,22 @@ def after_start(writes: Iterable[Write[Written]]) -> dict[int, Written]:
     return {index: written for _, index, written in due}
 
 
+def unusable_part(command: InitCmd, index: int | None) -> str | None:
+    """What does not tell where a command writes to, None where all is told.
+
+    ``index`` is that of its object, or its IDN. A subindex and the like that is absent counts as 0.
+    """
+    if index is None or not 0 <= index <= 0xFFFF:
+        return "index"
+    if not 0 <= (command.subindex or 0) <= 0xFF:
+        return "subindex"
+    parts = (("subindex", "subindex"), ("channel", "channel"), ("complete_access", "CompleteAccess"))
+    return next((part for field, part in parts if unreadable(command, field) is not None), None)
+
+
 def written_data(command: InitCmd, index: int) -> bytes | None:
     """What a command writes to an object that is a single value, None when it writes nothing to it."""
-    if command.object_index != index or command.subindex or command.complete_access:
+    if command.object_index != index or command.subindex or command.complete_access or unusable_part(command, index):
         return None
     return decode_hex_binary(command.data) or None
 
@@ -51,6 +68,7 @@ def written_places(modules: Iterable[Module]) -> set[tuple[int | None, int]]:
         (command.object_index, command.subindex or 0)
         for module in modules
         for command in (module.mailbox.coe_init_cmds if module.mailbox is not None else ())
+        if unusable_part(command, command.object_index) is None
     }
 
 

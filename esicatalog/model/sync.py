@@ -129,8 +129,25 @@ def _first_valid(op_modes: Sequence[OpMode], positions: Sequence[int]) -> int | 
     return next(valid, positions[0] if positions else None)
 
 
+def chosen_positions(op_modes: Sequence[OpMode], wanted: str) -> list[int]:
+    """Positions of the OpModes that a choice means; more than one for a name that several have.
+
+    A choice is a position written ``#1``, else a name, else a position that is nobody's name.
+    """
+    positions, text = range(len(op_modes)), wanted.strip()
+    readings = (
+        [position for position in positions if text == f"#{position}"],
+        [position for position in positions if text and text == _chosen_name(op_modes[position])],
+        [position for position in positions if text == str(position)],
+    )
+    return next(filter(None, readings), [])
+
+
 def op_mode_choice(op_modes: Sequence[OpMode], position: int) -> str:
-    """What chooses an OpMode: its name, or its position where it has none or others have the same."""
-    names = [(op_mode.name or "").strip() for op_mode in op_modes]
-    name = names[position]
-    return name if name and names.count(name) == 1 else str(position)
+    """What chooses an OpMode: its name, its position where that is no choice, ``#1`` where a name looks like it."""
+    choices = (_chosen_name(op_modes[position]), str(position))
+    return next((text for text in choices if chosen_positions(op_modes, text) == [position]), f"#{position}")
+
+
+def _chosen_name(op_mode: OpMode) -> str:
+    return (op_mode.name or "").strip()
