@@ -2,7 +2,7 @@
 
 import pytest
 from snippets import dictionary, pdo
-from test_export_configuration import SMS, configured, dc, entry, init_cmd, pdos, rx, subject, times
+from test_export_configuration import COE, SMS, configured, dc, entry, init_cmd, pdos, rx, subject, times
 
 from esicatalog.errors import InputError
 from esicatalog.export.choice import Choice, parse_pdo_choice
@@ -294,3 +294,13 @@ def test_programs_that_reach_one_copy_say_what_becomes_of_the_others(export):
 )
 def test_what_is_not_mapped_again(content, choice):
     assert not [remark for remark in configured(SMS + content, **choice).remarks if "every copy is sent" in remark]
+
+
+def test_only_gaps_are_called_so():
+    """One gap, and values to which the vendor gave no name."""
+    content = SMS + rx("#x1600", entry("#x7000", 16), entry("#x0", 8), entry("#x7001", 8)) + COE
+    found = configured(content)
+    for export in EXPORTS:
+        lines = [line for line in export(found).splitlines() if line.rstrip(" */->").endswith("gap")]
+        assert len(lines) == 1, export
+    assert "<!--  -->" not in linuxcnc_configuration(found)

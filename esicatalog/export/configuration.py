@@ -59,6 +59,11 @@ class MappedEntry(NamedTuple):
         return self.entry_index == 0
 
     @property
+    def comment(self) -> str:
+        """What a comment calls it: its name, empty when there is none."""
+        return "gap" if self.is_gap else self.name
+
+    @property
     def mapping_value(self) -> int:
         """What a mapping object says of it: index, subindex and bits."""
         return self.entry_index << 16 | self.subindex << 8 | self.bit_length

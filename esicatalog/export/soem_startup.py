@@ -117,7 +117,7 @@ def _pdo_configuration(configuration: Configuration) -> Iterator[StartCommand]:
         for _, pdos in assigned:
             for pdo in pdos:
                 if pdo.mapping is not None and not pdo.fixed:
-                    names = [entry.name or "gap" for entry in pdo.entries]
+                    names = [entry.comment for entry in pdo.entries]
                     clear = f"clear the mapping of {pdo.direction} {pdo.name}"
                     yield _object(pdo.pdo_index, 0, b"\0", clear)
                     yield from _values(pdo.mapping, names, "number of entries")
