@@ -161,6 +161,19 @@ def test_process_data_of_modules_that_are_not_plugged(slots, words, modules, may
     assert plugged.missing_modules is None
 
 
+@pytest.mark.parametrize(("ident", "is_told"), [("#x10", False), ("#x20", True)])
+def test_missing_modules_say_why_a_sync_manager_with_a_size_has_no_pdo(ident, is_told):
+    """Modules of the other ident have no PDOs: they fill nothing, plugged or not."""
+    sms = SMS.replace('"#x64"', '"#x64" DefaultSize="2"').replace('"#x20"', '"#x20" DefaultSize="2"')
+    content = sms + "<Slots>" + slot((ident,), 'MinInstances="0" MaxInstances="1"') + "</Slots>"
+    sizes = [f"SM{number} has DefaultSize 2 and no PDO: what it exchanges is not described" for number in (2, 3)]
+    found = configured(content, VALUE_MODULES)
+    assert [words for words in found.remarks if "DefaultSize" in words] == (sizes if is_told else [])
+    assert len(found.remarks) == (2 if is_told else 1)
+    plugged = configured(content, VALUE_MODULES, modules={0: ModuleChoice(int(ident[2:], 16))})
+    assert plugged.remarks == (tuple(sizes) if is_told else ())
+
+
 def test_slots_for_modules_without_process_data_lack_nothing():
     slots = slot(("#x20",), 'MinInstances="0" MaxInstances="1"')
     assert configured(f"{SMS}<Slots>{slots}</Slots>", VALUE_MODULES).remarks == ()

@@ -14,7 +14,13 @@ from esicatalog.esi.unreadable import unreadable
 from esicatalog.export.choice import Choice
 from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
-from esicatalog.export.image_remarks import assignment_remarks, memory_remarks, repeat_remarks, swap_remarks
+from esicatalog.export.image_remarks import (
+    assignment_remarks,
+    memory_remarks,
+    own_remarks,
+    repeat_remarks,
+    swap_remarks,
+)
 from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
 from esicatalog.export.missing_modules import missing_modules
 from esicatalog.export.mode_commands import mode_remarks
@@ -107,6 +113,8 @@ class SmConfiguration(NamedTuple):
     pdos: tuple[AssignedPdo, ...]
     bit_size: int
     """All described bits."""
+    is_left_open: bool
+    """Whether it has no PDO and exchanges something that is not described."""
 
     @property
     def byte_size(self) -> int:
@@ -210,7 +218,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *op_mode_remarks,
         *chosen.remarks,
         *assignment_remarks(device, plugged, op_mode, default, images),
-        *(remark for image in images for remark in image.remarks),
+        *own_remarks(images, missing is not None),
         *repeat_remarks(images),
         *swap_remarks(images),
         *memory_remarks(device, subject.modules, images),
@@ -335,6 +343,7 @@ def _sync_managers(
             described,
             tuple(pdos),
             image.bit_size if image is not None else 0,
+            image is not None and image.left_open is not None,
         )
 
 
