@@ -75,6 +75,16 @@ def test_the_application_sees_that_commands_of_the_hook_failed(data, tmp_path, v
 
 
 @needs_gcc
+@pytest.mark.parametrize("version", VERSIONS)
+def test_a_hook_that_sends_nothing_counts_nothing(tmp_path, version):
+    header = header_of(SMS + rx("#x1600", entry("#x7000", 16)), version)
+    assert "failed" not in header
+    assert "It has nothing to send." in header
+    assert "   return 0;" in header
+    check_syntax(tmp_path, [header], CALLS[version][2])
+
+
+@needs_gcc
 @pytest.mark.parametrize(
     ("mailbox", "attributes", "written"),
     [
