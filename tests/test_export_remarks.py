@@ -34,10 +34,10 @@ def drive(*commands: str, coe: str = "") -> str:
 
 
 def contradictions(content: str, **choice) -> list[str]:
-    """What start-up commands have there and the configuration here."""
-    words = "the start-up commands of the description contradict the PDO configuration here: "
-    found = configured(content, **choice).remarks
-    return [remark.removeprefix(words).split(";")[0] for remark in found if remark.startswith(words)]
+    """What start-up commands write and this configuration does not."""
+    words = "the start-up commands write another PDO configuration: "
+    found = [remark for remark in configured(content, **choice).remarks if remark.startswith(words)]
+    return [item for remark in found for item in remark.removeprefix(words).split("; ")[:-1]]
 
 
 VELOCITY_ASSIGNED = (command("#x1C12", 0, "00"), command("#x1C12", 1, "0116"), command("#x1C12", 0, "01"))
@@ -55,16 +55,18 @@ AT_ONCE = 'CompleteAccess="1"'
 @pytest.mark.parametrize(
     ("commands", "words"),
     [
-        (VELOCITY_ASSIGNED, "0x1C12:01 is 0x1601 there, 0x1600 here"),
-        ((command("#x1C12", 0, "01000116", AT_ONCE),), "0x1C12:01 is 0x1601 there, 0x1600 here"),
-        ((command("#x1C12", 1, "00160116", AT_ONCE),), "0x1C12:02 is 0x1601 there, nothing here"),
-        ((command("#x1C12", 0, "00"),), "0x1C12:00 is 0 there, 1 here"),
-        (VELOCITY_MAPPED, "0x1600:02 is 0x60FF:00 (32 bit) there, 0x607A:00 (32 bit) here"),
+        (VELOCITY_ASSIGNED, "0x1601 to 0x1C12:01, where this file configures 0x1600"),
+        ((command("#x1C12", 0, "01000116", AT_ONCE),), "0x1601 to 0x1C12:01, where this file configures 0x1600"),
+        ((command("#x1C12", 1, "00160116", AT_ONCE),), "0x1601 to 0x1C12:02, where this file configures nothing"),
+        (VELOCITY_MAPPED, "0x60FF:00 (32 bit) to 0x1600:02, where this file configures 0x607A:00 (32 bit)"),
         (
             (command("#x1600", 0, "0200100040602000FF60", AT_ONCE),),
-            "0x1600:02 is 0x60FF:00 (32 bit) there, 0x607A:00 (32 bit) here",
+            "0x60FF:00 (32 bit) to 0x1600:02, where this file configures 0x607A:00 (32 bit)",
         ),
-        ((command("#x1600", 0, "01"), command("#x1600", 1, "10004060")), "0x1600:00 is 1 there, 2 here"),
+        (
+            (command("#x1600", 0, "01"), command("#x1600", 1, "10004060")),
+            "1 to 0x1600:00, where this file configures 2",
+        ),
     ],
 )
 def test_commands_that_contradict_the_configuration_are_told_and_not_sent(commands, words, coe):
@@ -88,6 +90,31 @@ def test_commands_that_contradict_the_configuration_are_told_and_not_sent(comman
 )
 def test_commands_that_agree_write_other_pdos_or_lead_back_contradict_nothing(commands):
     assert contradictions(drive(*commands)) == []
+
+
+CLEARED = (command("#x1C12", 0, "00"), command("#x1C13", 0, "0000", AT_ONCE), command("#x1600", 0, "00"))
+CLEARED_ASSIGNMENTS = [f"0 to 0x{index}:00, where this file configures 1" for index in ("1C12", "1C13")]
+CLEARED_MAPPING = ["0 to 0x1600:00, where this file configures 2"]
+
+
+@pytest.mark.parametrize(
+    ("coe", "fixed", "words"),
+    [
+        ("", "", [CLEARED_ASSIGNMENTS[0], *CLEARED_MAPPING, CLEARED_ASSIGNMENTS[1]]),
+        ('PdoAssign="1"', "", CLEARED_MAPPING),
+        ('PdoConfig="1"', "", CLEARED_ASSIGNMENTS),
+        ('PdoAssign="1" PdoConfig="1"', "", []),
+        ('PdoAssign="1" PdoConfig="1"', 'Fixed="1"', CLEARED_MAPPING),
+    ],
+)
+def test_what_is_cleared_only_is_for_the_master_to_fill(coe, fixed, words):
+    """SM2 has 0x1600 with two entries, SM3 has 0x1A00. Without the declaration nobody may fill what is empty then."""
+    content = drive(*CLEARED, coe=coe).replace("<RxPdo ", f"<RxPdo {fixed} ")
+    assert contradictions(content) == words
+    found = configured(content)
+    assert sum("another PDO configuration" in remark for remark in found.remarks) == bool(words)
+    for export in (ros2_slave, linuxcnc_configuration):
+        assert ("0x1600:00 is left out" in " ".join(export(found).split())) is (CLEARED_MAPPING[0] not in words)
 
 
 def test_commands_and_a_choice_may_agree():
