@@ -404,6 +404,12 @@ def test_a_pdo_that_device_and_module_describe(mark, bits, outcome):
     assert [remark for remark in found.remarks if "PDO 0x1600" in remark] == [outcome] * (outcome is not None)
 
 
+def test_a_pdo_described_again_with_padding_of_another_subindex_is_the_same():
+    own, of_module = (rx("#x1600", entry("#x7000", 8), entry("#x0", 8, subindex=number)) for number in (0, 1))
+    found = configured(SMS + COE + own + ONE_SLOT, module(of_module), pdos=parse_pdo_choice("0x1600"))
+    assert pdos(found) == {2: [0x1600]}
+
+
 def test_a_type_name_means_the_type_of_its_own_dictionary():
     def named(base: str) -> str:
         return f"<DataType><Name>DT_MODE</Name><BaseType>{base}</BaseType><BitSize>8</BitSize></DataType>"

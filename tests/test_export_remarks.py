@@ -2,7 +2,7 @@
 
 import pytest
 from snippets import dictionary, pdo
-from test_export_configuration import SMS, configured, dc, entry, init_cmd, pdos, rx, subject, times
+from test_export_configuration import COE, SMS, configured, dc, entry, init_cmd, pdos, rx, subject, times
 
 from esicatalog.errors import InputError
 from esicatalog.export.choice import Choice, parse_pdo_choice
@@ -34,10 +34,10 @@ def drive(*commands: str, coe: str = "") -> str:
 
 
 def contradictions(content: str, **choice) -> list[str]:
-    """What start-up commands have there and the configuration here."""
-    words = "the start-up commands of the description contradict the PDO configuration here: "
-    found = configured(content, **choice).remarks
-    return [remark.removeprefix(words).split(";")[0] for remark in found if remark.startswith(words)]
+    """What start-up commands write and this configuration does not."""
+    words = "the start-up commands write another PDO configuration: "
+    found = [remark for remark in configured(content, **choice).remarks if remark.startswith(words)]
+    return [item for remark in found for item in remark.removeprefix(words).split("; ")[:-1]]
 
 
 VELOCITY_ASSIGNED = (command("#x1C12", 0, "00"), command("#x1C12", 1, "0116"), command("#x1C12", 0, "01"))
@@ -55,16 +55,18 @@ AT_ONCE = 'CompleteAccess="1"'
 @pytest.mark.parametrize(
     ("commands", "words"),
     [
-        (VELOCITY_ASSIGNED, "0x1C12:01 is 0x1601 there, 0x1600 here"),
-        ((command("#x1C12", 0, "01000116", AT_ONCE),), "0x1C12:01 is 0x1601 there, 0x1600 here"),
-        ((command("#x1C12", 1, "00160116", AT_ONCE),), "0x1C12:02 is 0x1601 there, nothing here"),
-        ((command("#x1C12", 0, "00"),), "0x1C12:00 is 0 there, 1 here"),
-        (VELOCITY_MAPPED, "0x1600:02 is 0x60FF:00 (32 bit) there, 0x607A:00 (32 bit) here"),
+        (VELOCITY_ASSIGNED, "0x1601 to 0x1C12:01, where this file configures 0x1600"),
+        ((command("#x1C12", 0, "01000116", AT_ONCE),), "0x1601 to 0x1C12:01, where this file configures 0x1600"),
+        ((command("#x1C12", 1, "00160116", AT_ONCE),), "0x1601 to 0x1C12:02, where this file configures nothing"),
+        (VELOCITY_MAPPED, "0x60FF:00 (32 bit) to 0x1600:02, where this file configures 0x607A:00 (32 bit)"),
         (
             (command("#x1600", 0, "0200100040602000FF60", AT_ONCE),),
-            "0x1600:02 is 0x60FF:00 (32 bit) there, 0x607A:00 (32 bit) here",
+            "0x60FF:00 (32 bit) to 0x1600:02, where this file configures 0x607A:00 (32 bit)",
         ),
-        ((command("#x1600", 0, "01"), command("#x1600", 1, "10004060")), "0x1600:00 is 1 there, 2 here"),
+        (
+            (command("#x1600", 0, "01"), command("#x1600", 1, "10004060")),
+            "1 to 0x1600:00, where this file configures 2",
+        ),
     ],
 )
 def test_commands_that_contradict_the_configuration_are_told_and_not_sent(commands, words, coe):
@@ -88,6 +90,31 @@ def test_commands_that_contradict_the_configuration_are_told_and_not_sent(comman
 )
 def test_commands_that_agree_write_other_pdos_or_lead_back_contradict_nothing(commands):
     assert contradictions(drive(*commands)) == []
+
+
+CLEARED = (command("#x1C12", 0, "00"), command("#x1C13", 0, "0000", AT_ONCE), command("#x1600", 0, "00"))
+CLEARED_ASSIGNMENTS = [f"0 to 0x{index}:00, where this file configures 1" for index in ("1C12", "1C13")]
+CLEARED_MAPPING = ["0 to 0x1600:00, where this file configures 2"]
+
+
+@pytest.mark.parametrize(
+    ("coe", "fixed", "words"),
+    [
+        ("", "", [CLEARED_ASSIGNMENTS[0], *CLEARED_MAPPING, CLEARED_ASSIGNMENTS[1]]),
+        ('PdoAssign="1"', "", CLEARED_MAPPING),
+        ('PdoConfig="1"', "", CLEARED_ASSIGNMENTS),
+        ('PdoAssign="1" PdoConfig="1"', "", []),
+        ('PdoAssign="1" PdoConfig="1"', 'Fixed="1"', CLEARED_MAPPING),
+    ],
+)
+def test_what_is_cleared_only_is_for_the_master_to_fill(coe, fixed, words):
+    """SM2 has 0x1600 with two entries, SM3 has 0x1A00. Without the declaration nobody may fill what is empty then."""
+    content = drive(*CLEARED, coe=coe).replace("<RxPdo ", f"<RxPdo {fixed} ")
+    assert contradictions(content) == words
+    found = configured(content)
+    assert sum("another PDO configuration" in remark for remark in found.remarks) == bool(words)
+    for export in (ros2_slave, linuxcnc_configuration):
+        assert ("0x1600:00 is left out" in " ".join(export(found).split())) is (CLEARED_MAPPING[0] not in words)
 
 
 def test_commands_and_a_choice_may_agree():
@@ -159,6 +186,19 @@ def test_process_data_of_modules_that_are_not_plugged(slots, words, modules, may
         modules={0: ModuleChoice(0x10), 1: ModuleChoice(0x20)} if "1" in words else {0: ModuleChoice(0x10)},
     )
     assert plugged.missing_modules is None
+
+
+@pytest.mark.parametrize(("ident", "is_told"), [("#x10", False), ("#x20", True)])
+def test_missing_modules_say_why_a_sync_manager_with_a_size_has_no_pdo(ident, is_told):
+    """Modules of the other ident have no PDOs: they fill nothing, plugged or not."""
+    sms = SMS.replace('"#x64"', '"#x64" DefaultSize="2"').replace('"#x20"', '"#x20" DefaultSize="2"')
+    content = sms + "<Slots>" + slot((ident,), 'MinInstances="0" MaxInstances="1"') + "</Slots>"
+    sizes = [f"SM{number} has DefaultSize 2 and no PDO: what it exchanges is not described" for number in (2, 3)]
+    found = configured(content, VALUE_MODULES)
+    assert [words for words in found.remarks if "DefaultSize" in words] == (sizes if is_told else [])
+    assert len(found.remarks) == (2 if is_told else 1)
+    plugged = configured(content, VALUE_MODULES, modules={0: ModuleChoice(int(ident[2:], 16))})
+    assert plugged.remarks == (tuple(sizes) if is_told else ())
 
 
 def test_slots_for_modules_without_process_data_lack_nothing():
@@ -294,3 +334,13 @@ def test_programs_that_reach_one_copy_say_what_becomes_of_the_others(export):
 )
 def test_what_is_not_mapped_again(content, choice):
     assert not [remark for remark in configured(SMS + content, **choice).remarks if "every copy is sent" in remark]
+
+
+def test_only_gaps_are_called_so():
+    """One gap, and values to which the vendor gave no name."""
+    content = SMS + rx("#x1600", entry("#x7000", 16), entry("#x0", 8), entry("#x7001", 8)) + COE
+    found = configured(content)
+    for export in EXPORTS:
+        lines = [line for line in export(found).splitlines() if line.rstrip(" */->").endswith("gap")]
+        assert len(lines) == 1, export
+    assert "<!--  -->" not in linuxcnc_configuration(found)

@@ -306,7 +306,7 @@ def test_commands():
             init_cmd("PS", "#x2003", "0102030405060708"),
             init_cmd("PS", "#x2004", "FFFFFFFFFFFFFFFF"),
             init_cmd("PS", "#x2005", "010203"),
-            init_cmd("PS", "#x1C12", "01"),
+            init_cmd("PS", "#x1C12", "0016"),
             init_cmd("SO", "#x2006", "01"),
         )
     )
@@ -325,8 +325,12 @@ def test_commands():
 
 @pytest.mark.parametrize("export", [ros2_slave, linuxcnc_configuration])
 def test_commands_on_pdos_that_the_master_does_not_write_are_sent(export):
-    """SM2 has a PDO without described entries, so the file leaves it out; 0x1A05 is assigned nowhere."""
-    commands = "".join(init_cmd("PS", f"#x{index}", "01") for index in ("1C12", "1600", "1A05", "1C13", "1A00"))
+    """SM2 has a PDO without described entries, so the file leaves it out; 0x1A05 is assigned nowhere.
+
+    Those on SM3 and 0x1A00 (0x7000:01, 8 bits) write what the master writes too.
+    """
+    written = {"1C12": "01", "1600": "01", "1A05": "01", "1C13": "001A", "1A00": "08010070"}
+    commands = "".join(init_cmd("PS", f"#x{index}", data) for index, data in written.items())
     inputs = pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"')
     text = export(configured(f"{SMS}{rx('#x1600')}{inputs}<Mailbox><CoE>{commands}</CoE></Mailbox>"))
     left_out = [place for place in re.findall(r"PS (0x\w+):01", text) if f"PS {place}:01 is left out" in text]

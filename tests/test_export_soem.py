@@ -1,5 +1,6 @@
 """The headers for SOEM 1.4 and 2: the hook, the clocks, the packed process image."""
 
+import re
 import struct
 
 import pytest
@@ -9,6 +10,7 @@ from test_export_configuration import COE, FACTOR_1, SMS, configured, dc, entry,
 from test_export_igh import HOSTILE, ODD, as_little_endian, l6n
 
 from esicatalog.export.choice import parse_pdo_choice
+from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.soem import VERSIONS, soem_header
 
 CALLS = {
@@ -73,6 +75,16 @@ def test_the_application_sees_that_commands_of_the_hook_failed(data, tmp_path, v
 
 
 @needs_gcc
+@pytest.mark.parametrize("version", VERSIONS)
+def test_a_hook_that_sends_nothing_counts_nothing(tmp_path, version):
+    header = header_of(SMS + rx("#x1600", entry("#x7000", 16)), version)
+    assert "failed" not in header
+    assert "It has nothing to send." in header
+    assert "   return 0;" in header
+    check_syntax(tmp_path, [header], CALLS[version][2])
+
+
+@needs_gcc
 @pytest.mark.parametrize(
     ("mailbox", "attributes", "written"),
     [
@@ -118,6 +130,24 @@ def test_the_structure_ends_before_a_pdo_without_described_entries(tmp_path, ver
     begins = header_of(SMS + later + NOT_DESCRIBED, version)
     assert "d_outputs_t" not in begins
     assert "there is no structure of the outputs: they begin with PDO 0x1601" in " ".join(begins.split())
+
+
+@pytest.mark.parametrize("export", [soem_header, pysoem_module])
+def test_the_structure_ends_before_a_sync_manager_with_a_size_and_no_pdo(export):
+    """SM2 exchanges 16 bytes that nothing describes: where SM4 lies behind them is not known."""
+    behind = "<Sm>Outputs</Sm>" + rx("#x1600", entry("#x7000", 16, "behind"), attributes='Sm="4"')
+    content = SMS.replace('"#x64"', '"#x64" DefaultSize="16"') + behind
+    text = " ".join(re.sub("[*#]", " ", export(configured(content, name="d"))).split())
+    assert "7000" not in text
+    assert "SM2 has DefaultSize 16 and no PDO: what it exchanges is not described" in text
+    assert "there is no structure of the outputs: they begin with SM2, which has no PDO" in text
+    sms = SMS + '<Sm DefaultSize="16">Outputs</Sm><Sm>Outputs</Sm>'
+    content = rx("#x1600", entry("#x7000", 16, "first")) + rx("#x1601", entry("#x7001", 16), attributes='Sm="5"')
+    text = " ".join(re.sub("[*#]", " ", export(configured(sms + content, name="d"))).split())
+    assert "0x7000:00 first" in text and "7001" not in text
+    assert (
+        "the structure of the outputs ends before SM4, which has no PDO: the device exchanges more than it has" in text
+    )
 
 
 @needs_gcc

@@ -7,7 +7,7 @@ from snippets import device, esi, pdo, read
 
 from esicatalog.esi.reader import read_esi
 from esicatalog.model.process_image import default_process_image, process_image
-from esicatalog.model.slots import default_modules, reachable_modules
+from esicatalog.model.slots import PluggedModule, default_modules, reachable_modules
 
 SMS = "<Sm>MBoxOut</Sm><Sm>MBoxIn</Sm><Sm>Outputs</Sm><Sm>Inputs</Sm>"
 
@@ -515,6 +515,19 @@ def test_a_sync_manager_with_a_size_and_no_pdo_exchanges_what_nothing_describes(
     assert (image.byte_size, image.remarks) == (size, (words,) if size is None else ())
     (image,) = process_image(owner, assignment={0: []})
     assert (image.byte_size, image.remarks) == (0, ()), "whoever assigns nothing knows it"
+
+
+@pytest.mark.parametrize(("pdos", "size"), [(pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"'), 0), ("", None)])
+def test_pdos_of_plugged_modules_are_what_all_sync_managers_exchange(pdos, size):
+    """A coupler with a DefaultSize for outputs and inputs, and a module of inputs: the outputs are none."""
+    slots = '<Slots><Slot MaxInstances="1"><ModuleIdent>1</ModuleIdent></Slot></Slots>'
+    module = f'<Module><Type ModuleIdent="1">M</Type><Name>m</Name>{pdos}</Module>'
+    content = '<Sm DefaultSize="2">Outputs</Sm><Sm DefaultSize="2">Inputs</Sm>' + slots
+    (info,) = read(esi(device(content), module)).document.infos
+    assert [image.byte_size for image in process_image(info.devices[0])] == [None, None]
+    outputs, inputs = process_image(info.devices[0], [PluggedModule(0, info.devices[0].slots[0], info.modules[0])])
+    assert (outputs.byte_size, outputs.remarks == ()) == (size, size is not None)
+    assert inputs.byte_size == (1 if pdos else None)
 
 
 def test_the_own_factor_counts_where_the_op_mode_lists_a_pdo_without_one():

@@ -7,7 +7,7 @@ from esicatalog.errors import InputError
 from esicatalog.identity import ModuleChoice, parse_mapped, parse_number
 
 DEFAULT_CYCLE_NS = 1_000_000
-_MAX_INDEX = 0xFFFF
+_MAX_INDEX, _UINT32_MAX = 0xFFFF, 0xFFFF_FFFF
 
 
 class PdoChoice(NamedTuple):
@@ -34,6 +34,15 @@ class Choice(NamedTuple):
     """Configured station alias; 0 = the position counts from the first slave."""
     position: int = 0
     """Ring position, or the number of slaves behind the one with the alias."""
+
+
+def check_numbers(choice: Choice) -> None:
+    """Raise :class:`InputError` for a bus cycle or a place on the bus that no master can have."""
+    if choice.cycle_ns is not None and not 0 < choice.cycle_ns <= _UINT32_MAX:
+        raise InputError(f"a bus cycle of {choice.cycle_ns} ns cannot be; give 1 to {_UINT32_MAX} ns")
+    for what, number in (("alias", choice.alias), ("position", choice.position)):
+        if not 0 <= number <= _MAX_INDEX:
+            raise InputError(f"{what} {number} is no 16 bit number")
 
 
 def parse_pdo_choice(text: str) -> tuple[PdoChoice, ...]:

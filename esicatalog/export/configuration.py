@@ -11,19 +11,26 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.esi.unreadable import unreadable
-from esicatalog.export.choice import Choice
+from esicatalog.export.choice import Choice, check_numbers
 from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
-from esicatalog.export.image_remarks import assignment_remarks, memory_remarks, repeat_remarks, swap_remarks
+from esicatalog.export.image_remarks import (
+    assignment_remarks,
+    memory_remarks,
+    own_remarks,
+    repeat_remarks,
+    swap_remarks,
+)
 from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
 from esicatalog.export.missing_modules import missing_modules
 from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.names import IDENTIFIER, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import apply_choice
-from esicatalog.export.pdo_objects import PdoObject, contradictions
+from esicatalog.export.pdo_objects import PdoObject, contradiction_remarks, contradictions
 from esicatalog.export.subject import Subject
 from esicatalog.export.unread_remarks import unread_remarks
+from esicatalog.model.assignable_pdos import declares_pdo_assign
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, has_length, has_object, is_described, object_words
@@ -33,7 +40,7 @@ from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_dir
 from esicatalog.model.sync_parameters import min_cycle_ns, sync_parameters
 
 _CONTROL_BYTES = range(0x100)
-_MAX_INDEX, _MAX_SUBINDEX, _UINT32_MAX = 0xFFFF, 0xFF, 0xFFFF_FFFF
+_MAX_INDEX, _MAX_SUBINDEX = 0xFFFF, 0xFF
 _MAX_MAPPED_BITS = 255
 
 
@@ -57,6 +64,11 @@ class MappedEntry(NamedTuple):
     def is_gap(self) -> bool:
         """Whether only its length counts."""
         return self.entry_index == 0
+
+    @property
+    def comment(self) -> str:
+        """What a comment calls it: its name, empty when there is none."""
+        return "gap" if self.is_gap else self.name
 
     @property
     def mapping_value(self) -> int:
@@ -102,6 +114,8 @@ class SmConfiguration(NamedTuple):
     pdos: tuple[AssignedPdo, ...]
     bit_size: int
     """All described bits."""
+    is_left_open: bool
+    """Whether it has no PDO and exchanges something that is not described."""
 
     @property
     def byte_size(self) -> int:
@@ -149,6 +163,8 @@ class Configuration(NamedTuple):
     sync_managers: tuple[SmConfiguration, ...]
     """All but virtual ones, which only describe."""
     commands: tuple[StartCommand, ...]
+    rewritten: frozenset[int]
+    """Indices of assignments and mappings that the device declares to take from the master at each start."""
     contradicted: frozenset[int]
     """Indices of assignments and mappings into which commands write something else than what is configured here."""
     axes: tuple[int, ...]
@@ -170,6 +186,10 @@ class Configuration(NamedTuple):
         """Whether the clocks have to be kept together for it; some devices need that and no SYNC unit."""
         return self.op_mode is not None and bool(self.op_mode.assign_activate)
 
+    def is_contradicted(self, command: StartCommand) -> bool:
+        """Whether a command would make the process image another one than is configured here."""
+        return command.writes_pdo_configuration and command.object_index in self.contradicted
+
     def images(self, direction: str) -> tuple[SmConfiguration, ...]:
         """SyncManagers with process data of one direction."""
         return tuple(sm for sm in self.sync_managers if sm.direction == direction and sm.bit_size)
@@ -179,7 +199,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     """The configuration of a device for a choice. Raises :class:`InputError` for what cannot be chosen so."""
     choice = choice if choice is not None else Choice()
     subject.required_codes()
-    _check_numbers(choice)
+    check_numbers(choice)
     device = subject.device
     plugged = chosen_modules(device, subject.modules, choice.modules, subject.variants_with_slots)
     expanded = [expand_module(device, item) for item in plugged]
@@ -205,7 +225,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *op_mode_remarks,
         *chosen.remarks,
         *assignment_remarks(device, plugged, op_mode, default, images),
-        *(remark for image in images for remark in image.remarks),
+        *own_remarks(images, missing is not None),
         *repeat_remarks(images),
         *swap_remarks(images),
         *memory_remarks(device, subject.modules, images),
@@ -217,12 +237,9 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     ]
     sync_managers = tuple(_sync_managers(device, images, names.identifiers, objects, remarks))
     _check_assigned_once(sync_managers)
-    found = list(contradictions(commands, _pdo_objects(sync_managers)))
-    remarks += [
-        f"the start-up commands of the description contradict the PDO configuration here: {item.words}; they are left "
-        "out, so check which PDOs the device exchanges, and choose them (--pdo) if it is not these"
-        for item in found
-    ]
+    rewritten = frozenset(_rewritten(device, sync_managers))
+    found = list(contradictions(commands, _pdo_objects(sync_managers), rewritten))
+    remarks += contradiction_remarks(found)
     return Configuration(
         subject,
         choice,
@@ -233,6 +250,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         programmed.clocks,
         sync_managers,
         commands,
+        rewritten,
         frozenset(item.object_index for item in found),
         names.axes,
         names.is_drive or (missing is not None and missing.may_move),
@@ -253,14 +271,6 @@ def _too_short(device: Device, cycle_ns: int) -> Iterator[str]:
             f"the device describes {least_ns} ns as its smallest bus cycle, this is made for {cycle_ns} ns: choose a "
             "longer one, or find out what this configuration of the device can do"
         )
-
-
-def _check_numbers(choice: Choice) -> None:
-    if choice.cycle_ns is not None and not 0 < choice.cycle_ns <= _UINT32_MAX:
-        raise InputError(f"a bus cycle of {choice.cycle_ns} ns cannot be; give 1 to {_UINT32_MAX} ns")
-    for what, number in (("alias", choice.alias), ("position", choice.position)):
-        if not 0 <= number <= _MAX_INDEX:
-            raise InputError(f"{what} {number} is no 16 bit number")
 
 
 def checked_prefix(name: str) -> str:
@@ -284,6 +294,16 @@ def _check_assigned(choice: Choice, images: Sequence[SmImage]) -> None:
         named = f"PDO 0x{index:04X}"
         reasons = [remark for image in images for remark in image.remarks if remark.startswith(named)]
         raise InputError("; ".join([f"{named} cannot be chosen", *reasons]))
+
+
+def _rewritten(device: Device, sync_managers: Iterable[SmConfiguration]) -> Iterator[int]:
+    """Assignments with PdoAssign, mappings with PdoConfig unless they are Fixed (ESI-FACTS section 10)."""
+    has_mappings = device.mailbox is not None and bool(device.mailbox.coe_pdo_config)
+    for sm in sync_managers:
+        if sm.assignment is not None and declares_pdo_assign(device):
+            yield sm.assignment.object_index
+        if has_mappings:
+            yield from (pdo.pdo_index for pdo in sm.pdos if pdo.mapping is not None and not pdo.fixed)
 
 
 def _check_assigned_once(sync_managers: Iterable[SmConfiguration]) -> None:
@@ -330,6 +350,7 @@ def _sync_managers(
             described,
             tuple(pdos),
             image.bit_size if image is not None else 0,
+            image is not None and image.left_open is not None,
         )
 
 

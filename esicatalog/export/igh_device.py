@@ -123,7 +123,7 @@ def _entry_rows(pdos: Iterable[AssignedPdo]) -> Iterator[str]:
             lengths = list(pieces(entry.bit_length))
             for number, length in enumerate(lengths, 1):
                 part = f", part {number} of {len(lengths)}" if len(lengths) > 1 else ""
-                name = comment_text(entry.name if not entry.is_gap else "gap")
+                name = comment_text(entry.comment)
                 yield f"{{0x{entry.entry_index:04x}, 0x{entry.subindex:02x}, {length}}}, /* {name}{part} */"
 
 

@@ -65,7 +65,8 @@ def _left_out_sync_managers(configuration: Configuration) -> Iterator[str]:
 
 
 def _left_out_commands(configuration: Configuration, program: str, written: Container[StartCommand]) -> Iterator[str]:
-    for command in configuration.commands:
+    """Those that another remark does not name yet, as that about another PDO configuration does."""
+    for command in (item for item in configuration.commands if not configuration.is_contradicted(item)):
         why = _why_left_out(command, written)
         if why is not None:
             yield f"{command.transition} {command.place} {command.comment}".rstrip() + f" is left out: {program} {why}"

@@ -1,14 +1,14 @@
 """The process image that an application of SOEM sees in one direction.
 
-Its SyncManagers lie one after the other, each in whole bytes. Behind a PDO without described entries nothing tells
-where anything lies: there the layout ends.
+Its SyncManagers lie one after the other, each in whole bytes. Behind a PDO without described entries, or a SyncManager
+that exchanges something without PDOs, nothing tells where anything lies: there the layout ends.
 """
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.export.c_access import byte_count, whole_bytes
-from esicatalog.export.configuration import Configuration, MappedEntry
+from esicatalog.export.configuration import Configuration, MappedEntry, SmConfiguration
 from esicatalog.export.names import unique_names
 
 _BITS_OF_BYTE = 8
@@ -43,7 +43,8 @@ class ImageLayout(NamedTuple):
 def image_layout(configuration: Configuration, direction: str) -> ImageLayout:
     """The image of one direction; without members when nothing is exchanged."""
     entries, byte_size, bit_size = [], 0, 0
-    images = [sm for sm in configuration.sync_managers if sm.direction == direction and sm.pdos]
+    images = [sm for sm in configuration.sync_managers if sm.direction == direction and (sm.pdos or sm.is_left_open)]
+    has_pdos = any(sm.pdos for sm in images)
     remarks = []
     for sm in images:
         for entry in sm.entries:
@@ -52,8 +53,9 @@ def image_layout(configuration: Configuration, direction: str) -> ImageLayout:
         byte_size += _bytes(sm.placed_bit_size)
         bit_size += sm.placed_bit_size
         if not sm.is_described:
-            end = next(pdo for pdo in sm.pdos if not pdo.is_described)
-            remarks.append(_end_words(direction, byte_size, f"PDO 0x{end.pdo_index:04X} of SM{sm.number}"))
+            # Of a direction without any PDO the remark about the SyncManager says all.
+            if has_pdos:
+                remarks.append(_end_words(direction, byte_size, _end(sm)))
             break
     else:
         needed = _bytes(bit_size)
@@ -76,13 +78,18 @@ def _bytes(bits: int) -> int:
     return -(-bits // _BITS_OF_BYTE)
 
 
+def _end(sm: SmConfiguration) -> str:
+    """What has no known length in a SyncManager."""
+    end = next((pdo for pdo in sm.pdos if not pdo.is_described), None)
+    if end is None:
+        return f"SM{sm.number}, which has no PDO"
+    return f"PDO 0x{end.pdo_index:04X} of SM{sm.number}, which has no described entries"
+
+
 def _end_words(direction: str, byte_size: int, end: str) -> str:
     if not byte_size:
-        return f"there is no structure of the {direction}s: they begin with {end}, which has no described entries"
-    return (
-        f"the structure of the {direction}s ends before {end}, which has no described entries: the device exchanges "
-        "more than it has"
-    )
+        return f"there is no structure of the {direction}s: they begin with {end}"
+    return f"the structure of the {direction}s ends before {end}: the device exchanges more than it has"
 
 
 def _is_member(entry: MappedEntry) -> bool:

@@ -40,6 +40,13 @@ def assignment_remarks(
         )
 
 
+def own_remarks(images: Iterable[SmImage], are_modules_missing: bool) -> Iterator[str]:
+    """What the images themselves say; that modules are missing says already why a SyncManager has no PDO."""
+    for image in images:
+        known = image.left_open_words if are_modules_missing else None
+        yield from (words for words in image.remarks if words != known)
+
+
 def swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:
     """Entries whose bytes the master has to swap."""
     for item in (item for image in images for pdo in image.pdos for item in pdo.entries if item.entry.swap_data):

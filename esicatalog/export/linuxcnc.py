@@ -177,7 +177,7 @@ def _entry(
     """One element for an entry; several for one that is longer than IgH can say."""
     if entry.entry_index == 0xFFFF or entry.subindex == 0xFF:
         raise InputError(f"{PROGRAM} cannot map {entry.place}: its parser refuses this index or subindex")
-    place, comment = (f"{entry.entry_index:04x}", f"{entry.subindex:02x}"), _comment(entry.name or "gap")
+    place, comment = (f"{entry.entry_index:04x}", f"{entry.subindex:02x}"), _comment(entry.comment)
     if not entry.is_gap and entry.identifier not in found.repeated:
         types = _types(entry)
         taken = pins.take(entry.identifier, types) if types else ()

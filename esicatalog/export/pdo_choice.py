@@ -20,7 +20,7 @@ from esicatalog.model.assignable_pdos import (
     staying_pdos,
 )
 from esicatalog.model.pdo_assignment import Assignment
-from esicatalog.model.pdo_facts import PDO_FIELDS, entry_places, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import PDO_FIELDS, mapped_entries, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import PluggedModule
@@ -67,7 +67,7 @@ def apply_choice(
     for found, item in picked:
         if item.entries:
             entries = _chosen_entries(device, found, item, objects)
-            if entry_places(entries) == entry_places(found.pdo.entries):
+            if mapped_entries(entries) == mapped_entries(found.pdo.entries):
                 continue
             device, plugged = _with_entries(device, plugged, found, entries)
             remarks.append(

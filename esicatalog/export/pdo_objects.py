@@ -4,7 +4,7 @@ An assignment (0x1C10 + SyncManager) lists PDO indices, a mapping (0x1600 …, 0
 bits; subindex 0 counts them (ETG.1000.6). Complete access from subindex 0 has a byte of padding behind that.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.export.init_cmds import BEFORE_SAFE_OP, StartCommand
@@ -40,17 +40,32 @@ class Contradiction(NamedTuple):
     words: str
 
 
-def contradictions(commands: Iterable[StartCommand], expected: Iterable[PdoObject]) -> Iterator[Contradiction]:
-    """What start-up commands that come before SAFE-OP make of the PDO configuration, where that differs."""
+def contradictions(
+    commands: Iterable[StartCommand], expected: Iterable[PdoObject], rewritten: Container[int]
+) -> Iterator[Contradiction]:
+    """What start-up commands that come before SAFE-OP make of the PDO configuration, where that differs.
+
+    An object that they only clear is one that the master is to fill, where it is among those that masters write anew.
+    """
     own = [item for item in commands if item.writes_pdo_configuration and item.transition in BEFORE_SAFE_OP]
     for wanted in expected:
         written: dict[int, int] = {}
         for command in own:
             if command.object_index == wanted.object_index:
                 written.update(_written(command, wanted.value_bytes))
-        differing = _difference(written, wanted)
+        is_cleared = written == {0: 0} and wanted.object_index in rewritten
+        differing = None if is_cleared else _difference(written, wanted)
         if differing is not None:
-            yield Contradiction(wanted.object_index, f"0x{wanted.object_index:04X}:{differing}")
+            yield Contradiction(wanted.object_index, differing)
+
+
+def contradiction_remarks(found: Sequence[Contradiction]) -> Iterator[str]:
+    """All differences in one remark."""
+    if found:
+        yield (
+            f"the start-up commands write another PDO configuration: {'; '.join(item.words for item in found)}; they "
+            "are left out, so check which PDOs the device exchanges, and choose them (--pdo) if it is not these"
+        )
 
 
 def _written(command: StartCommand, value_bytes: int) -> Iterator[tuple[int, int]]:
@@ -74,10 +89,14 @@ def _difference(written: dict[int, int], wanted: PdoObject) -> str | None:
         value = _comparable(written[subindex], wanted)
         if subindex <= written.get(0, _MAX_COUNT) and value != values.get(subindex):
             here = _value_words(values[subindex], wanted) if subindex in values else "nothing"
-            return f"{subindex:02X} is {_value_words(value, wanted)} there, {here} here"
+            return _difference_words(wanted, subindex, _value_words(value, wanted), here)
     if written.get(0, len(values)) != len(values):
-        return f"00 is {written[0]} there, {len(values)} here"
+        return _difference_words(wanted, 0, str(written[0]), str(len(values)))
     return None
+
+
+def _difference_words(wanted: PdoObject, subindex: int, written: str, here: str) -> str:
+    return f"{written} to 0x{wanted.object_index:04X}:{subindex:02X}, where this file configures {here}"
 
 
 def _comparable(value: int, wanted: PdoObject) -> int:

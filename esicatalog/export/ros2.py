@@ -172,7 +172,7 @@ def _channels(
     entry: MappedEntry, side: Side, interfaces: Mapping[str, str], modes: Mapping[int, bytes]
 ) -> Iterator[Row]:
     """One row for an entry; several for one that is longer than IgH can say."""
-    place, comment = f"index: 0x{entry.entry_index:04x}, sub_index: {entry.subindex}", comment_text(entry.name or "gap")
+    place, comment = f"index: 0x{entry.entry_index:04x}, sub_index: {entry.subindex}", comment_text(entry.comment)
     name = interfaces.get(entry.identifier)
     ending = f", default: {_default(entry, modes)}" if side.key == "rpdo" else ""
     if name is None:

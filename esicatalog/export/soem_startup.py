@@ -61,11 +61,7 @@ def later_commands(configuration: Configuration) -> Iterator[StartCommand]:
 
 def _own_commands(configuration: Configuration) -> Iterator[StartCommand]:
     """InitCmds without those that would make the process image another one than the structures here."""
-    return (
-        command
-        for command in configuration.commands
-        if not (command.writes_pdo_configuration and command.object_index in configuration.contradicted)
-    )
+    return (command for command in configuration.commands if not configuration.is_contradicted(command))
 
 
 def command_words(command: StartCommand | RegisterWrite) -> str:
@@ -106,24 +102,20 @@ def register_remarks(configuration: Configuration, program: str) -> Iterator[str
 
 def _pdo_configuration(configuration: Configuration) -> Iterator[StartCommand]:
     """Clear the assignments, write mappings that may be written, assign."""
-    mailbox = configuration.subject.device.mailbox
-    if mailbox is None or not mailbox.coe or not (mailbox.coe_pdo_assign or mailbox.coe_pdo_config):
-        return
-    assigned = [(sm.assignment, sm.pdos) for sm in configuration.sync_managers if sm.assignment is not None]
-    if mailbox.coe_pdo_assign:
-        for assignment, _ in assigned:
-            yield _object(assignment.object_index, 0, b"\0", "clear the assignment")
-    if mailbox.coe_pdo_config:
-        for _, pdos in assigned:
-            for pdo in pdos:
-                if pdo.mapping is not None and not pdo.fixed:
-                    names = [entry.name or "gap" for entry in pdo.entries]
-                    clear = f"clear the mapping of {pdo.direction} {pdo.name}"
-                    yield _object(pdo.pdo_index, 0, b"\0", clear)
-                    yield from _values(pdo.mapping, names, "number of entries")
-    if mailbox.coe_pdo_assign:
-        for assignment, pdos in assigned:
-            yield from _values(assignment, [f"{pdo.direction} {pdo.name}" for pdo in pdos], "number of PDOs")
+    rewritten, sync_managers = configuration.rewritten, configuration.sync_managers
+    assigned = [
+        (sm.assignment, sm.pdos)
+        for sm in sync_managers
+        if sm.assignment is not None and sm.assignment.object_index in rewritten
+    ]
+    for assignment, _ in assigned:
+        yield _object(assignment.object_index, 0, b"\0", "clear the assignment")
+    for pdo in (pdo for sm in sync_managers for pdo in sm.pdos):
+        if pdo.mapping is not None and pdo.pdo_index in rewritten:
+            yield _object(pdo.pdo_index, 0, b"\0", f"clear the mapping of {pdo.direction} {pdo.name}")
+            yield from _values(pdo.mapping, [entry.comment for entry in pdo.entries], "number of entries")
+    for assignment, pdos in assigned:
+        yield from _values(assignment, [f"{pdo.direction} {pdo.name}" for pdo in pdos], "number of PDOs")
 
 
 def _values(written: PdoObject, names: Sequence[str], of_count: str) -> Iterator[StartCommand]:

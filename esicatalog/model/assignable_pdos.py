@@ -9,7 +9,7 @@ from typing import NamedTuple
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.pdo_facts import entry_places, pdo_yields, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import mapped_entries, pdo_yields, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sm_facts import may_transport, sm_role
 
@@ -100,7 +100,7 @@ def meant_by_index(available: Iterable[AvailablePdo], pdo_index: int | None) -> 
     if first.pdo.virtual:
         return Meant(None, "is virtual: described, not transported")
     for other in others:
-        if other.owner != first.owner and entry_places(other.pdo.entries) != entry_places(first.pdo.entries):
+        if other.owner != first.owner and mapped_entries(other.pdo.entries) != mapped_entries(first.pdo.entries):
             return Meant(None, f"is ambiguous: {first.owner} and {other.owner} describe it in different ways")
     return Meant(first)
 

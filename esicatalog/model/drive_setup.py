@@ -18,7 +18,7 @@ from esicatalog.model.assignable_pdos import (
 )
 from esicatalog.model.cia402 import DriveMode
 from esicatalog.model.drive_parts import Part
-from esicatalog.model.pdo_facts import entry_places, symmetric_exclusions
+from esicatalog.model.pdo_facts import mapped_entries, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, process_image
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.start_up import written_places, yields
@@ -85,7 +85,7 @@ class DriveSetup:
         meant = meant_by_index(self._available, pdo.pdo_index)
         if meant.found is None:
             return meant.obstacle
-        if entry_places(meant.found.pdo.entries) != entry_places(pdo.entries):
+        if mapped_entries(meant.found.pdo.entries) != mapped_entries(pdo.entries):
             return "cannot be chosen: its index means the PDO that is described before it"
         place = assignment_place(self.device, meant.found.direction, meant.found.pdo)
         if place.sm is None:

@@ -109,9 +109,9 @@ def pdo_yields(pdo: Pdo, of_modules: Container[int | None]) -> bool:
     return bool(pdo.overwritten_by_module) and pdo.pdo_index in of_modules
 
 
-def entry_places(entries: Iterable[Entry]) -> list[tuple[int | None, int, int | None]]:
-    """Index, subindex and bits of entries: all that their places depend on."""
-    return [(entry.entry_index, entry.subindex or 0, entry.bit_length) for entry in entries]
+def mapped_entries(entries: Iterable[Entry]) -> list[Mapped]:
+    """What entries map, one behind the other: PDOs that are equal in it are read by the same code."""
+    return [mapped(entry) for entry in entries]
 
 
 def is_described(pdo: Pdo) -> bool:

@@ -14,7 +14,7 @@ import msgspec
 from esicatalog.esi.canonical import elements_naming
 from esicatalog.esi.numbers import parse_hex_dec
 from esicatalog.esi.records.dc import OpMode
-from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.model.assignable_pdos import AvailablePdo, without_rivals
@@ -84,6 +84,11 @@ class SmImage(NamedTuple):
     """DefaultSize of a SyncManager that has no PDO and exchanges something that is not described."""
 
     @property
+    def left_open_words(self) -> str | None:
+        """The remark about that, None where nothing is left open."""
+        return _left_open_words(self.sm, self.left_open) if self.left_open is not None else None
+
+    @property
     def byte_size(self) -> int | None:
         """Length in bytes: all bits, rounded up once; None where it is not known."""
         return self.described_bytes if self.has_known_size else None
@@ -138,7 +143,8 @@ def process_image(
     """
     assigned = assigned_pdos(device, plugged, op_mode, assignment)
     rivals = _Rivals(item.pdo for of_sm in assigned.sync_managers for item in of_sm.pdos)
-    return [_image(device, of_sm, assigned.factors, rivals) for of_sm in assigned.sync_managers]
+    has_module_pdos = any(item.module.rx_pdos or item.module.tx_pdos for item in plugged)
+    return [_image(device, of_sm, assigned.factors, rivals, has_module_pdos) for of_sm in assigned.sync_managers]
 
 
 class _Rivals:
@@ -159,16 +165,22 @@ class _Rivals:
         self._taken.add(pdo.pdo_index)
 
 
-def _image(device: Device, assigned: SmAssignment, factors: Mapping[int, int | None], rivals: _Rivals) -> SmImage:
+def _image(
+    device: Device,
+    assigned: SmAssignment,
+    factors: Mapping[int, int | None],
+    rivals: _Rivals,
+    has_module_pdos: bool,
+) -> SmImage:
     number, sm, remarks = assigned.number, assigned.sync_manager, assigned.remarks
     builder = _ImageBuilder(device, factors, rivals, remarks)
     for pdo in assigned.pdos:
         builder.place(pdo)
     builder.align(None)
     remarks += _unknown_words(number, builder.placed)
-    left_open = sm.default_size if sm is not None and not assigned.is_named and _is_left_open(sm) else None
+    left_open = None if has_module_pdos else _left_open(assigned)
     if left_open is not None:
-        remarks.append(f"SM{number} has DefaultSize {left_open} and no PDO: what it exchanges is not described")
+        remarks.append(_left_open_words(number, left_open))
     return SmImage(
         number,
         sm.usage if sm is not None else None,
@@ -182,9 +194,19 @@ def _image(device: Device, assigned: SmAssignment, factors: Mapping[int, int | N
     )
 
 
-def _is_left_open(sm: SyncManager) -> bool:
-    """Whether a SyncManager without PDOs exchanges something all the same (ESI-FACTS section 18)."""
-    return bool(sm.default_size) and not sm.virtual and has_default_image(sm)
+def _left_open(assigned: SmAssignment) -> int | None:
+    """DefaultSize of a SyncManager without PDOs that exchanges something all the same (ESI-FACTS section 18).
+
+    Unless modules are plugged that bring PDOs: then these are what the SyncManagers exchange, be it nothing for one.
+    """
+    sm = assigned.sync_manager
+    if sm is None or assigned.is_named or not sm.default_size or sm.virtual or not has_default_image(sm):
+        return None
+    return sm.default_size
+
+
+def _left_open_words(number: int, default_size: int) -> str:
+    return f"SM{number} has DefaultSize {default_size} and no PDO: what it exchanges is not described"
 
 
 def _unknown_words(number: int, placed: Iterable[PlacedPdo]) -> Iterator[str]:
