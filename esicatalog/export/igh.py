@@ -64,7 +64,8 @@ def igh_bus_header(configurations: Sequence[Configuration], left_out: Iterable[s
 
 
 def _heading_lines(configuration: Configuration) -> Iterator[str]:
-    remarks = (*configuration.remarks, *register_remarks(configuration.subject.device, "IgH"))
+    registers = register_remarks(configuration.subject.device, "IgH")
+    remarks = (*configuration.remarks, *configuration.copy_remarks, *registers)
     return heading_lines(configuration._replace(remarks=remarks), TARGET)
 
 
