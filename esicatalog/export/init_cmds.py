@@ -115,7 +115,7 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
         remarks.append(f"{protocol} InitCmd of the {owner} is left out: it is no parameter of the device")
         return
     index = command.idn if protocol == "SoE" else command.object_index
-    unusable = next(_unusable(index, command), None)
+    unusable = next(_unusable(protocol, index, command), None)
     if index is None or unusable is not None:
         remarks.append(f"{protocol} InitCmd of the {owner} is left out: its {unusable} cannot be used")
         return
@@ -140,16 +140,20 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
             yield found
 
 
-def _unusable(index: int | None, command: InitCmd) -> Iterator[str]:
+def _unusable(protocol: str, index: int | None, command: InitCmd) -> Iterator[str]:
     """What does not tell where a command writes to; a subindex and the like that is absent counts as 0."""
+    words, field = ("IDN", "idn") if protocol == "SoE" else ("index", "object_index")
     if index is None or not 0 <= index <= 0xFFFF:
-        yield "index"
-    if unreadable(command, "subindex") is not None or not 0 <= (command.subindex or 0) <= 0xFF:
+        yield words + _in_parentheses(unreadable(command, field))
+    if not 0 <= (command.subindex or 0) <= 0xFF:
         yield "subindex"
-    if unreadable(command, "channel") is not None:
-        yield "channel"
-    if unreadable(command, "complete_access") is not None:
-        yield "CompleteAccess"
+    for name, words in (("subindex", "subindex"), ("channel", "channel"), ("complete_access", "CompleteAccess")):
+        if (problem := unreadable(command, name)) is not None:
+            yield words + _in_parentheses(problem)
+
+
+def _in_parentheses(problem: str | None) -> str:
+    return f" ({problem})" if problem is not None else ""
 
 
 def _module_list(device: Device, plugged: Iterable[PluggedModule]) -> Iterator[StartCommand]:
