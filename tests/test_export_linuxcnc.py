@@ -304,6 +304,16 @@ def test_what_the_driver_cannot_configure_is_refused(content, choice, message):
         linuxcnc_configuration(configured(content, **choice))
 
 
+def test_options_that_remarks_name_are_explained():
+    """An XML comment cannot have two hyphens in a row."""
+    once = SMS + rx("#x1600", entry("#x7000", 16, "value", 1))
+    words = 'In this comment "- -" stands for two hyphens'
+    found = linuxcnc_configuration(configured(once + rx("#x1601", entry("#x7000", 16, "value", 1))))
+    assert "choose PDOs (- -pdo)" in " ".join(found.split())
+    assert found.count(words) == 1
+    assert words not in linuxcnc_configuration(configured(once))
+
+
 @pytest.mark.parametrize("name", [*HOSTILE, "-- x --", "---", "x --&gt; &lt;slave/&gt;", "]]&gt;", "&amp;amp;"])
 def test_names_of_a_vendor_break_nothing(name):
     entries = [entry("#x7000", 3 if number % 2 else 8, name, number) for number in range(1, 5)]
