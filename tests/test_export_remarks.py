@@ -282,7 +282,7 @@ def test_programs_that_reach_one_copy_say_what_becomes_of_the_others(export):
     """And not that every copy can be written."""
     text = " ".join(export(configured(SMS + REPEATED)).replace("#", "").split())
     assert text.count("0x6040:00 Controlword is mapped 3 times: ") == text.count(" times: ") == 1
-    assert text.count("reaches the first one only; the others stay 0, so choose PDOs") == 1
+    assert text.count("reaches the first one only, the others stay 0: choose PDOs") == 1
     assert "every copy is sent" not in text
 
 

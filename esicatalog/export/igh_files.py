@@ -83,7 +83,7 @@ def _unreached(configuration: Configuration, program: str, outputs: Iterable[Map
     entries = (entry for sm in configuration.sync_managers for entry in sm.entries)
     written = {(entry.entry_index, entry.subindex) for entry in outputs}
     for place, words in mapped_again((entry.entry_index, entry.subindex, entry.name) for entry in entries).items():
-        ending = f"; the others stay 0, so {MAP_ONCE}" if place in written else ""
+        ending = f", the others stay 0: {MAP_ONCE}" if place in written else ""
         yield f"{words}: {program} finds entries by index and subindex, and reaches the first one only{ending}"
 
 
