@@ -117,6 +117,15 @@ def test_pdos_of_an_op_mode_that_the_device_may_not_take(coe, op_mode, is_told):
     assert any(remark.startswith(KEPT) for remark in found.remarks) is is_told
 
 
+def test_an_op_mode_of_a_device_without_mailbox_says_what_is_exchanged():
+    """EL1262-0050, EL2262: nothing could declare PdoAssign, and their OpModes list the PDOs. Another choice is told."""
+    content = SMS + AXIS + dc(*LISTING)
+    found = configured(content, op_mode="DC")
+    assert (pdos(found)[2], [remark for remark in found.remarks if "PdoAssign" in remark]) == ([0x1601], [])
+    other = configured(content, op_mode="DC", pdos=parse_pdo_choice("0x1600"))
+    assert [remark.startswith(KEPT) for remark in other.remarks if "PdoAssign" in remark] == [True]
+
+
 def test_pdos_of_the_default_op_mode_are_default_ones():
     assert not any(KEPT in remark for remark in configured(drive() + dc(LISTING[1])).remarks)
 

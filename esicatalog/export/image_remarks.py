@@ -28,12 +28,13 @@ def assignment_remarks(
 ) -> Iterator[str]:
     """What an assignment asks of the device beyond its default one; ``default`` is that of the OpMode.
 
-    However it was chosen: PDO by PDO, or with an OpMode that lists PDOs.
+    However it was chosen: PDO by PDO, or with an OpMode that lists PDOs. Where there is no mailbox no master can write
+    an assignment: what an OpMode lists is then what the device exchanges in it, as terminals with oversampling do.
     """
     if declares_pdo_assign(device):
         return
     usual = default_op_mode(device.op_modes, [item.module for item in plugged])
-    of_device = default if op_mode is usual else process_image(device, plugged, usual)
+    of_device = default if op_mode is usual or device.mailbox is None else process_image(device, plugged, usual)
     kept = {image.sm: _indices(image) for image in of_device}
     changed = [f"SM{image.sm}" for image in images if _indices(image) != kept.get(image.sm)]
     if changed:
