@@ -12,6 +12,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.export.choice import Choice, parse_pdo_choice
 from esicatalog.export.configuration import Configuration, configure
+from esicatalog.export.headings import choice_lines
 from esicatalog.export.igh import igh_bus_header, igh_header
 from esicatalog.export.subject import subjects_of_document
 
@@ -420,6 +421,17 @@ def test_names_of_a_vendor_break_nothing(tmp_path, options, standard):
         text = igh_header(configure(found))
         assert text.isascii() or all(char.isprintable() or char == "\n" for char in text)
         check_syntax(tmp_path, [text], options, standard)
+
+
+def test_op_modes_that_newer_tools_ignore_are_listed_apart():
+    """EL1262-0050 has 13 of them before and behind others."""
+    old = "<VendorSpecific><TwinCAT IgnoreFromBuildNo='2200'/></VendorSpecific>"
+    modes = dc(("A", times("0") + old), ("B", times("0")), ("C", times("0") + old), ("D", times("0")))
+    assert list(choice_lines(configured(SMS + modes, op_mode="B"))) == [
+        "OpMode:   1 'B': no distributed clocks",
+        "          others: 3 'D'",
+        "          ignored by newer tools: 0 'A', 2 'C'",
+    ]
 
 
 def test_the_heading_says_where_everything_comes_from(data):

@@ -166,7 +166,7 @@ def test_types_of_pins():
     words = " ".join(text.split())
     assert "0x7000:07 text has no pin: no HAL type takes it at its place" in words
     assert "0x7000:09 shifted real has no pin" in words
-    assert "0x7000:02 again is mapped again" in words
+    assert "0x7000:02 word is mapped 2 times" in words
     assert "without their sign" not in words
     inputs = TYPES.replace("RxPdo", "TxPdo").replace("#x1600", "#x1A00").replace('Sm="2"', 'Sm="3"')
     assert "0x7000:06 three bytes: LinuxCNC-Ethercat reads 24 bits without their sign" in " ".join(
@@ -302,6 +302,16 @@ def test_commands():
 def test_what_the_driver_cannot_configure_is_refused(content, choice, message):
     with pytest.raises(InputError, match=message):
         linuxcnc_configuration(configured(content, **choice))
+
+
+def test_options_that_remarks_name_are_explained():
+    """An XML comment cannot have two hyphens in a row."""
+    once = SMS + rx("#x1600", entry("#x7000", 16, "value", 1))
+    words = 'In this comment "- -" stands for two hyphens'
+    found = linuxcnc_configuration(configured(once + rx("#x1601", entry("#x7000", 16, "value", 1))))
+    assert "choose PDOs (- -pdo)" in " ".join(found.split())
+    assert found.count(words) == 1
+    assert words not in linuxcnc_configuration(configured(once))
 
 
 @pytest.mark.parametrize("name", [*HOSTILE, "-- x --", "---", "x --&gt; &lt;slave/&gt;", "]]&gt;", "&amp;amp;"])

@@ -8,6 +8,7 @@ from esicatalog.errors import InputError
 from esicatalog.export.choice import Choice, parse_pdo_choice
 from esicatalog.export.configuration import configure
 from esicatalog.export.igh import igh_header
+from esicatalog.export.igh_files import listed
 from esicatalog.export.linuxcnc import linuxcnc_configuration
 from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.ros2 import ros2_slave
@@ -141,6 +142,15 @@ def test_pdos_of_an_op_mode_that_the_device_may_not_take(coe, op_mode, is_told):
     found = configured(drive(coe=coe) + dc(*LISTING), op_mode=op_mode)
     assert pdos(found)[2] == [0x1601 if op_mode == "DC" else 0x1600]
     assert any(remark.startswith(KEPT) for remark in found.remarks) is is_told
+
+
+def test_an_op_mode_of_a_device_without_mailbox_says_what_is_exchanged():
+    """EL1262-0050, EL2262: nothing could declare PdoAssign, and their OpModes list the PDOs. Another choice is told."""
+    content = SMS + AXIS + dc(*LISTING)
+    found = configured(content, op_mode="DC")
+    assert (pdos(found)[2], [remark for remark in found.remarks if "PdoAssign" in remark]) == ([0x1601], [])
+    other = configured(content, op_mode="DC", pdos=parse_pdo_choice("0x1600"))
+    assert [remark.startswith(KEPT) for remark in other.remarks if "PdoAssign" in remark] == [True]
 
 
 def test_pdos_of_the_default_op_mode_are_default_ones():
@@ -310,7 +320,7 @@ REPEATED = (
 MAPPED_3_TIMES = "0x6040:00 Controlword is mapped 3 times: every copy is sent, so write all of them, or choose PDOs"
 
 
-@pytest.mark.parametrize("export", EXPORTS)
+@pytest.mark.parametrize("export", [igh_header, soem_header, pysoem_module])
 def test_outputs_that_are_mapped_again_are_told(export):
     text = " ".join(export(configured(SMS + REPEATED)).replace("#", "").replace("*", "").split())
     assert MAPPED_3_TIMES in text
@@ -318,8 +328,18 @@ def test_outputs_that_are_mapped_again_are_told(export):
 
 @pytest.mark.parametrize("export", [ros2_slave, linuxcnc_configuration])
 def test_programs_that_reach_one_copy_say_what_becomes_of_the_others(export):
+    """And not that every copy can be written."""
     text = " ".join(export(configured(SMS + REPEATED)).replace("#", "").split())
-    assert text.count("reaches the first one only, the others stay 0") == 1
+    assert text.count("0x6040:00 Controlword is mapped 3 times: ") == text.count(" times: ") == 1
+    assert text.count("reaches the first one only, the others stay 0: choose PDOs") == 1
+    assert "every copy is sent" not in text
+
+
+def test_copies_of_inputs_and_of_what_has_no_name():
+    inputs = pdo("TxPdo", "#x1A00", 16, attributes='Sm="3"') + pdo("TxPdo", "#x1A01", 16, attributes='Sm="3"')
+    assert listed(configured(SMS + inputs.replace("<Name>e1</Name>", "")), "lcec").remarks == (
+        "0x7000:01 is mapped 2 times: lcec finds entries by index and subindex, and reaches the first one only",
+    )
 
 
 @pytest.mark.parametrize(
@@ -333,7 +353,7 @@ def test_programs_that_reach_one_copy_say_what_becomes_of_the_others(export):
     ids=["chosen once", "inputs", "IDNs of several drives", "samples"],
 )
 def test_what_is_not_mapped_again(content, choice):
-    assert not [remark for remark in configured(SMS + content, **choice).remarks if "every copy is sent" in remark]
+    assert not configured(SMS + content, **choice).copy_remarks
 
 
 def test_only_gaps_are_called_so():

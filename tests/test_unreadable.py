@@ -8,17 +8,19 @@ from esicatalog.errors import InputError
 from esicatalog.esi.unreadable import Unreadable, unreadable, unreadable_values
 from esicatalog.export.choice import parse_pdo_choice
 from esicatalog.export.headings import choice_lines
+from esicatalog.export.igh import igh_header
 from esicatalog.export.sii_remarks import image_remarks
+from esicatalog.export.soem import soem_header
 from esicatalog.model.pdo_facts import object_words
 
-MADE_WITHOUT = "; what stands here is made without it: correct the file"
+ABSENT = "; it cannot be read and counts as absent: correct the file"
 MAILBOX = '<Sm DefaultSize="128" StartAddress="#x1000" ControlByte="#x26" Enable="1">MBoxOut</Sm>'
 
 
 def unread(content: str, module_text: str = "", **choice) -> list[str]:
     """What the exports of a device say of values that cannot be read."""
     remarks = configured(content, module_text, **choice).remarks
-    return [remark.removesuffix(MADE_WITHOUT) for remark in remarks if remark.endswith(MADE_WITHOUT)]
+    return [remark.removesuffix(ABSENT) for remark in remarks if remark.endswith(ABSENT)]
 
 
 def in_image(content: str) -> list[str]:
@@ -71,14 +73,33 @@ def test_of_repeated_values_each_has_its_own_text():
             "Slots/Slot/ModuleIdent: '100h' is not a HexDecValue",
         ),
         ('<Mailbox><CoE CompleteAccess="on"/></Mailbox>', "Mailbox/CoE/@CompleteAccess: 'on' is not a boolean"),
-        (
-            "<Info><StateMachine><Timeout><PreopTimeout>3 s</PreopTimeout></Timeout></StateMachine></Info>",
-            "Info/StateMachine/Timeout/PreopTimeout: '3 s' is not an integer",
-        ),
+        ("<Slots SlotPdoIncrement='x'/>", "Slots/@SlotPdoIncrement: 'x' is not a HexDecValue"),
+        ("<ESC><Reg0420>100h</Reg0420></ESC>", "ESC/Reg0420: '100h' is not a HexDecValue"),
     ],
 )
 def test_exports_say_what_they_are_made_without(content, words):
     assert unread(SMS + content) == [words]
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "<Info><Electrical><EBusCurrent>abc</EBusCurrent></Electrical></Info>",
+        "<Info><Mailbox><Timeout><RequestTimeout>x</RequestTimeout></Timeout></Mailbox></Info>",
+        "<Info><Port><RxDelay>x</RxDelay></Port></Info>",
+        '<Mailbox><EoE TimeStamp="on"/></Mailbox>',
+    ],
+)
+def test_exports_say_nothing_of_what_none_of_them_uses(content):
+    assert configured(SMS + content).remarks == ()
+
+
+def test_timeouts_count_for_the_master_that_takes_them():
+    content = "<Info><StateMachine><Timeout><PreopTimeout>3 s</PreopTimeout></Timeout></StateMachine></Info>"
+    words = f"- Info/StateMachine/Timeout/PreopTimeout: '3 s' is not an integer{ABSENT}"
+    found = configured(SMS + rx("#x1600", entry("#x6040", 16)) + content)
+    assert words in " ".join(igh_header(found).replace("*", "").split())
+    assert "PreopTimeout" not in soem_header(found)
 
 
 def test_exports_say_nothing_of_what_is_not_chosen():
@@ -104,7 +125,7 @@ def test_an_unreadable_assign_activate_is_not_called_no_distributed_clocks():
 def test_a_factor_that_cannot_be_read_is_not_called_absent():
     found = configured(SMS + dc(("DC", times("#x300", 'Factor="0.5">0'))))
     assert found.remarks == (
-        f"Dc/OpMode/CycleTimeSync0/@Factor: '0.5' is not an integer{MADE_WITHOUT}",
+        f"Dc/OpMode/CycleTimeSync0/@Factor: '0.5' is not an integer{ABSENT}",
         "CycleTimeSync0 gives no cycle: SYNC0 follows the bus cycle",
     )
 
@@ -135,15 +156,15 @@ def test_an_index_or_length_that_cannot_be_read_is_refused_with_its_text():
 @pytest.mark.parametrize(
     ("command", "words"),
     [
-        (init_cmd("PS", "6060h", "01"), "index"),
-        (init_cmd("PS", "#x6060", "01").replace(">1<", ">01h<"), "subindex"),
-        (init_cmd("PS", "#x6060", "01", 'CompleteAccess="yes"'), "CompleteAccess"),
+        (init_cmd("PS", "6060h", "01"), "index ('6060h' is not a HexDecValue)"),
+        (init_cmd("PS", "#x6060", "01").replace(">1<", ">01h<"), "subindex ('01h' is not a HexDecValue)"),
+        (init_cmd("PS", "#x6060", "01", 'CompleteAccess="yes"'), "CompleteAccess ('yes' is not a boolean)"),
     ],
 )
 def test_a_command_whose_place_cannot_be_read_is_left_out(command, words):
     found = configured(SMS + f"<Mailbox><CoE>{command}</CoE></Mailbox>")
     assert found.commands == ()
-    assert f"CoE InitCmd of the device is left out: its {words} cannot be used" in found.remarks
+    assert found.remarks == (f"CoE InitCmd of the device is left out: its {words} cannot be used",)
 
 
 def test_entries_that_map_something_unknown_are_no_padding():

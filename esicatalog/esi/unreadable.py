@@ -19,8 +19,15 @@ class Unreadable(NamedTuple):
     """What stands there, and why it is no value: ``'1800h' is not a HexDecValue``."""
 
 
-def unreadable_values(record: Record, is_wanted: Callable[[Record], bool]) -> Iterator[Unreadable]:
-    """The unreadable values of a record and of those records in it, at any depth, that are wanted."""
+def unreadable_values(
+    record: Record,
+    is_wanted: Callable[[Record], bool],
+    counts: Callable[[Record, str], bool] = lambda record, name: True,
+) -> Iterator[Unreadable]:
+    """The unreadable values of a record and of those records in it, at any depth, that are wanted.
+
+    Of these the values that count: ``counts`` is given a record and the name of its field.
+    """
     for field in fields_of(type(record)):
         held = getattr(record, field.name)
         if is_record(field.item):
@@ -28,8 +35,10 @@ def unreadable_values(record: Record, is_wanted: Callable[[Record], bool]) -> It
             for number, part in enumerate(parts):
                 if is_wanted(part):
                     step = f"{field.xml.path}[{number}]" if len(parts) > 1 else field.xml.path
-                    for item in unreadable_values(part, is_wanted):
+                    for item in unreadable_values(part, is_wanted, counts):
                         yield Unreadable(f"{step}/{item.place}".removesuffix("/"), item.problem)
+            continue
+        if not counts(record, field.name):
             continue
         for position in range(len(held)) if field.many else (None,):
             problem = _problem(record, field, position)

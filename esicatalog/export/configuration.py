@@ -175,6 +175,8 @@ class Configuration(NamedTuple):
     missing_modules: str | None
     """Which slots lack modules without which the process data are not known, in words."""
     remarks: tuple[str, ...]
+    copy_remarks: tuple[str, ...]
+    """Remarks for targets with which an application can write every copy of an output that is mapped again."""
 
     @property
     def op_mode(self) -> OpMode | None:
@@ -226,7 +228,6 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *chosen.remarks,
         *assignment_remarks(device, plugged, op_mode, default, images),
         *own_remarks(images, missing is not None),
-        *repeat_remarks(images),
         *swap_remarks(images),
         *memory_remarks(device, subject.modules, images),
         *programmed.remarks,
@@ -256,6 +257,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         names.is_drive or (missing is not None and missing.may_move),
         missing.words if missing is not None else None,
         tuple(dict.fromkeys(remarks)),
+        tuple(repeat_remarks(images)),
     )
 
 

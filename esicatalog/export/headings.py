@@ -44,13 +44,11 @@ def choice_lines(configuration: Configuration) -> Iterator[str]:
     device = configuration.subject.device
     if configuration.op_mode is not None:
         yield f"OpMode:   {op_mode_words(configuration)}"
-        others = [
-            f"{position} {mode.name!r}{' (superseded)' if is_superseded(mode) else ''}"
-            for position, mode in enumerate(device.op_modes)
-            if position != configuration.op_mode_position
-        ]
-        if others:
-            yield f"          others: {', '.join(others)}"
+        others = [item for item in enumerate(device.op_modes) if item[0] != configuration.op_mode_position]
+        for words, ignored in (("others", False), ("ignored by newer tools", True)):
+            found = [f"{position} {mode.name!r}" for position, mode in others if is_superseded(mode) is ignored]
+            if found:
+                yield f"          {words}: {', '.join(found)}"
     for item in configuration.plugged:
         name = display_text(item.module.names) or item.module.type or ""
         yield f"Slot {item.slot_number}:   module 0x{item.module.module_ident or 0:X} {' '.join(name.split())}".rstrip()

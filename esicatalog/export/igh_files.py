@@ -4,12 +4,13 @@ Such a program configures the SyncManagers that its file lists, sends SDOs befor
 and subindex alone.
 """
 
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterable, Iterator
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration, MappedEntry, SmConfiguration
 from esicatalog.export.igh_limits import check_limits, master_written
+from esicatalog.export.image_remarks import MAP_ONCE, mapped_again
 from esicatalog.export.init_cmds import BEFORE_SAFE_OP, StartCommand
 from esicatalog.model.sm_facts import OUTPUT
 
@@ -40,11 +41,7 @@ def listed(configuration: Configuration, program: str) -> Listed:
     repeated = list(_repeated(configuration))
     written = master_written(configuration)
     remarks = [*_left_out_sync_managers(configuration), *_left_out_commands(configuration, program, written)]
-    remarks += [
-        f"{entry.place} {entry.name} is mapped again: {program} finds entries by index and subindex, and reaches the "
-        f"first one only{', the others stay 0' if sm.direction == OUTPUT else ''}"
-        for sm, entry in repeated
-    ]
+    remarks += _unreached(configuration, program, [entry for sm, entry in repeated if sm.direction == OUTPUT])
     return Listed(
         tuple(sm for sm in configuration.sync_managers if sm.is_described or _is_mailbox(sm)),
         tuple(command for command in configuration.commands if _why_left_out(command, written) is None),
@@ -80,6 +77,15 @@ def _why_left_out(command: StartCommand, written: Container[StartCommand]) -> st
     if command.transition not in BEFORE_SAFE_OP:
         return "sends commands before SAFE-OP only"
     return None
+
+
+def _unreached(configuration: Configuration, program: str, outputs: Iterable[MappedEntry]) -> Iterator[str]:
+    """What becomes of repeated entries; ``outputs`` are those of them that nothing writes."""
+    entries = (entry for sm in configuration.sync_managers for entry in sm.entries)
+    written = {(entry.entry_index, entry.subindex) for entry in outputs}
+    for place, words in mapped_again((entry.entry_index, entry.subindex, entry.name) for entry in entries).items():
+        ending = f", the others stay 0: {MAP_ONCE}" if place in written else ""
+        yield f"{words}: {program} finds entries by index and subindex, and reaches the first one only{ending}"
 
 
 def _repeated(configuration: Configuration) -> Iterator[tuple[SmConfiguration, MappedEntry]]:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Container, Iterator
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
+from esicatalog.esi.unreadable import unreadable_values
 from esicatalog.export.c_clocks import ClockCode, clock_code
 from esicatalog.export.c_text import c_bytes, comment_text
 from esicatalog.export.clocks import Clocks
@@ -17,6 +18,7 @@ from esicatalog.export.esc_registers import (
 )
 from esicatalog.export.igh_limits import master_written
 from esicatalog.export.init_cmds import BEFORE_SAFE_OP, LaterCommands, StartCommand, by_transition
+from esicatalog.export.unread_remarks import unread_remark
 
 _IDN_STATES = {"IP": "EC_AL_STATE_PREOP", "PS": "EC_AL_STATE_PREOP", "SO": "EC_AL_STATE_SAFEOP"}
 """At which transitions the master writes IDNs itself, and the state in which it does. SDOs it writes in PREOP only."""
@@ -102,6 +104,13 @@ def _timeouts(device: Device) -> Iterator[StateTimeout]:
         if timeout_ms is not None and timeout_ms > 0:
             for before, after in changes:
                 yield StateTimeout(before, after, timeout_ms)
+
+
+def timeout_remarks(device: Device) -> Iterator[str]:
+    """Timeouts that cannot be read: the master keeps its own."""
+    fields = {field for field, _ in _TIMEOUTS}
+    for place, problem in unreadable_values(device, lambda part: False, lambda _, name: name in fields):
+        yield unread_remark(place, problem)
 
 
 def _sent(command: StartCommand, call: Callable[[StartCommand], str], written: Container[StartCommand]) -> SentCommand:

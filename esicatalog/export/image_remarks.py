@@ -15,6 +15,9 @@ from esicatalog.model.sm_facts import OUTPUT, sm_role
 from esicatalog.model.sm_memory import memory_overlaps, size_conflict
 from esicatalog.model.sync import default_op_mode
 
+MAP_ONCE = "choose PDOs (--pdo) so that it is mapped once"
+"""What helps against an output that is mapped again."""
+
 
 def assignment_remarks(
     device: Device,
@@ -25,12 +28,13 @@ def assignment_remarks(
 ) -> Iterator[str]:
     """What an assignment asks of the device beyond its default one; ``default`` is that of the OpMode.
 
-    However it was chosen: PDO by PDO, or with an OpMode that lists PDOs.
+    However it was chosen: PDO by PDO, or with an OpMode that lists PDOs. Where there is no mailbox no master can write
+    an assignment: what an OpMode lists is then what the device exchanges in it, as terminals with oversampling do.
     """
     if declares_pdo_assign(device):
         return
     usual = default_op_mode(device.op_modes, [item.module for item in plugged])
-    of_device = default if op_mode is usual else process_image(device, plugged, usual)
+    of_device = default if op_mode is usual or device.mailbox is None else process_image(device, plugged, usual)
     kept = {image.sm: _indices(image) for image in of_device}
     changed = [f"SM{image.sm}" for image in images if _indices(image) != kept.get(image.sm)]
     if changed:
@@ -58,12 +62,25 @@ def swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:
         )
 
 
+def mapped_again(entries: Iterable[tuple[int, int, str]]) -> dict[tuple[int, int], str]:
+    """What is mapped several times, in words, by index and subindex; ``entries`` are these and a name."""
+    found = list(entries)
+    counts = Counter((index, subindex) for index, subindex, _ in found)
+    names = {(index, subindex): name for index, subindex, name in reversed(found)}
+    return {
+        (index, subindex): f"0x{index:04X}:{subindex:02X} {names[index, subindex]}".rstrip()
+        + f" is mapped {count} times"
+        for (index, subindex), count in counts.items()
+        if count > 1
+    }
+
+
 def repeat_remarks(images: Iterable[SmImage]) -> Iterator[str]:
     """Outputs that are mapped again: whoever writes one copy sends zeros in the others.
 
     Samples are no copies, nor are IDNs of SoE, which has PDOs of other indices: one of each drive of the device.
     """
-    found = [
+    found = mapped_again(
         (entry.entry_index, entry.subindex or 0, display_text(entry.names) or "")
         for image in images
         if image.transfer_direction == OUTPUT
@@ -71,16 +88,8 @@ def repeat_remarks(images: Iterable[SmImage]) -> Iterator[str]:
         if placed.pdo.pdo_index in PDO_MAPPINGS["RxPdo"]
         for entry in placed.pdo.entries
         if entry.entry_index and entry.bit_length
-    ]
-    counts = Counter((index, subindex) for index, subindex, _ in found)
-    names = {(index, subindex): name for index, subindex, name in reversed(found)}
-    for (index, subindex), count in counts.items():
-        if count > 1:
-            yield (
-                f"0x{index:04X}:{subindex:02X} {names[index, subindex]}".rstrip()
-                + f" is mapped {count} times: every copy is sent, so write all of them, or choose PDOs (--pdo) so that "
-                "it is mapped once"
-            )
+    )
+    return (f"{words}: every copy is sent, so write all of them, or {MAP_ONCE}" for words in found.values())
 
 
 def memory_remarks(device: Device, modules: Sequence[Module], images: Sequence[SmImage]) -> Iterator[str]:

@@ -114,7 +114,7 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
         remarks.append(f"{protocol} InitCmd of the {owner} is left out: it is no parameter of the device")
         return
     index = command.idn if protocol == "SoE" else command.object_index
-    unusable = unusable_part(command, index)
+    unusable = unusable_part(command, "idn" if protocol == "SoE" else "object_index")
     if index is None or unusable is not None:
         remarks.append(f"{protocol} InitCmd of the {owner} is left out: its {unusable} cannot be used")
         return

@@ -35,6 +35,8 @@ _SIGNED_BITS = (8, 16, 32)
 _INT32_MAX = 0x7FFF_FFFF
 _DATA_OF_LINE = 16
 _HYPHENS = re.compile("-(?=-)")
+_APART = 'In this comment "- -" stands for two hyphens, with which options begin: XML does not allow them in comments.'
+"""Said where a remark names an option."""
 
 
 class Pin(NamedTuple):
@@ -140,7 +142,9 @@ def linuxcnc_configuration(configuration: Configuration) -> str:
     dc = _dc(configuration, clocks) if clocks is not None else None
     if clocks is not None and (note := off_beat(clocks, configuration.cycle_ns)):
         remarks.append(note)
-    heading = heading_lines(configuration._replace(remarks=tuple(remarks)), f"{PROGRAM} configuration")
+    heading = list(heading_lines(configuration._replace(remarks=tuple(remarks)), f"{PROGRAM} configuration"))
+    if any("--" in line for line in heading):
+        heading += ["", _APART]
     return render(
         "linuxcnc.xml.j2",
         configuration=configuration,

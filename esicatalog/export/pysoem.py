@@ -79,14 +79,15 @@ class DcCode(NamedTuple):
 def pysoem_module(configuration: Configuration) -> str:
     """The module for one device."""
     layouts = [image_layout(configuration, direction) for direction in (OUTPUT, INPUT)]
-    remarks = [remark for layout in layouts for remark in (*layout.remarks, *_sharing(layout))]
+    remarks = [*configuration.remarks, *configuration.copy_remarks]
+    remarks += [remark for layout in layouts for remark in (*layout.remarks, *_sharing(layout))]
     remarks += register_remarks(configuration, "pysoem")
     remarks += [
         f"{command.transition} {command.place} is left out: pysoem has no call for SoE"
         for command in configuration.commands
         if command.protocol == "SoE"
     ]
-    heading = heading_lines(configuration._replace(remarks=(*configuration.remarks, *remarks)), "pysoem configuration")
+    heading = heading_lines(configuration._replace(remarks=tuple(remarks)), "pysoem configuration")
     images = [_image_class(layout) for layout in layouts]
     return render(
         "pysoem.py.j2",

@@ -82,8 +82,13 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
     """The header for one device and one of :data:`VERSIONS`, whose names and signatures differ."""
     api = _APIS[version]
     images = [image_code(configuration, direction) for direction in (OUTPUT, INPUT)]
-    remarks = [*register_remarks(configuration, "SOEM"), *(remark for image in images for remark in image.remarks)]
-    heading = heading_lines(configuration._replace(remarks=(*configuration.remarks, *remarks)), _target(version))
+    remarks = (
+        *configuration.remarks,
+        *configuration.copy_remarks,
+        *register_remarks(configuration, "SOEM"),
+        *(remark for image in images for remark in image.remarks),
+    )
+    heading = heading_lines(configuration._replace(remarks=remarks), _target(version))
     return render(
         "soem.h.j2",
         configuration=configuration,

@@ -16,6 +16,9 @@ START_TRANSITIONS = ("IP", "PS", "SO")
 TRANSITIONS = (*START_TRANSITIONS, "SP", "OP", "OS")
 """The last three lead back."""
 
+_WORDS = {"object_index": "index", "idn": "IDN"}
+_PARTS = (("subindex", "subindex"), ("channel", "channel"), ("complete_access", "CompleteAccess"))
+
 Written = TypeVar("Written")
 
 Write = tuple[str, int, Written]
@@ -34,22 +37,27 @@ def after_start(writes: Iterable[Write[Written]]) -> dict[int, Written]:
     return {index: written for _, index, written in due}
 
 
-def unusable_part(command: InitCmd, index: int | None) -> str | None:
-    """What does not tell where a command writes to, None where all is told.
+def unusable_part(command: InitCmd, index_field: str = "object_index") -> str | None:
+    """What does not tell where a command writes to, with what stands there instead, None where all is told.
 
-    ``index`` is that of its object, or its IDN. A subindex and the like that is absent counts as 0.
+    ``index_field`` has its object or, with ``idn``, its IDN. A subindex and the like that is absent counts as 0.
     """
+    index = getattr(command, index_field)
     if index is None or not 0 <= index <= 0xFFFF:
-        return "index"
+        return _unread_part(command, index_field, _WORDS[index_field]) or _WORDS[index_field]
     if not 0 <= (command.subindex or 0) <= 0xFF:
         return "subindex"
-    parts = (("subindex", "subindex"), ("channel", "channel"), ("complete_access", "CompleteAccess"))
-    return next((part for field, part in parts if unreadable(command, field) is not None), None)
+    return next(filter(None, (_unread_part(command, field, words) for field, words in _PARTS)), None)
+
+
+def _unread_part(command: InitCmd, field: str, words: str) -> str | None:
+    problem = unreadable(command, field)
+    return f"{words} ({problem})" if problem is not None else None
 
 
 def written_data(command: InitCmd, index: int) -> bytes | None:
     """What a command writes to an object that is a single value, None when it writes nothing to it."""
-    if command.object_index != index or command.subindex or command.complete_access or unusable_part(command, index):
+    if command.object_index != index or command.subindex or command.complete_access or unusable_part(command):
         return None
     return decode_hex_binary(command.data) or None
 
@@ -68,7 +76,7 @@ def written_places(modules: Iterable[Module]) -> set[tuple[int | None, int]]:
         (command.object_index, command.subindex or 0)
         for module in modules
         for command in (module.mailbox.coe_init_cmds if module.mailbox is not None else ())
-        if unusable_part(command, command.object_index) is None
+        if unusable_part(command) is None
     }
 
 
