@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from esicatalog.export.configuration import MappedEntry
+from esicatalog.export.sm_configuration import MappedEntry
 
 
 class Place(NamedTuple):

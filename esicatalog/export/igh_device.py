@@ -18,9 +18,10 @@ from esicatalog.export.c_access import (
     write_long,
 )
 from esicatalog.export.c_text import comment_text
-from esicatalog.export.configuration import AssignedPdo, Configuration, MappedEntry, SmConfiguration
+from esicatalog.export.configuration import Configuration
 from esicatalog.export.igh_limits import check_limits, pieces
 from esicatalog.export.igh_startup import Startup, startup
+from esicatalog.export.sm_configuration import AssignedPdo, MappedEntry, SmConfiguration
 from esicatalog.model.sm_facts import OUTPUT, sm_facts
 
 _DIRECTIONS = {OUTPUT: "EC_DIR_OUTPUT"}

@@ -8,8 +8,9 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.export.c_access import byte_count, whole_bytes
-from esicatalog.export.configuration import Configuration, MappedEntry, SmConfiguration
+from esicatalog.export.configuration import Configuration
 from esicatalog.export.names import unique_names
+from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
 
 _BITS_OF_BYTE = 8
 

@@ -8,13 +8,14 @@ from esicatalog.errors import InputError
 from esicatalog.export.c_access import on_byte
 from esicatalog.export.c_text import comment_text, wrapped
 from esicatalog.export.clocks import Clocks, Time
-from esicatalog.export.configuration import Configuration, MappedEntry, SmConfiguration
+from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.igh_files import Listed, listed
 from esicatalog.export.igh_limits import pieces
 from esicatalog.export.igh_startup import off_beat, register_remarks, watchdog
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.export.rendering import render
+from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
 from esicatalog.model.sm_facts import OUTPUT
 
 PROGRAM = "LinuxCNC-Ethercat"

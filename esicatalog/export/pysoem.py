@@ -7,12 +7,13 @@ from typing import NamedTuple
 from esicatalog.export.c_access import byte_count
 from esicatalog.export.c_text import comment_text, wrapped
 from esicatalog.export.clocks import Condition
-from esicatalog.export.configuration import Configuration, MappedEntry
+from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.image_layout import ImageLayout, Member, image_layout
 from esicatalog.export.init_cmds import StartCommand, by_transition
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
+from esicatalog.export.sm_configuration import MappedEntry
 from esicatalog.export.soem_startup import (
     RegisterWrite,
     command_words,

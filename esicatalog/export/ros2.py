@@ -11,7 +11,7 @@ from esicatalog.errors import InputError
 from esicatalog.export.c_access import on_byte
 from esicatalog.export.c_text import comment_text, wrapped
 from esicatalog.export.cia402_names import CIA402_NAMES
-from esicatalog.export.configuration import Configuration, MappedEntry, SmConfiguration
+from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import left_out
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.igh_files import Listed, listed
@@ -20,6 +20,7 @@ from esicatalog.export.init_cmds import MODULE_IDENT_LIST, StartCommand, single_
 from esicatalog.export.mode_commands import started_modes
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
+from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
 from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, MODES_DISPLAY, MODES_OF_OPERATION, STATUSWORD
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 

@@ -5,8 +5,9 @@ from typing import NamedTuple
 
 from esicatalog.export.c_access import Function, Place, c_type, read_bits, read_long, write_bits, write_long
 from esicatalog.export.c_text import comment_text
-from esicatalog.export.configuration import Configuration, MappedEntry
+from esicatalog.export.configuration import Configuration
 from esicatalog.export.image_layout import ImageLayout, Member, image_layout
+from esicatalog.export.sm_configuration import MappedEntry
 from esicatalog.model.sm_facts import OUTPUT
 
 
