@@ -80,17 +80,18 @@ def outputs_without_watchdog(subject: ProcessSubject) -> Iterator[Found]:
 @rule("L22", WARNING, "ESC: a SyncManager of three buffers takes three times its length, one behind the other")
 def memory_overlap(subject: ProcessSubject) -> Iterator[Found]:
     """SyncManagers overlap in memory, buffered ones counted three times."""
-    sync_managers = subject.data.sync_managers
+    sync_managers, of_images = subject.data.sync_managers, _image_bytes(subject)
     byte_sizes = {
-        number: sm.default_size if sm.default_size is not None else _image_bytes(subject, number)
+        number: sm.default_size if sm.default_size is not None else of_images.get(number)
         for number, sm in enumerate(sync_managers)
     }
     for found in memory_overlaps(sync_managers, byte_sizes):
         yield Found(f"{found.words}; move one of them, or correct DefaultSize", ("sync_managers", found.number))
 
 
-def _image_bytes(subject: ProcessSubject, number: int) -> int | None:
-    return next((image.byte_size for image in subject.data.images if image.sm == number), None)
+def _image_bytes(subject: ProcessSubject) -> dict[int, int | None]:
+    """Lengths of the default process images by SyncManager, None where one is not known."""
+    return {image.sm: image.byte_size for image in subject.data.images}
 
 
 @rule("L23", WARNING, "ETG.2000 Sm: MBoxOut, MBoxIn, Outputs, Inputs; the EEPROM knows no other type")
@@ -107,10 +108,11 @@ def default_size_against_pdos(subject: ProcessSubject) -> Iterator[Found]:
     """DefaultSize differs from what the assigned PDOs take."""
     if subject.data.is_modular:
         return
+    byte_sizes = _image_bytes(subject)
     for number, sm, role in _with_roles(subject):
         if role.is_mailbox or not sm.default_size:
             continue
-        size = _image_bytes(subject, number)
+        size = byte_sizes.get(number)
         if size and size != sm.default_size:
             yield Found(
                 f"SM {number} {sm.usage} has DefaultSize {sm.default_size}; "
@@ -129,10 +131,11 @@ def pdos_outside_sizes(subject: ProcessSubject) -> Iterator[Found]:
             yield Found(f"SM {image.sm}: {image.overflow}; correct BitLen or OSFac", place)
     if subject.data.is_modular:
         return
+    byte_sizes = _image_bytes(subject)
     for number, sm, role in _with_roles(subject):
         if role.is_mailbox or (sm.max_size is None and sm.min_size is None):
             continue
-        conflict = size_conflict(sm, _image_bytes(subject, number))
+        conflict = size_conflict(sm, byte_sizes.get(number))
         if conflict is not None:
             yield Found(f"SM {number} {sm.usage}: {conflict}: correct one of them", ("sync_managers", number))
 
