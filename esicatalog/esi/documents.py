@@ -37,7 +37,7 @@ _PREFIX = re.compile(rb"xmlns:([^\s=]+)")
 _HAS_TOO_MANY_ATTRIBUTES = etree.XPath(f"boolean(/descendant::*/@*[{MAX_ATTRIBUTES + 1}])")
 _UNSAFE_ENCODINGS = ("UTF-7", "UTF7")
 """They spell the same text in many ways, so that no look at the bytes tells what it says."""
-_DECLARED_ENCODING = re.compile(rb"""<\?xml[^>]*?encoding\s*=\s*["']([\w.:-]+)["']""")
+_DECLARED_ENCODING = re.compile(rb"""\s*<\?xml[^>]*?encoding\s*=\s*["']([\w.:-]+)["']""")
 _CODE_PAGES = {
     label: code_page
     for code_page, labels in {
@@ -172,8 +172,17 @@ def _left_out(content: bytes, root: etree._Element) -> str:
 
 def _code_page(content: bytes) -> str | None:
     """What the bytes are likely to be where a document declares an East Asian encoding."""
+    declared = declared_encoding(content)
+    return _CODE_PAGES.get(declared.decode()) if declared is not None else None
+
+
+def declared_encoding(content: bytes) -> bytes | None:
+    """The encoding that a document of an encoding based on ASCII declares, in small letters; None if it declares none.
+
+    A byte order mark may not stand before it.
+    """
     declared = _DECLARED_ENCODING.match(content)
-    return _CODE_PAGES.get(declared[1].decode().lower()) if declared is not None else None
+    return declared[1].lower() if declared is not None else None
 
 
 def _read_as(content: bytes, encoding: str) -> etree._Element | None:

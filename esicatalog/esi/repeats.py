@@ -23,7 +23,7 @@ import msgspec
 from lxml import etree
 
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
-from esicatalog.esi.documents import make_parser
+from esicatalog.esi.documents import declared_encoding, make_parser
 from esicatalog.esi.lines import Lines, Located
 
 MARK = f"repeated-{secrets.token_hex(8)}"
@@ -32,7 +32,6 @@ _MARK_BYTES = MARK.encode()
 
 _ASCII = b"us-ascii"
 _ASCII_BASED = re.compile(rb"(us-ascii|utf-?8|iso-?8859-\d+|windows-125\d)?")
-_DECLARED_ENCODING = re.compile(rb"""\s*<\?xml[^>]*?encoding\s*=\s*["']([\w.-]+)["']""")
 _LONGEST_HEAD = 10_000
 _SECTIONS = ((b"<!--", b"-->"), (b"<![CDATA[", b"]]>"))
 _LEADING = re.compile(rb"(?:\s+|<!--.{0,1000}?-->)*", re.DOTALL)
@@ -370,8 +369,7 @@ def _encoding(content: bytes) -> bytes | None:
     if begins < 0:
         return None
     head = content[:begins].removeprefix(codecs.BOM_UTF8)
-    declared = _DECLARED_ENCODING.match(head)
-    encoding = declared[1].lower() if declared else b""
+    encoding = declared_encoding(head) or b""
     return encoding if b"<!DOCTYPE" not in head and _ASCII_BASED.fullmatch(encoding) else None
 
 

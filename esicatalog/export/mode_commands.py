@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.model.cia402 import AXIS_STEP, MODE_BY_CODE, MODES_OF_OPERATION, MODES_OF_OPERATION_OF_AXES
-from esicatalog.model.drive_evidence import module_names, other_named_modes, written_mode
+from esicatalog.model.drive_evidence import mode_code, module_names, other_named_modes, written_mode
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import ExpandedModule
 from esicatalog.model.start_up import after_start, start_command
@@ -35,7 +35,7 @@ def mode_remarks(
     }
     for index, data in started_modes(commands).items():
         if index in mapped:
-            code = int.from_bytes(data[:1], "little", signed=True)
+            code = mode_code(data)
             mode = MODE_BY_CODE.get(code)
             what = f"{code} ({mode.name})" if mode is not None else f"{code}"
             yield (

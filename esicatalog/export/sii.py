@@ -90,7 +90,7 @@ def sii_image(vendor_id: int | None, group: Group | None, device: Device, *, lan
         return decode_sii(whole)
     texts = Texts(language)
     general = _general(group, device, texts)
-    clocks = DistributedClocks(modes=tuple(_dc_mode(op_mode, texts) for op_mode in valid_op_modes(device)))
+    clocks = DistributedClocks(modes=tuple(_dc_mode(op_mode, texts) for op_mode in op_modes_of_image(device)))
     tx_pdos = TxPdos(pdos=tuple(_pdos(device.tx_pdos, texts)))
     rx_pdos = RxPdos(pdos=tuple(_pdos(device.rx_pdos, texts)))
     computed: list[Category] = [texts.table(), general]
@@ -104,7 +104,7 @@ def sii_image(vendor_id: int | None, group: Group | None, device: Device, *, lan
     return SiiImage(header=computed_header(vendor_id, device), categories=(*declared_categories(device), *computed))
 
 
-def valid_op_modes(device: Device) -> list[OpMode]:
+def op_modes_of_image(device: Device) -> list[OpMode]:
     """The OpModes of an image: those that no TwinCAT/@IgnoreFromBuildNo marks as superseded."""
     return [op_mode for op_mode in device.op_modes if not is_superseded(op_mode)]
 

@@ -9,7 +9,7 @@ from esicatalog.esi.records.mailbox import Mailbox
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.unreadable import unreadable_values
 from esicatalog.export.esc_registers import esc_registers
-from esicatalog.export.sii import FMMU_USAGE_CODES, PORT_CODES, SM_USAGE_CODES, data_type_code, valid_op_modes
+from esicatalog.export.sii import FMMU_USAGE_CODES, PORT_CODES, SM_USAGE_CODES, data_type_code, op_modes_of_image
 from esicatalog.export.sii_changes import stored_otherwise
 from esicatalog.export.sii_header import ASSUMED_BYTE_SIZE, BOOTSTRAP_BYTES, is_declarable
 from esicatalog.export.sii_limits import used_bytes
@@ -205,7 +205,7 @@ def _watchdog_by_attribute(device: Device) -> list[str]:
 
 
 def _superseded(device: Device) -> list[str]:
-    left_out = len(device.op_modes) - len(valid_op_modes(device))
+    left_out = len(device.op_modes) - len(op_modes_of_image(device))
     return [f"{left_out} of {len(device.op_modes)}"] if left_out else []
 
 
