@@ -404,6 +404,7 @@ async def test_a_scan_in_the_encoding_of_powershell(data_db, tmp_path, mark):
         ("?vendor=1&product=0x1ffffffff", "is larger than 0xffffffff"),
         ("?vendor=1&product=1&rev=1", "unknown parameter 'rev'"),
         ("?vendor=1&vendor=2&product=1", "vendor is given more than once"),
+        ("?vendor=&vendor=2&product=", "product is missing"),
     ],
 )
 async def test_wrong_requests_are_400_with_words(data_db, query, words):
