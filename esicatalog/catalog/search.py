@@ -10,7 +10,7 @@ from esicatalog.catalog import content_conditions as content
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.conditions import Condition, among
-from esicatalog.catalog.device_filter import DeviceFilter
+from esicatalog.catalog.device_filter import AMOUNTS, DeviceFilter
 from esicatalog.catalog.devices import ORDER, SUMMARY, find_device, summary
 from esicatalog.catalog.full_text import text_condition
 from esicatalog.catalog.results import FoundDevice
@@ -19,7 +19,6 @@ from esicatalog.errors import InputError
 from esicatalog.identity import Identity
 
 _FLAGS = ("complete_access", "pdo_assign", "pdo_config", "bootstrap", "needs_dc", "no_lrw")
-_AMOUNTS = ("bytes_in", "bytes_out", "min_cycle_ns", "e_bus_ma", "axes")
 ADDRESSED = Condition(sa.and_(devices.c.vendor_id.is_not(None), devices.c.product_code.is_not(None)), indexed=True)
 NOT_ADDRESSED = Condition(sa.or_(devices.c.vendor_id.is_(None), devices.c.product_code.is_(None)), indexed=True)
 """Whether a description has the codes by which a bus and the address of a page name it; end caps have none."""
@@ -129,7 +128,7 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
         yield capability.identification(wanted.identification)
     if wanted.physics is not None:
         yield capability.physics(wanted.physics)
-    for name in _AMOUNTS:
+    for name in AMOUNTS:
         bounds = getattr(wanted, name)
         if bounds is not None:
             yield capability.amount(name, bounds)
