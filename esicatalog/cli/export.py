@@ -14,7 +14,7 @@ import click
 from esicatalog.cli.common import IDENTITY, NUMBER, PLUGGED, db_option, read_as, reporting_errors
 from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subjects_of_vendor
 from esicatalog.errors import InputError
-from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, parse_pdo_choice
+from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, check_numbers, parse_pdo_choice
 from esicatalog.export.soem import VERSIONS
 from esicatalog.identity import Identity, modules_by_slot
 
@@ -47,13 +47,13 @@ _CHOICE: tuple[Option, ...] = (
     click.option(
         "--cycle-ns",
         metavar="N",
-        type=int,
+        type=NUMBER,
         help=f"Bus cycle in ns; else {DEFAULT_CYCLE_NS}, or what the OpMode fixes where that does not fit.",
     ),
     click.option("--name", metavar="PREFIX", help="Begin all generated names so; else the device's type."),
-    click.option("--alias", metavar="N", type=int, default=0, show_default=True, help="Configured station alias."),
+    click.option("--alias", metavar="N", type=NUMBER, default=0, show_default=True, help="Configured station alias."),
     click.option(
-        "--position", metavar="N", type=int, default=0, show_default=True, help="Ring position, or behind the alias."
+        "--position", metavar="N", type=NUMBER, default=0, show_default=True, help="Ring position, or behind the alias."
     ),
 )
 
@@ -132,6 +132,7 @@ def cstruct(inputs: Inputs, sii: str | None) -> bytes:
     if sii is None:
         return cstruct_of_configuration(inputs.configuration()).encode()
     inputs.check_no_device("--sii")
+    check_numbers(inputs.choice)
     image = read_as(Path(sii), read_sii)
     return cstruct_of_image(image, inputs.choice.position).encode("utf-8", "surrogateescape")
 

@@ -38,7 +38,7 @@ from esicatalog.model.words import (
 )
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
 from esicatalog.web.exports import TARGETS, asked_modules
-from esicatalog.web.http import Page, check_names, status_of
+from esicatalog.web.http import Page, status_of
 from esicatalog.web.links import BASE, device_path, identity_of_path
 from esicatalog.web.pages.nearest import nearest, nearest_json
 
@@ -83,9 +83,9 @@ async def device_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
 
 
 def _asked(request: Any) -> tuple[Identity, Mapping[int, ModuleChoice]]:
-    check_names(request.args, ("module",))
+    choice = asked_modules(request)
     identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
-    return identity, asked_modules(request)
+    return identity, choice
 
 
 def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
