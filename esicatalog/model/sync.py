@@ -23,11 +23,11 @@ LATCH1_PDI = 0x0020
 
 
 class SyncSignals(Record):
-    """What AssignActivate of an OpMode means."""
+    """What AssignActivate of an OpMode asks for; :func:`generated_signals` are those that a device then generates."""
 
     dc_active: Annotated[bool | None, Doc("Sync unit is active (0x0100); 0 = free run or SM synchronous")] = None
-    sync0: Annotated[bool | None, Doc("SYNC0 is generated: 0x0100 and 0x0200")] = None
-    sync1: Annotated[bool | None, Doc("SYNC1 is generated: 0x0100 and 0x0400")] = None
+    sync0: Annotated[bool | None, Doc("AssignActivate asks for SYNC0: 0x0100 and 0x0200")] = None
+    sync1: Annotated[bool | None, Doc("AssignActivate asks for SYNC1: 0x0100 and 0x0400")] = None
     time_only: Annotated[bool | None, Doc("Sync unit active without pulses: DC time or latch use")] = None
     sync_unit_pdi: Annotated[bool | None, Doc("Sync unit is controlled by the slave (0x0001)")] = None
     latch0_pdi: Annotated[bool | None, Doc("Latch 0 is controlled by the slave (0x0010)")] = None

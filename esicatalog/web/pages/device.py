@@ -134,7 +134,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
                 "signals": generated_signals(mode, device.dc_time_loop_control_only),
                 "is_default": position == default,
                 "is_superseded": is_superseded(mode),
-                "drawing": dc_timing_svg(mode),
+                "drawing": dc_timing_svg(mode, time_loop_control_only=device.dc_time_loop_control_only),
             }
             for position, mode in enumerate(device.op_modes)
         ],
