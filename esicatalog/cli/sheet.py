@@ -27,7 +27,7 @@ from esicatalog.model.words import (
     fsoe_words,
     init_cmd_target,
     mailbox_protocols,
-    profile_numbers,
+    profile_words,
 )
 
 _MOST_ALIKE = 10
@@ -127,7 +127,7 @@ def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[st
         ("group", device.group_type),
         ("physics", device.physics),
         ("E-bus", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
-        ("profiles", ", ".join(profile_numbers(device)) or None),
+        ("profiles", ", ".join(profile_words(device)) or None),
         ("clocks", clock_words(device, facts)),
         ("cycle", f"{facts.min_cycle_ns} ns at least" if facts.min_cycle_ns is not None else None),
         ("FSoE", fsoe_words(facts)),
