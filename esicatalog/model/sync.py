@@ -99,7 +99,11 @@ def positions_with_sync0(device: Device) -> list[int]:
 
 def default_op_mode(op_modes: Sequence[OpMode], modules: Iterable[Module] = ()) -> OpMode | None:
     """The OpMode that counts without a choice: the one at :func:`default_position`."""
-    position = default_position(op_modes, modules)
+    return op_mode_at(op_modes, default_position(op_modes, modules))
+
+
+def op_mode_at(op_modes: Sequence[OpMode], position: int | None) -> OpMode | None:
+    """The OpMode at a position that one of the functions below gave, None where there is none."""
     return op_modes[position] if position is not None else None
 
 
