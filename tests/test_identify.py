@@ -165,7 +165,7 @@ def test_how_a_gap_is_cut_is_no_difference(tmp_path):
     (warning,) = answer(db, 0xE5C, 1, 1).warnings
     assert warning == (
         "default process image differs in 1 of 2 other revisions; 0x00000003 for example: "
-        "SM0 byte 0.1 is padding (7 bit) here, padding (15 bit) there"
+        "SM0 byte 1.0 is 0x7001:00 (8 bit) here, nothing there"
     )
     assert rows(db, "SELECT layout_changed FROM device_revisions ORDER BY revision_no") == [(0,), (0,), (1,)]
 

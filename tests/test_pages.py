@@ -793,3 +793,31 @@ async def test_op_modes_that_newer_tools_ignore_are_marked(tmp_path):
     heading = run("export", "soem", "0xe5c:1:1", db=db).stdout
     assert " ignored by newer tools: 0 'DC'\n" in heading
     assert "others:" not in heading
+
+
+async def test_a_device_that_uses_the_dc_time_only_generates_no_signal_anywhere(tmp_path):
+    """Dc/@TimeLoopControlOnly: table, drawing, sheet and filter agree; SQL tells what AssignActivate asks for."""
+    mode = "<Name>DC</Name><AssignActivate>#x320</AssignActivate><CycleTimeSync0 Factor='1'>0</CycleTimeSync0>"
+    db = catalog_of(tmp_path, esi(device(f"<Dc TimeLoopControlOnly='1'><OpMode>{mode}</OpMode></Dc>")))
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    (drawn,) = tree.cssselect("svg.dc-timing")
+    assert drawn.get("aria-label") == "Timing of OpMode DC: no SYNC signals"
+    assert "DC time only" in run("show", "0xe5c:1:1", db=db).stdout
+    assert run("devices", "--sync", "sync0", db=db).stderr == "0 devices\n"
+    columns = "sync0, latch1_pdi, dc_time_loop_control_only"
+    assert rows(db, f"SELECT {columns} FROM device_dc_modes") == [(1, 1, 1)]
+    assert rows(db, "SELECT sync0, sync1 FROM device_overview") == [(0, 0)]
+
+
+async def test_exclude_of_one_side_counts_for_both_everywhere(tmp_path):
+    """ESI-FACTS section 9: only 0x1600 names the other one."""
+    pdos = pdo("RxPdo", "#x1600", 8, extra="<Exclude>#x1601</Exclude>") + pdo("RxPdo", "#x1601", 8)
+    db = catalog_of(tmp_path, esi(device(pdos)))
+    lines = run("show", "0xe5c:1:1", db=db).stdout.splitlines()
+    assert [line.split()[1:6] for line in lines if line.strip().startswith("RxPdo")] == [
+        ["0x1600", "no", "1", "8", "0x1601"],
+        ["0x1601", "no", "1", "8", "0x1600"],
+    ]
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    excluded = [text.partition("excludes ")[2] for text in texts(tree, "summary") if "excludes" in text]
+    assert excluded == ["0x1601", "0x1600"]

@@ -30,7 +30,7 @@ from esicatalog.model.compare_words import (
     yes_no,
 )
 from esicatalog.model.pdo_facts import index_words
-from esicatalog.model.sync import default_position, sync_signals
+from esicatalog.model.sync import default_position, op_mode_at, sync_signals
 
 _SIGNALS = {
     "dc_active": "sync unit active",
@@ -163,10 +163,7 @@ def _compare_default(
 ) -> Iterator[Difference]:
     """The default OpMode; it counts where the clocks are in use on a side."""
     ours, theirs = (default_position(device.op_modes) for device in (left, right))
-    mode, other = (
-        device.op_modes[position] if position is not None else None
-        for device, position in ((left, ours), (right, theirs))
-    )
+    mode, other = (op_mode_at(device.op_modes, position) for device, position in ((left, ours), (right, theirs)))
     if any(item is mode and counterpart is other for item, counterpart in pairs):
         return
     said, also = (

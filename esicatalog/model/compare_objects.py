@@ -6,7 +6,7 @@ from typing import NamedTuple
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Flags, Object
 from esicatalog.esi.records.profile import Profile
-from esicatalog.model.access import ALL_STATES, BACKUP, SETTING
+from esicatalog.model.access import BACKUP, READ, SETTING, STATE_WORDS, WRITE, access_text, rights
 from esicatalog.model.cia402 import AXIS_STEP, SUPPORTED_DRIVE_MODES
 from esicatalog.model.compare_facts import (
     OBJECTS,
@@ -43,10 +43,8 @@ from esicatalog.model.dictionary import (
     used_types,
 )
 from esicatalog.model.pdo_facts import index_words
-from esicatalog.model.scan_compare import access_text
 
-_READ, _WRITE = ALL_STATES, ALL_STATES << 3
-_ACCESS_WORDS = {_READ: "ro", _WRITE: "wo", _READ | _WRITE: "rw"}
+_ACCESS_WORDS = {READ: "ro", WRITE: "wo", READ | WRITE: "rw"}
 _MAPPING_WORDS = {"R": "RxPDO", "T": "TxPDO", "RT": "RxPDO and TxPDO"}
 _CODE_WORDS = {code: words for words, code in OBJECT_CODES.items()}
 
@@ -74,12 +72,12 @@ def _maximum(entry: ObjectEntry) -> int | float | None:
 
 
 def _access(entry: ObjectEntry) -> int:
-    return entry.access_word & (_READ | _WRITE)
+    return rights(entry.access_word)
 
 
-def _access_words(rights: int) -> str:
+def _access_words(word: int) -> str:
     """``ro``, ``rw``, ``wo``; ``rwrwr-`` where it depends on the state: read and write in PREOP, SAFEOP, OP."""
-    return _ACCESS_WORDS.get(rights) or f"{access_text(rights)} (PREOP, SAFEOP, OP)"
+    return _ACCESS_WORDS.get(word) or f"{access_text(word)} ({STATE_WORDS})"
 
 
 def _fewer_rights(left: int, right: int) -> bool:
@@ -254,7 +252,7 @@ def _compare_entry(
         yield difference(OBJECTS, place, said, also, lost(entry, other))
         return
     declares_modes = ((left.object.object_index or 0) - SUPPORTED_DRIVE_MODES) % AXIS_STEP == 0
-    values = _PARAMETER_VALUES if _access(entry) & _WRITE or declares_modes else _OTHER_VALUES
+    values = _PARAMETER_VALUES if _access(entry) & WRITE or declares_modes else _OTHER_VALUES
     yield from compare_facts(OBJECTS, place, entry, other, (_NAME if composite else ()) + _ENTRY + values)
     yield from _compare_enumerations(place, left.types, entry, right.types, other)
 

@@ -12,6 +12,7 @@ from esicatalog.model.cia402 import (
     SUPPORTED_DRIVE_MODES,
 )
 from esicatalog.model.drive_evidence import ModeEvidence, written_mode
+from esicatalog.model.profile_facts import profile_numbers
 
 _DEVICE_TYPE = 0x1000
 _NEEDED = (CONTROLWORD, STATUSWORD, MODES_OF_OPERATION, SUPPORTED_DRIVE_MODES)
@@ -89,8 +90,7 @@ def device_type(subject: DeviceSubject) -> Iterator[Found]:
     default = subject.own.default(_DEVICE_TYPE) or 0
     if default <= 0:
         return
-    numbers = {profile.profile_no for profile in subject.device.profiles}
-    numbers |= {channel.profile_no for profile in subject.device.profiles for channel in profile.channel_infos}
+    numbers = {number.profile_no for number in profile_numbers(subject.device.profiles)}
     declared = sorted(number for number in numbers if number)
     if declared and default & 0xFFFF not in declared:
         yield Found(

@@ -6,14 +6,13 @@ from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.lint.registry import WARNING, Found, Place, rule
 from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject
-from esicatalog.model.access import ALL_STATES, PREOP, SAFEOP
+from esicatalog.model.access import states_to_write
 from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.model.start_up import SENT_IN
 from esicatalog.model.sync import listed_pdos
 
 _TEXTS = frozenset({"string", "octets", "unicode", "domain"})
 _LEAST_EEPROM_BYTES = 128
-_SENT_IN = {"IP": PREOP, "PS": PREOP, "SO": SAFEOP}
-"""State of the device at the transitions of a start; those that lead back are not defined so (ESI-FACTS section 10)."""
 
 
 @rule("L56", WARNING, "ETG.2000 CoE/InitCmd: the master writes Data to the object; a device refuses what does not fit")
@@ -47,10 +46,10 @@ def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete:
     entry = entries.get(command.subindex or 0)
     if entry is None:
         return "writes a subindex that the dictionary does not have: correct it"
-    writable = entry.access_word >> 3 & ALL_STATES
+    writable = states_to_write(entry.access_word)
     if not writable:
         return f"writes an object that is {entry.access}: remove it, or correct Access"
-    refused = [transition for transition in command.transitions if _SENT_IN.get(transition, writable) & ~writable]
+    refused = [transition for transition in command.transitions if SENT_IN.get(transition, writable) & ~writable]
     if refused:
         return f"is sent at {', '.join(refused)}, when WriteRestrictions forbid to write the object: correct Transition"
     data = decode_hex_binary(command.data)

@@ -34,7 +34,7 @@ from esicatalog.model.words import (
     fsoe_words,
     init_cmd_target,
     mailbox_protocols,
-    profile_numbers,
+    profile_words,
 )
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
 from esicatalog.web.exports import TARGETS, asked_modules
@@ -134,7 +134,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
                 "signals": generated_signals(mode, device.dc_time_loop_control_only),
                 "is_default": position == default,
                 "is_superseded": is_superseded(mode),
-                "drawing": dc_timing_svg(mode),
+                "drawing": dc_timing_svg(mode, time_loop_control_only=device.dc_time_loop_control_only),
             }
             for position, mode in enumerate(device.op_modes)
         ],
@@ -187,7 +187,7 @@ def _facts(description: DeviceDescription, facts: DeviceFacts) -> list[tuple[str
     mailbox = device.mailbox
     shown = [
         ("group", device.group_type),
-        ("profiles", ", ".join(sorted(profile_numbers(device)))),
+        ("profiles", ", ".join(sorted(profile_words(device)))),
         ("ports", device.physics),
         ("E-bus current", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
         ("mailbox", ", ".join(mailbox_protocols(mailbox)) or "none"),
