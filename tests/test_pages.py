@@ -480,6 +480,14 @@ async def test_of_a_device_without_revision_its_esi_is_offered(tmp_path):
     assert (refused.status_code, "has no revision" in refused.json()["error"]) == (400, True)
 
 
+async def test_an_image_in_the_description_that_is_none_is_named_on_its_page_and_in_its_export(tmp_path):
+    db = catalog_of(tmp_path, esi(device("<Eeprom><Data>0011</Data></Eeprom>")))
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    assert "Eeprom/Data cannot be read: no SII image" in tree.text_content()
+    refused = await (await client(db)).get("/-/esi/device/0xe5c/1/1/export/sii")
+    assert (refused.status_code, refused.json()["error"].split(":")[0]) == (400, "Eeprom/Data of T1 (0.xml, line 1)")
+
+
 async def test_exports_take_choices_and_refuse_with_words(data_db):
     web = await client(data_db)
     chosen = await web.get(f"{EYOU}/export/igh?module=0%3D0x219800&cycle-ns=2000000&name=axis")

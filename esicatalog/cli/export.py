@@ -189,29 +189,29 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     stay, and what would change is told. It ends where that image ends, unless it needs more: what was not read is
     not written. Words about the image go to stderr.
     """
-    from esicatalog.export.sii import sii_image
-    from esicatalog.export.sii_header import configuration_bytes
+    from esicatalog.export.sii import described_image
+    from esicatalog.export.sii_header import configuration_bytes, eeprom_bytes
     from esicatalog.export.sii_limits import check_image, fit_image
     from esicatalog.export.sii_merge import merge_image
-    from esicatalog.export.sii_remarks import image_text
+    from esicatalog.export.sii_summary import image_text
     from esicatalog.sii.encode import encode_sii
     from esicatalog.sii.files import read_sii
 
     subject = inputs.subject()
     subject.required_codes()
-    image = sii_image(subject.vendor_id, subject.group, subject.device, language=language)
+    image = described_image(subject, language=language)
     dropped: tuple[str, ...] = ()
-    merged = None
-    byte_size = filled_to = image.header.byte_size
+    merged = dump = None
+    byte_size = eeprom_bytes(image.header, subject.device)
     if merge is not None:
         dump = read_as(Path(merge), read_sii)
         merged = merge_image(image, dump, configuration_bytes(subject.device))
-        image, byte_size, filled_to = merged.image, merged.byte_size, merged.dump_bytes
+        image, byte_size = merged.image, merged.byte_size
     if fit:
-        image, dropped = fit_image(image, byte_size, filled_to)
+        image, dropped = fit_image(image, byte_size, dump)
     else:
-        image = check_image(image, byte_size, filled_to)
-    click.echo(image_text(subject.device, image, merged=merged, dropped=dropped), err=True)
+        image = check_image(image, byte_size, dump)
+    click.echo(image_text(subject, image, merged=merged, dropped=dropped), err=True)
     return encode_sii(image)
 
 

@@ -19,7 +19,8 @@ from esicatalog.export.igh import igh_header
 from esicatalog.export.linuxcnc import linuxcnc_configuration
 from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.ros2 import ros2_slave
-from esicatalog.export.sii import sii_image
+from esicatalog.export.sii import described_image
+from esicatalog.export.sii_header import eeprom_bytes
 from esicatalog.export.sii_limits import check_image
 from esicatalog.export.soem import soem_header
 from esicatalog.export.subject import Subject
@@ -60,8 +61,8 @@ def _esi(subject: Subject, choice: Choice) -> bytes:
 
 def _sii(subject: Subject, choice: Choice) -> bytes:
     subject.required_codes()
-    image = sii_image(subject.vendor_id, subject.group, subject.device)
-    return encode_sii(check_image(image, image.header.byte_size))
+    image = described_image(subject)
+    return encode_sii(check_image(image, eeprom_bytes(image.header, subject.device)))
 
 
 _C = "text/x-c; charset=utf-8"

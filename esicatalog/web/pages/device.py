@@ -16,7 +16,9 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
-from esicatalog.export.sii_remarks import WHY_MERGE, image_remarks
+from esicatalog.export.sii_remarks import image_remarks
+from esicatalog.export.sii_summary import WHY_MERGE
+from esicatalog.export.subject import subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
@@ -88,6 +90,15 @@ def _asked(request: Any) -> tuple[Identity, Mapping[int, ModuleChoice]]:
     return identity, choice
 
 
+def _image_remarks(description: DeviceDescription) -> tuple[str, ...]:
+    """What is told beside the EEPROM image, of which there is one only for a device with all codes."""
+    found = description.found
+    if None in (found.vendor_id, found.product_code, found.revision_no):
+        return ()
+    subject = subject_of_description(found, description.sources, description.device, description.modules)
+    return (WHY_MERGE, *image_remarks(subject))
+
+
 def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
     device, found = description.device, description.found
     derived = derive(device, description.modules)
@@ -142,7 +153,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "evidence": derived.modes.evidence,
         "commands": _commands(device.mailbox),
         "eeprom": device.eeprom,
-        "image_remarks": (WHY_MERGE, *image_remarks(device)) if found.revision_no is not None else (),
+        "image_remarks": _image_remarks(description),
         "object_count": sum(len(p.dictionary.objects) for p in device.profiles if p.dictionary is not None),
         "revisions": [
             {
