@@ -339,7 +339,7 @@ def test_texts_about_a_diagnosis():
         profile.format("", resets.format("by hand") + message.format(causes.format("hot") + "<Hint>old</Hint>")),
         profile.format("", resets.format("by power") + message.format(causes.format("cold") + "<Hint>new</Hint>")),
     ) == [
-        ("diagnosis text 0x0001 causes and remedies", "hot -> check", "cold -> check", False),
+        ("diagnosis text 0x0001 causes and remedies", "hot: check", "cold: check", False),
         ("diagnosis text 0x0001 hint", "old", "new", False),
         ("diagnosis texts resets", "1 by hand", "1 by power", False),
     ]

@@ -192,7 +192,7 @@ _PROFILE = (
 
 
 def _cause_remedy(item: CauseRemedy) -> str:
-    return " ".join(filter(None, (item.idx, shown_text(item.causes), "->", shown_text(item.remedies))))
+    return ": ".join(filter(None, (item.idx, shown_text(item.causes), shown_text(item.remedies))))
 
 
 def _named_value(item: EnumInfo) -> str:
