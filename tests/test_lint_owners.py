@@ -1,0 +1,67 @@
+"""Rules about devices with modules: which of them is to blame; and values of no fixed length."""
+
+from snippets import device, dictionary
+from test_lint_rules import IN_SLOT, SYNC_MANAGERS, TYPES, declared, linted, mapped, module, slots
+
+CONTROL = mapped("#x6040", 16, IN_SLOT) + mapped("#x607A", 32, IN_SLOT)
+
+
+def drive_objects(default: str, attributes: str = IN_SLOT, above: int = 0) -> str:
+    """The mandatory objects of an axis."""
+    value = f"<Info><DefaultData>{default}</DefaultData></Info>"
+    return "".join(
+        declared(f"#x{index + above:04X}", name, bits, attributes, value if index == 0x6502 else "")
+        for index, name, bits in (
+            (0x6040, "UINT", 16),
+            (0x6041, "UINT", 16),
+            (0x6060, "USINT", 8),
+            (0x607A, "UDINT", 32),
+            (0x6502, "UDINT", 32),
+        )
+    )
+
+
+def drive_module(default: str, ident: str = "#x10") -> str:
+    mapping = f"<RxPdo><Index {IN_SLOT}>#x1600</Index><Name>p</Name>{CONTROL}</RxPdo>"
+    return module(mapping + dictionary(TYPES, drive_objects(default)), ident)
+
+
+def blamed(found: list[dict]) -> list[tuple[str, str]]:
+    """The Device or Module that a finding points into, and its message up to the colon."""
+    return [(item["path"].split("/")[3], item["message"].split(":")[0]) for item in found]
+
+
+BIG_ENDIAN = "0x6502 has the default 00000180, which looks big-endian"
+
+
+def test_l58_blames_the_alternative_that_is_wrong(tmp_path):
+    """Bits 7 and 8 of 0x6502 are HM and CSP; 00000180 is the same with the highest byte first."""
+    carried = slots(1).replace("</Slot>", "<ModuleIdent>#x20</ModuleIdent></Slot>")
+    modules = drive_module("80010000") + drive_module("00000180", "#x20")
+    assert blamed(linted(tmp_path, "L58", device(SYNC_MANAGERS + carried), modules)) == [("Module[1]", BIG_ENDIAN)]
+
+
+def test_l58_tells_a_module_once_by_the_index_that_stands_there(tmp_path):
+    two = slots(2).replace('MinInstances="0"', 'MinInstances="2"')
+    found = linted(tmp_path, "L58", device(SYNC_MANAGERS + two), drive_module("00000180"))
+    assert blamed(found) == [("Module", BIG_ENDIAN)]
+    assert found[0]["path"].endswith("/Objects/Object[4]")
+
+
+def test_l58_sees_the_module_of_the_second_slot(tmp_path):
+    carried = slots(1, 1).replace("#x10</ModuleIdent></Slot></Slots>", "#x20</ModuleIdent></Slot></Slots>")
+    modules = drive_module("80000000") + drive_module("00000000", "#x20")
+    found = linted(tmp_path, "L58", device(SYNC_MANAGERS + carried), modules)
+    assert blamed(found) == [("Module[1]", "0x6502 has the default 0")]
+
+
+def test_l58_sees_every_axis_of_a_device(tmp_path):
+    objects = drive_objects("80000000", "") + drive_objects("00000000", "", 0x800)
+    found = linted(tmp_path, "L58", device(dictionary(TYPES, objects) + SYNC_MANAGERS))
+    assert blamed(found) == [("Device", "0x6D02 has the default 0")]
+
+
+def test_l58_takes_what_modules_overwrite_for_a_stand_in(tmp_path):
+    of_device = dictionary(TYPES, drive_objects("00000000", 'OverwrittenByModule="1"'))
+    found = linted(tmp_path, "L58", device(of_device + SYNC_MANAGERS + slots(1)), drive_module("80000000"))
+    assert found == []
