@@ -1,7 +1,8 @@
 """Rules about devices with modules: which of them is to blame; and values of no fixed length."""
 
-from snippets import device, dictionary
-from test_lint_rules import IN_SLOT, SYNC_MANAGERS, TYPES, declared, linted, mapped, module, slots
+import pytest
+from snippets import device, dictionary, esi, write
+from test_lint_rules import IN_SLOT, SYNC_MANAGERS, TYPES, declared, findings, linted, mapped, module, slots
 
 CONTROL = mapped("#x6040", 16, IN_SLOT) + mapped("#x607A", 32, IN_SLOT)
 
@@ -65,3 +66,28 @@ def test_l58_takes_what_modules_overwrite_for_a_stand_in(tmp_path):
     of_device = dictionary(TYPES, drive_objects("00000000", 'OverwrittenByModule="1"'))
     found = linted(tmp_path, "L58", device(of_device + SYNC_MANAGERS + slots(1)), drive_module("80000000"))
     assert found == []
+
+
+@pytest.mark.parametrize(("own", "count"), [("#x6810", 1), ("#x6010", 0), ("#x6820", 0)])
+def test_l55_sees_objects_that_move_to_one_of_the_device(tmp_path, own, count):
+    """In slot 1 the object 0x6010 lies at 0x6810; one that stays where it is repeats that of the device."""
+    two = slots(2).replace('MinInstances="0"', 'MinInstances="2"')
+    two = two.replace("<ModuleIdent>", '<ModuleIdent Default="1">')
+    moving = module(dictionary(TYPES, declared("#x6010", "UINT", 16, IN_SLOT)))
+    of_device = dictionary(TYPES, declared(own, "UINT", 16))
+    found = linted(tmp_path, "L55", device(of_device + SYNC_MANAGERS + two), moving)
+    assert len(found) == count
+    for item in found:
+        assert item["message"].startswith("object 0x6810 of the default module in slot 1 meets that of the device")
+
+
+def test_l53_is_no_error_where_a_document_of_modules_is_missing(tmp_path):
+    """The module may be in it."""
+    text = esi(device(SYNC_MANAGERS + slots(1)))
+    write(tmp_path, {"a.xml": text})
+    assert [item["severity"] for item in findings(tmp_path) if item["rule"] == "L53"] == ["E"]
+    reference = "<InfoReference>modules.xml</InfoReference>"
+    write(tmp_path, {"a.xml": text.replace("<Vendor>", f"{reference}<Vendor>", 1)})
+    (found,) = [item for item in findings(tmp_path) if item["rule"] == "L53"]
+    assert found["severity"] == "W"
+    assert found["message"].endswith("which no module at hand has, but 'modules.xml' is missing")
