@@ -91,3 +91,55 @@ def test_l53_is_no_error_where_a_document_of_modules_is_missing(tmp_path):
     (found,) = [item for item in findings(tmp_path) if item["rule"] == "L53"]
     assert found["severity"] == "W"
     assert found["message"].endswith("which no module at hand has, but 'modules.xml' is missing")
+
+
+@pytest.mark.parametrize(
+    ("name", "bits", "data", "count"),
+    [
+        ("STRING(0)", 0, "414243", 0),
+        ("DOMAIN", 0, "414243", 0),
+        ("STRING(2)", 16, "41", 0),
+        ("STRING(2)", 16, "414243", 1),
+        ("UINT", 16, "01", 1),
+    ],
+)
+def test_types_of_no_bits_are_of_any_length(tmp_path, name, bits, data, count):
+    data_type = f"<DataType><Name>{name}</Name><BitSize>{bits}</BitSize></DataType>"
+    value = f"<Info><DefaultData>{data}</DefaultData></Info>"
+    content = dictionary(data_type, declared("#x2000", name, bits, content=value)) + SYNC_MANAGERS
+    command = (
+        f"<InitCmd><Transition>PS</Transition><Index>#x2000</Index><SubIndex>0</SubIndex><Data>{data}</Data></InitCmd>"
+    )
+    content += f"<Mailbox><CoE>{command}</CoE></Mailbox>"
+    assert len(linted(tmp_path, "L45", device(content))) == count
+    assert len(linted(tmp_path, "L56", device(content))) == count
+
+
+@pytest.mark.parametrize(
+    ("content", "problem"),
+    [
+        ("<Data>01</Data>", "has no Transition, so it is never sent: give one"),
+        (
+            "<Transition>XX</Transition><Data>01</Data>",
+            "has the Transition 'XX', which is none of IP, PS, SO, SP, OP, OS",
+        ),
+        ("<Transition>PS</Transition><Data></Data>", "has no Data, so it is never sent: give them"),
+        ("<Transition>PS</Transition>", "has no Data, so it is never sent: give them"),
+    ],
+)
+def test_l56_tells_commands_that_are_never_sent(tmp_path, content, problem):
+    """Without a dictionary, too."""
+    command = f"<InitCmd><Index>#x2000</Index><SubIndex>0</SubIndex>{content}</InitCmd>"
+    (found,) = linted(tmp_path, "L56", device(SYNC_MANAGERS + f"<Mailbox><CoE>{command}</CoE></Mailbox>"))
+    assert found["message"] == f"InitCmd for 0x2000:00 {problem}"
+
+
+def test_l44_looks_for_subindex_0_at_every_position(tmp_path):
+    sub_items = "".join(
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>USINT</Type><BitSize>8</BitSize>"
+        f"<BitOffs>{offset}</BitOffs></SubItem>"
+        for number, name, offset in ((1, "a", 16), (0, "n", 8))
+    )
+    data_type = f"<DataType><Name>DT</Name><BitSize>24</BitSize>{sub_items}</DataType>"
+    (found,) = linted(tmp_path, "L44", device(dictionary(TYPES + data_type, "")))
+    assert found["message"] == "SubIdx 0 of DataType DT has BitOffs 8: correct it to 0"
