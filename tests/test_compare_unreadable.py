@@ -50,6 +50,7 @@ def of_sub_item(words: str) -> str:
         (mapping(more="<Exclude>1601h</Exclude>"), mapping(more="<Exclude>1602h</Exclude>")),
         (mapping(more="<Exclude>1601h</Exclude>"), mapping()),
         (op_mode("<Pdo>1A00h</Pdo>"), op_mode("<Pdo>1A01h</Pdo>")),
+        (op_mode("").replace('No="2"', 'No="SM2"'), op_mode("").replace('No="2"', 'No="SM3"')),
         (op_mode('<Pdo OSFac="1x">#x1A00</Pdo>'), op_mode('<Pdo OSFac="2x">#x1A00</Pdo>')),
         (command("<Index>6060h</Index><SubIndex>0</SubIndex>"), command("<Index>6061h</Index><SubIndex>0</SubIndex>")),
         (

@@ -27,6 +27,7 @@ from esicatalog.model.compare_words import (
     ns,
     supported,
     text,
+    value_of,
     yes_no,
 )
 from esicatalog.model.pdo_facts import index_words
@@ -132,8 +133,8 @@ def compare_clocks(left: Device, right: Device) -> Iterator[Difference]:
             continue
         place = f"OpMode {ours.name if ours.name == theirs.name else _assign_activate(ours.assign_activate)}"
         yield from compare_facts(DC, place, ours, theirs, _OP_MODE + _OP_MODE_TEXTS)
-        for own, other in matched(ours.sm_assignments, theirs.sm_assignments, lambda item: item.no):
-            yield from compare_whole(DC, f"{place} SM{either(own, other).no}", own, other, _OP_MODE_SM)
+        for own, other in matched(ours.sm_assignments, theirs.sm_assignments, lambda item: value_of(item, "no")):
+            yield from compare_whole(DC, f"{place} SM{value_of(either(own, other), 'no')}", own, other, _OP_MODE_SM)
 
 
 def _matched_modes(left: tuple[OpMode, ...], right: tuple[OpMode, ...]) -> list[tuple[OpMode | None, OpMode | None]]:
@@ -144,7 +145,7 @@ def _matched_modes(left: tuple[OpMode, ...], right: tuple[OpMode, ...]) -> list[
 
 
 def _content(mode: OpMode) -> tuple[str, ...]:
-    return fact_words(mode, _OP_MODE), *(f"SM{item.no} {fact_words(item, _OP_MODE_SM)}" for item in mode.sm_assignments)
+    return fact_words(mode, _OP_MODE), *(f"SM{value_of(item, 'no')} {fact_words(item, _OP_MODE_SM)}" for item in mode.sm_assignments)
 
 
 def _compare_order(

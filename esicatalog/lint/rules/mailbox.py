@@ -67,7 +67,7 @@ def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete:
     writable = states_to_write(entry.access_word)
     if not writable:
         return f"writes an object that is {entry.access}: remove it, or correct Access"
-    refused = [transition for transition in command.transitions if SENT_IN.get(transition, writable) & ~writable]
+    refused = [text for text in command.transitions if SENT_IN.get(transition_of(text), writable) & ~writable]
     if refused:
         return f"is sent at {', '.join(refused)}, when WriteRestrictions forbid to write the object: correct Transition"
     data = decode_hex_binary(command.data)
