@@ -599,17 +599,17 @@ def conditions(content: str, cycle_ns: int) -> list[str]:
     [
         # SYNC1 once in a bus cycle: until that is as long as the SYNC0 cycle, SYNC1 comes with SYNC0.
         (times("#x700", ">3000000", 'Factor="-1">0'), 1_000_000, 0, ["C <= 3000000"]),
-        (times("#x700", ">3000000", 'Factor="-1">0'), 3_000_000, 0, ["C >= 3000000"]),
-        (times("#x700", ">3000000", 'Factor="-1">0'), 6_000_000, 3_000_000, ["C >= 3000000"]),
+        (times("#x700", ">3000000", 'Factor="-1">0'), 3_000_000, 0, ["C % 3000000 == 0"]),
+        (times("#x700", ">3000000", 'Factor="-1">0'), 6_000_000, 3_000_000, ["C % 3000000 == 0"]),
         # With a shift the delay alone does not tell: at 1.5 ms it would be 0.5 ms, and is 2 ms.
-        (times("#x700", ">3000000", 'Factor="-1">0', shift1="2000000"), 6_000_000, 5_000_000, ["C >= 3000000"]),
+        (times("#x700", ">3000000", 'Factor="-1">0', shift1="2000000"), 6_000_000, 5_000_000, ["C % 3000000 == 0"]),
         (times("#x700", ">3000000", 'Factor="-1">0', shift1="2000000"), 1_500_000, 2_000_000, ["C <= 3000000"]),
         # Both from the bus cycle or both fixed: one is longer at every bus cycle.
         (times("#x700", FACTOR_1, 'Factor="2">0'), 1_000_000, 1_000_000, []),
         (times("#x700", 'Factor="2">0', 'Factor="-1">0'), 1_000_000, 0, []),
         (times("#x700", ">1000000", 'Factor="2">0'), 1_000_000, 1_000_000, []),
         # The other way round: a fixed SYNC1 and SYNC0 once in a bus cycle.
-        (times("#x700", FACTOR_1, ">3000000"), 1_000_000, 2_000_000, ["3000000 >= C"]),
+        (times("#x700", FACTOR_1, ">3000000"), 1_000_000, 2_000_000, ["3000000 % C == 0"]),
         (times("#x700", FACTOR_1, ">3000000"), 4_000_000, 0, ["3000000 <= C"]),
     ],
 )
@@ -619,7 +619,7 @@ def test_a_header_is_for_bus_cycles_at_which_sync1_is_longer_or_shorter_alike(mo
     assert found is not None
     assert found.sync1_delay.in_ns(cycle_ns) == delay_ns
     assert [
-        condition for condition in conditions(content, cycle_ns) if "%" not in condition and "-" not in condition
+        condition for condition in conditions(content, cycle_ns) if " or " not in condition and "-" not in condition
     ] == made
 
 
@@ -636,7 +636,7 @@ WITHIN, MOVED = 270_000, 20_000
         # Every second SYNC0: with a delay below one SYNC0 cycle it would come with each.
         (FACTOR_1, 'Factor="2">0', -30_000, 250_000, 470_000, ["(C - 30000) >= 0"]),
         # Two whole SYNC0 cycles, which move nothing.
-        (">250000", 'Factor="-1">0', -500_000, 1_000_000, 750_000, ["C >= 250000"]),
+        (">250000", 'Factor="-1">0', -500_000, 1_000_000, 750_000, ["C % 250000 == 0"]),
     ],
 )
 def test_a_shift_that_is_not_within_a_cycle_of_sync0_does_not_change_the_rate_of_sync1(
@@ -649,7 +649,29 @@ def test_a_shift_that_is_not_within_a_cycle_of_sync0_does_not_change_the_rate_of
     assert any(remark.startswith(f"ShiftTimeSync1, {shift_ns} ns, is not within") for remark in found.remarks) == (
         not 0 <= shift_ns < found.clocks.sync0_cycle.in_ns(cycle_ns)
     )
-    assert [condition for condition in conditions(content, cycle_ns) if "%" not in condition] == made
+    assert [condition for condition in conditions(content, cycle_ns) if " or " not in condition] == made
+
+
+@pytest.mark.parametrize(
+    ("sync0", "sync1", "cycle_ns", "described"),
+    [
+        # The delay of 2.5 ms is over between the second and the third SYNC0: SYNC1 would come every 3 ms.
+        (FACTOR_1, ">4000000", 1_500_000, "every 4000000 ns, which is no multiple of the SYNC0 cycle of 1500000 ns"),
+        ('Factor="2">0', 'Factor="-3">0', None, "every 3000000 ns, which is no multiple of the SYNC0 cycle of 2000000"),
+        (">400000", ">1000000", 2_000_000, "every 1000000 ns, which is no multiple of the SYNC0 cycle of 400000 ns"),
+    ],
+)
+def test_a_sync1_between_two_multiples_of_the_sync0_cycle_is_refused(sync0, sync1, cycle_ns, described):
+    content = SMS + dc(("m", times("#x700", sync0, sync1)))
+    with pytest.raises(InputError, match=f"'m' describes SYNC1 {described}"):
+        configured(content, cycle_ns=cycle_ns)
+    # Without the bit of SYNC1 it is none.
+    assert configured(content.replace("#x700", "#x300"), cycle_ns=cycle_ns).clocks is not None
+
+
+def test_a_bus_cycle_that_is_open_follows_a_fixed_sync0_before_sync1_is_judged():
+    found = configured(SMS + dc(("m", times("#x700", ">700000", 'Factor="-1">0'))))
+    assert (found.cycle_ns, found.clocks.sync1_delay.in_ns(700_000)) == (700_000, 0)
 
 
 @pytest.mark.parametrize("word", ["#x300", "#x500", "#x700"])
