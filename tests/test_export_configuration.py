@@ -669,6 +669,29 @@ def test_a_sync1_between_two_multiples_of_the_sync0_cycle_is_refused(sync0, sync
     assert configured(content.replace("#x700", "#x300"), cycle_ns=cycle_ns).clocks is not None
 
 
+@pytest.mark.parametrize(
+    ("times_of_mode", "word", "remark"),
+    [
+        ("<ActivateAdditional>#x1</ActivateAdditional>", "#x300", "the OpMode gives ActivateAdditional, which is left"),
+        ("<ActivateAdditional>#x1</ActivateAdditional>", "0", "the OpMode gives ActivateAdditional, which is left out"),
+        (
+            "<CycleTimeSync2 Factor='1'>0</CycleTimeSync2><ShiftTimeSync3>5</ShiftTimeSync3>",
+            "#x300",
+            "the OpMode gives CycleTimeSync2, ShiftTimeSync3, which is left out",
+        ),
+        ("<ShiftTimeSync1 Input='1'>9</ShiftTimeSync1>", "#x700", "ShiftTimeSync1 counts from the input reference"),
+        ("<ShiftTimeSync1 Factor='2'>9</ShiftTimeSync1>", "#x700", "ShiftTimeSync1 has Factor 2, which is left out"),
+        ("<ShiftTimeSync0 Factor='2'>9</ShiftTimeSync0>", "#x300", "ShiftTimeSync0 has Factor 2, which is left out"),
+        # Not given, or of a signal that is not generated.
+        ("<ActivateAdditional>0</ActivateAdditional><CycleTimeSync2>0</CycleTimeSync2>", "#x300", None),
+        ("<ShiftTimeSync1 Input='1' Factor='2'>9</ShiftTimeSync1>", "#x300", None),
+    ],
+)
+def test_parts_of_an_op_mode_that_are_left_out_are_told(times_of_mode, word, remark):
+    found = configured(SMS + dc(("m", times(word, FACTOR_1 if word != "0" else "") + times_of_mode)))
+    assert [words[: len(remark or "")] for words in found.remarks] == ([remark] if remark else [])
+
+
 def test_a_bus_cycle_that_is_open_follows_a_fixed_sync0_before_sync1_is_judged():
     found = configured(SMS + dc(("m", times("#x700", ">700000", 'Factor="-1">0'))))
     assert (found.cycle_ns, found.clocks.sync1_delay.in_ns(700_000)) == (700_000, 0)

@@ -31,6 +31,19 @@ _TIME_LOOP_CONTROL_ONLY = (
     "the registers 0x0940 to 0x09FF, and AssignActivate 0x{:04X} of the OpMode is left out; the clocks of the bus have "
     "to be kept together all the same"
 )
+_AFTER_1_17 = {
+    "ActivateAdditional": ("activate_additional",),
+    "CycleTimeSync2": ("cycle_time_sync2_ns", "cycle_time_sync2_factor"),
+    "ShiftTimeSync2": ("shift_time_sync2_ns",),
+    "CycleTimeSync3": ("cycle_time_sync3_ns", "cycle_time_sync3_factor"),
+    "ShiftTimeSync3": ("shift_time_sync3_ns",),
+}
+"""Elements of an OpMode in schemas after 1.17, with the fields that hold them."""
+_INPUT_REFERENCE = (
+    "{} counts from the input reference (Input=1): the shift is given as written; a master that knows its input time "
+    "adds it"
+)
+_WITHOUT_RULE = "{}, which is left out: its rule is not public; compare with a known configuration of the device"
 
 
 class Time(NamedTuple):
@@ -197,18 +210,19 @@ def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int | No
     """What a master programs for the OpMode at this bus cycle, and remarks; no clocks with Dc/@TimeLoopControlOnly.
 
     ``cycle_ns`` None leaves the bus cycle open: the usual one, or that of a SYNC0 that would drift against it. Raises
-    :class:`InputError` when the signals would drift against the cycle that is asked for, when SYNC1 cannot come as often
-    as described, and as :func:`clocks` does.
+    :class:`InputError` when the signals would drift against the cycle that is asked for, when SYNC1 cannot come as
+    often as described, and as :func:`clocks` does.
     """
     usual_ns = cycle_ns if cycle_ns is not None else DEFAULT_CYCLE_NS
     if device.dc_time_loop_control_only and op_mode is not None and op_mode.assign_activate:
         return Programmed(usual_ns, None, (_TIME_LOOP_CONTROL_ONLY.format(op_mode.assign_activate),))
     found = clocks(op_mode, usual_ns)
+    newer = _newer_remarks(op_mode) if op_mode is not None else ()
     if found is None or op_mode is None:
-        return Programmed(usual_ns, None, ())
+        return Programmed(usual_ns, None, tuple(newer))
     if not found.drifts(usual_ns):
         _check_even(found, op_mode.name, usual_ns)
-        return Programmed(usual_ns, found, (*found.remarks, *_fixed_remarks(found, usual_ns)))
+        return Programmed(usual_ns, found, (*found.remarks, *_fixed_remarks(found, usual_ns), *newer))
     if cycle_ns is not None:
         raise InputError(
             f"OpMode {op_mode.name!r} fixes the SYNC0 cycle at {found.fixed_ns} ns, which drifts against a bus cycle "
@@ -224,11 +238,18 @@ def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int | No
 
 def _check_even(found: Clocks, name: str | None, cycle_ns: int) -> None:
     if found.is_uneven(cycle_ns):
+        period, sync0_cycle = found.sync1_period.in_ns(cycle_ns), found.sync0_cycle.in_ns(cycle_ns)
         raise InputError(
-            f"OpMode {name!r} describes SYNC1 every {found.sync1_period.in_ns(cycle_ns)} ns, which is no multiple of the "
-            f"SYNC0 cycle of {found.sync0_cycle.in_ns(cycle_ns)} ns, and a slave controller generates multiples only: "
-            "choose the bus cycle (--cycle-ns) or another OpMode"
+            f"OpMode {name!r} describes SYNC1 every {period} ns, which is no multiple of the SYNC0 cycle of "
+            f"{sync0_cycle} ns, and a slave controller generates multiples only: choose the bus cycle (--cycle-ns) or "
+            "another OpMode"
         )
+
+
+def _newer_remarks(op_mode: OpMode) -> Iterator[str]:
+    given = [name for name, fields in _AFTER_1_17.items() if any(getattr(op_mode, field) for field in fields)]
+    if given:
+        yield _WITHOUT_RULE.format(f"the OpMode gives {', '.join(given)}")
 
 
 def _fixed_remarks(found: Clocks, cycle_ns: int) -> Iterator[str]:
@@ -256,16 +277,14 @@ def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
     shift_ns = (op_mode.shift_time_sync0_ns or 0) if signals.dc_active else 0
     period = _sync1_period(op_mode, sync0) if signals.sync1 else Time()
     delay = _sync1_delay(op_mode, sync0, period, cycle_ns, remarks) if signals.sync1 else Time()
-    if signals.dc_active and op_mode.shift_time_sync0_input:
-        remarks.append(
-            "ShiftTimeSync0 counts from the input reference (Input=1): the shift is given as written; a master that "
-            "knows its input time adds it"
-        )
-    if signals.dc_active and op_mode.shift_time_sync0_factor:
-        remarks.append(
-            f"ShiftTimeSync0 has Factor {op_mode.shift_time_sync0_factor}, which is left out: its rule is not public; "
-            "compare with a known configuration of the device"
-        )
+    for name, is_used, is_input, factor in (
+        ("ShiftTimeSync0", signals.dc_active, op_mode.shift_time_sync0_input, op_mode.shift_time_sync0_factor),
+        ("ShiftTimeSync1", signals.sync1, op_mode.shift_time_sync1_input, op_mode.shift_time_sync1_factor),
+    ):
+        if is_used and is_input:
+            remarks.append(_INPUT_REFERENCE.format(name))
+        if is_used and factor:
+            remarks.append(_WITHOUT_RULE.format(f"{name} has Factor {factor}"))
     found = Clocks(op_mode.assign_activate, signals, sync0, shift_ns, delay, period, tuple(remarks))
     if cycle_ns % found.divisor:
         raise InputError(
