@@ -277,7 +277,9 @@ def test_start_up_commands(tmp_path):
         "complete download 5 0x2006 0900",
     ]
     assert text.count("left out, ecrt_slave_config_pdos() writes PDO assignment and mapping") == 3
-    assert "left out, IgH sends complete access from subindex 0 only" in text
+    why = "IgH sends complete access from subindex 0 only, and this begins at 1"
+    assert f"/* PS 0x2003: left out, {why} */" in text
+    assert f" * - PS 0x2003 is left out: {why}\n" in text
 
 
 @needs_gcc

@@ -1,5 +1,7 @@
 """What every export says of a configuration that the device may not have: start-up commands, defaults, slots, sizes."""
 
+import re
+
 import pytest
 from snippets import dictionary, pdo
 from test_export_configuration import COE, SMS, configured, dc, entry, init_cmd, pdos, rx, subject, times
@@ -364,3 +366,20 @@ def test_only_gaps_are_called_so():
         lines = [line for line in export(found).splitlines() if line.rstrip(" */->").endswith("gap")]
         assert len(lines) == 1, export
     assert "<!--  -->" not in linuxcnc_configuration(found)
+
+
+@pytest.mark.parametrize("transition", ["PS", "SO"])
+@pytest.mark.parametrize("export", EXPORTS)
+def test_complete_access_that_begins_further_on_is_left_out(export, transition):
+    """SOEM rewrites the subindex to 1, IgH knows 0 only: the two bytes would land in other subindices than 2 and 3."""
+    here = command("#x8000", 2, "AABB", AT_ONCE).replace(">PS<", f">{transition}<")
+    text = export(configured(drive(here)))
+    assert f"- {transition} 0x8000 is left out: " in text
+    assert not re.search("0x8000,|idx=.8000", text)
+
+
+@pytest.mark.parametrize("export", (soem_header, pysoem_module))
+def test_soem_sends_complete_access_from_subindex_1(export):
+    text = export(configured(drive(command("#x8000", 1, "AABB", AT_ONCE))))
+    assert "left out" not in text
+    assert re.search(r"sdo_write\(0x8000, 1, .*, ca=True\)|SDOwrite\(.*0x8000, 0x01, TRUE", text)

@@ -67,7 +67,7 @@ def _left_out_commands(configuration: Configuration, program: str, written: Cont
     for command in (item for item in configuration.commands if not configuration.is_contradicted(item)):
         why = _why_left_out(command, written)
         if why is not None:
-            yield f"{command.transition} {command.place} {command.comment}".rstrip() + f" is left out: {program} {why}"
+            yield f"{command.words} is left out: {program} {why}"
 
 
 def _why_left_out(command: StartCommand, written: Container[StartCommand]) -> str | None:

@@ -60,6 +60,11 @@ class StartCommand(NamedTuple):
             f"0x{self.object_index:04X}" if self.complete_access else f"0x{self.object_index:04X}:{self.subindex:02X}"
         )
 
+    @property
+    def words(self) -> str:
+        """What it does and when, in words."""
+        return f"{self.transition} {self.place} {self.comment}".rstrip()
+
 
 Sent = TypeVar("Sent")
 

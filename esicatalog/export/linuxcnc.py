@@ -215,17 +215,16 @@ def _types(entry: MappedEntry) -> list[tuple[str, str, int]]:
 
 
 def _sdo(command: StartCommand, remarks: list[str]) -> Iterator[SdoElement]:
-    words = f"{command.transition} {command.place} {command.comment}".rstrip()
     if command.object_index == 0xFFFF or command.subindex == 0xFF:
-        remarks.append(f"{words} is left out: the parser of {PROGRAM} refuses this index or subindex")
+        remarks.append(f"{command.words} is left out: the parser of {PROGRAM} refuses this index or subindex")
     elif command.complete_access and command.subindex:
-        remarks.append(f"{words} is left out: {PROGRAM} sends complete access from subindex 0 only")
+        remarks.append(f"{command.words} is left out: {PROGRAM} sends complete access from subindex 0 only")
     else:
         lines = (
             command.data[start : start + _DATA_OF_LINE].hex(" ") for start in range(0, len(command.data), _DATA_OF_LINE)
         )
         subindex = "complete" if command.complete_access else f"{command.subindex:02x}"
-        yield SdoElement(f"{command.object_index:04x}", subindex, _comment(words), tuple(lines))
+        yield SdoElement(f"{command.object_index:04x}", subindex, _comment(command.words), tuple(lines))
 
 
 def _dc(configuration: Configuration, found: Clocks) -> DcElement:

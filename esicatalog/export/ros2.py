@@ -211,12 +211,13 @@ def _sdo(command: StartCommand, remarks: list[str]) -> Iterator[Row]:
         return
     size = len(command.data)
     value = int.from_bytes(command.data, "little", signed=size > 2)
-    comment = f"{command.transition} {command.place} {command.comment}".rstrip()
     if command.complete_access or size not in _SDO_TYPES or not -(1 << 31) <= value < 1 << 31:
-        remarks.append(f"{comment} is left out: {PROGRAM} sends integers that fit 32 bits, one subindex at a time")
+        remarks.append(
+            f"{command.words} is left out: {PROGRAM} sends integers that fit 32 bits, one subindex at a time"
+        )
         return
     place = f"index: 0x{command.object_index:04x}, sub_index: {command.subindex}"
-    yield Row(f"{place}, type: {_SDO_TYPES[size]}, value: {value}", comment_text(comment))
+    yield Row(f"{place}, type: {_SDO_TYPES[size]}, value: {value}", comment_text(command.words))
 
 
 def _sync_manager(sm: SmConfiguration) -> Row:
