@@ -820,6 +820,29 @@ def cycle_remarks(commands: str, content: str = "", **choice) -> list[str]:
     return [remark for remark in found.remarks if "the bus cycle is" in remark]
 
 
+def at_once(index: str, subindex: int, data: str) -> str:
+    return written(index, subindex, data).replace("<InitCmd>", '<InitCmd CompleteAccess="1">')
+
+
+def period(value: str, exponent: str) -> str:
+    """The interpolation time period with defaults, as hexadecimal bytes."""
+    bits = {"SubIndex 000": ("USINT", 0, "02"), "value": ("USINT", 16, value), "index": ("SINT", 24, exponent)}
+    items = "".join(
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>{kind}</Type><BitSize>8</BitSize>"
+        f"<BitOffs>{offset}</BitOffs></SubItem>"
+        for number, (name, (kind, offset, _)) in enumerate(bits.items())
+    )
+    values = "".join(
+        f"<SubItem><Name>{name}</Name><Info><DefaultData>{default}</DefaultData></Info></SubItem>"
+        for name, (_, _, default) in bits.items()
+    )
+    return dictionary(
+        f"<DataType><Name>DT60C2</Name><BitSize>32</BitSize>{items}</DataType>",
+        f"<Object><Index>#x60C2</Index><Name>Interpolation time period</Name><Type>DT60C2</Type><BitSize>32</BitSize>"
+        f"<Info>{values}</Info></Object>",
+    )
+
+
 TWO_AXES = rx("#x1600", entry("#x6040", 16), entry("#x6840", 16))
 
 
@@ -835,9 +858,20 @@ TWO_AXES = rx("#x1600", entry("#x6040", 16), entry("#x6840", 16))
         # Cycle time of the SyncManager parameters, UDINT in ns.
         (written("#x1C32", 2, "40420F00"), "", 1_000_000),
         (written("#x1C33", 2, "20A10700"), "", 500_000),
+        # The exponent that the dictionary declares counts where no command writes it, -4; and so does the value.
+        (written("#x60C2", 1, "0A"), "DECLARED", 1_000_000),
+        (written("#x60C2", 2, "FB"), "DECLARED", 200_000),
+        (written("#x60C2", 1, "02") + written("#x60C2", 2, "FD"), "DECLARED", 2_000_000),
+        # Complete access: subindex 0 has 16 bits.
+        (at_once("#x60C2", 0, "020014FC"), "", 2_000_000),
+        (at_once("#x60C2", 1, "14FC"), "", 2_000_000),
+        (at_once("#x60C2", 0, "02000A"), "DECLARED", 1_000_000),
+        (at_once("#x1C32", 0, "0300020040420F00"), "", 1_000_000),
+        (at_once("#x1C32", 2, "40420F00"), "", 1_000_000),
     ],
 )
 def test_cycle_times_that_commands_write_are_compared_with_the_bus_cycle(commands, content, written_ns):
+    content = content.replace("DECLARED", period("14", "FC"))
     assert cycle_remarks(commands, content, cycle_ns=written_ns) == []
     (remark,) = cycle_remarks(commands, content, cycle_ns=4_000_000)
     assert f"writes {written_ns} ns, the bus cycle is 4000000 ns: adapt one of them" in remark
@@ -851,6 +885,10 @@ def test_cycle_times_that_commands_write_are_compared_with_the_bus_cycle(command
         written("#x1C32", 1, "0200"),
         written("#x60C2", 2, "FD"),
         written("#x60C2", 1, "00" * 5_000),
+        # Neither the value nor its place is there.
+        at_once("#x60C2", 0, "0200"),
+        at_once("#x60C2", 3, "14"),
+        at_once("#x1C32", 0, "030002004042"),
     ],
 )
 def test_commands_that_write_no_cycle_time(commands):
