@@ -794,6 +794,29 @@ def test_commands_by_transition():
     assert sorted(remark.split(":")[0] for remark in found.remarks) == ["InitCmd 0x2003", "InitCmd 0x2004"]
 
 
+def test_a_command_that_nothing_sends_is_told():
+    """Without a Transition, and with one that is empty; of a module too."""
+    odd = init_cmd("", "#x2001", "01")
+    empty = init_cmd("PS", "#x2002", "02").replace("<Transition>PS<", "<Transition><")
+    found = configured(
+        f"{SMS}<Mailbox><CoE>{odd}{empty}</CoE></Mailbox>{ONE_SLOT}", module(f"<Mailbox><CoE>{odd}</CoE></Mailbox>")
+    )
+    assert found.commands == ()
+    assert found.remarks == (
+        "InitCmd 0x2001:01 of the device is left out: it names no transition",
+        "InitCmd 0x2002:01 of the device is left out: transition '' is unknown",
+        "InitCmd 0x2001:01 of the module in slot 0 is left out: it names no transition",
+    )
+
+
+def test_an_address_list_that_is_wanted_and_not_written_is_told():
+    """DownloadModuleAddressList; with no module plugged there are no addresses."""
+    wanting = ONE_SLOT.replace("<Slots", '<Slots DownloadModuleAddressList="1"')
+    (remark,) = configured(SMS + wanting, module("")).remarks
+    assert remark.startswith("Slots/@DownloadModuleAddressList: the device wants to be told the addresses")
+    assert configured(SMS + ONE_SLOT, module("")).remarks == ()
+
+
 def test_a_command_marked_overwritten_by_module_yields_to_the_module():
     own = init_cmd("PS", "#x6060", "08", 'OverwrittenByModule="1"') + init_cmd("PS", "#x6061", "01")
     of_module = f"<Mailbox><CoE>{init_cmd('PS', '#x6060', '09')}</CoE></Mailbox>"

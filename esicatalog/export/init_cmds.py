@@ -14,6 +14,10 @@ from esicatalog.model.start_up import TRANSITIONS, transition_of, unusable_part,
 
 MODULE_IDENT_LIST = 0xF030
 _WITHOUT_GENERATOR = ("AoE", "EoE")
+_ADDRESS_LIST = (
+    "Slots/@DownloadModuleAddressList: the device wants to be told the addresses of its modules at start, which are "
+    "not described and nothing here writes: write them in the application"
+)
 BEFORE_SAFE_OP = ("IP", "PS")
 """Transitions whose commands masters send in PRE-OP, where the PDO configuration can be written."""
 
@@ -76,7 +80,7 @@ def start_commands(
     device: Device, plugged: Sequence[PluggedModule], expanded: Sequence[ExpandedModule]
 ) -> tuple[tuple[StartCommand, ...], tuple[str, ...]]:
     """All commands by transition, those of the device before those of its modules, and remarks about odd ones."""
-    remarks: list[str] = []
+    remarks = [_ADDRESS_LIST] if device.download_module_address_list and plugged else []
     commands = list(_module_list(device, plugged))
     of_modules = [(f"module in slot {item.slot_number}", item.module.mailbox) for item in expanded]
     replaced = written_places(item.module for item in expanded)
@@ -110,18 +114,21 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
         remarks.append(f"{protocol} InitCmd of the {owner} is left out: its {unusable} cannot be used")
         return
     data = decode_hex_binary(command.data)
+    written = StartCommand(
+        "",
+        protocol,
+        index,
+        command.subindex or 0,
+        data or b"",
+        bool(command.complete_access),
+        command.channel or 0,
+        " ".join((command.comment or "").split()),
+        bool(command.adapt_automatically),
+    )
+    if not command.transitions:
+        remarks.append(f"InitCmd {written.place} of the {owner} is left out: it names no transition")
     for transition in command.transitions:
-        found = StartCommand(
-            transition_of(transition),
-            protocol,
-            index,
-            command.subindex or 0,
-            data or b"",
-            bool(command.complete_access),
-            command.channel or 0,
-            " ".join((command.comment or "").split()),
-            bool(command.adapt_automatically),
-        )
+        found = written._replace(transition=transition_of(transition))
         if found.transition not in TRANSITIONS:
             remarks.append(f"InitCmd {found.place} of the {owner} is left out: transition {transition!r} is unknown")
         elif not data:
