@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from snippets import dictionary, pdo
+from snippets import device, dictionary, esi, pdo, read
 from test_export_configuration import COE, SMS, configured, dc, entry, init_cmd, pdos, rx, subject, times
 
 from esicatalog.errors import InputError
@@ -16,7 +16,7 @@ from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.ros2 import ros2_slave
 from esicatalog.export.soem import soem_header
 from esicatalog.export.soem_startup import hook_commands
-from esicatalog.export.subject import Subject
+from esicatalog.export.subject import Subject, subjects_of_document
 from esicatalog.identity import ModuleChoice
 
 EXPORTS = (igh_header, soem_header, pysoem_module, ros2_slave, linuxcnc_configuration)
@@ -335,6 +335,29 @@ def test_programs_that_reach_one_copy_say_what_becomes_of_the_others(export):
     assert text.count("0x6040:00 Controlword is mapped 3 times: ") == text.count(" times: ") == 1
     assert text.count("reaches the first one only, the others stay 0: choose PDOs") == 1
     assert "every copy is sent" not in text
+
+
+@pytest.mark.parametrize(
+    ("export", "advice"),
+    [
+        (igh_header, "register its outputs in one domain and its inputs in another"),
+        (ros2_slave, "see whether ethercat_driver_ros2 has domains for outputs and for inputs in its version"),
+        (linuxcnc_configuration, "see whether LinuxCNC-Ethercat has domains for outputs and for inputs in its version"),
+        (soem_header, None),
+        (pysoem_module, None),
+    ],
+)
+def test_a_device_that_takes_no_lrw(export, advice):
+    """Of the masters IgH does not look at the flag in the EEPROM image, SOEM does."""
+
+    def text(attribute: str) -> str:
+        described = esi(device(drive()).replace("<Type ", f"<Type {attribute} "))
+        (found,) = subjects_of_document(read(described).document, "x.xml")
+        return " ".join(export(configure(found)).replace("#", "").replace("*", "").split())
+
+    assert ("the device takes no LRW (Type/@UseLrdLwr)" in text('UseLrdLwr="1"')) == (advice is not None)
+    assert advice is None or advice in text('UseLrdLwr="1"')
+    assert "LRW" not in text("")
 
 
 def test_copies_of_inputs_and_of_what_has_no_name():

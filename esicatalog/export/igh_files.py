@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration
-from esicatalog.export.igh_limits import check_limits, master_written
+from esicatalog.export.igh_limits import check_limits, lrw_remarks, master_written
 from esicatalog.export.image_remarks import MAP_ONCE, mapped_again
 from esicatalog.export.init_cmds import BEFORE_SAFE_OP, StartCommand
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
@@ -42,6 +42,9 @@ def listed(configuration: Configuration, program: str) -> Listed:
     repeated = list(_repeated(configuration))
     written = master_written(configuration)
     remarks = [*_left_out_sync_managers(configuration), *_left_out_commands(configuration, program, written)]
+    remarks += lrw_remarks(
+        configuration.subject.device, f"see whether {program} has domains for outputs and for inputs in its version"
+    )
     remarks += _unreached(configuration, program, [entry for sm, entry in repeated if sm.direction == OUTPUT])
     return Listed(
         tuple(sm for sm in configuration.sync_managers if sm.is_described or _is_mailbox(sm)),
