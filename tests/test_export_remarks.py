@@ -337,6 +337,19 @@ def test_programs_that_reach_one_copy_say_what_becomes_of_the_others(export):
     assert "every copy is sent" not in text
 
 
+@pytest.mark.parametrize("export", [ros2_slave, linuxcnc_configuration])
+def test_samples_that_are_not_reached_are_no_matter_of_pdos(export):
+    """0x1600 is sampled four times by the OpMode, chosen with --pdo or not."""
+    mode = '<AssignActivate>#x300</AssignActivate><CycleTimeSync0 Factor="-4">0</CycleTimeSync0>'
+    mode += '<Sm No="2"><Pdo OSFac="4">#x1600</Pdo></Sm>'
+    content = SMS + rx("#x1600", entry("#x7000", 16, "sample", 1)) + dc(("4", mode))
+    for pdos_chosen in ((), parse_pdo_choice("0x1600")):
+        text = " ".join(export(configured(content, pdos=pdos_chosen)).replace("#", "").split())
+        assert "0x7000:01 sample is mapped 4 times: " in text
+        assert "the others stay 0: choose an OpMode without oversampling" in text
+        assert "pdo) so that it is mapped once" not in text
+
+
 @pytest.mark.parametrize(
     ("export", "advice"),
     [

@@ -15,6 +15,9 @@ from esicatalog.export.init_cmds import BEFORE_SAFE_OP, StartCommand
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
 from esicatalog.model.sm_facts import OUTPUT
 
+_SAMPLE_ONCE = "choose an OpMode without oversampling (--op-mode), if the device has one"
+"""What helps against samples, which a choice of PDOs leaves as they are."""
+
 
 class Listed(NamedTuple):
     """What a file can say of a device, and remarks about the rest."""
@@ -87,8 +90,16 @@ def _unreached(configuration: Configuration, program: str, outputs: Iterable[Map
     """What becomes of repeated entries; ``outputs`` are those of them that nothing writes."""
     entries = (entry for sm in configuration.sync_managers for entry in sm.entries)
     written = {(entry.entry_index, entry.subindex) for entry in outputs}
+    sampled = {
+        (entry.entry_index, entry.subindex)
+        for sm in configuration.sync_managers
+        for pdo in sm.pdos
+        for entry in pdo.entries
+        if pdo.sample_count > 1
+    }
     for place, words in mapped_again((entry.entry_index, entry.subindex, entry.name) for entry in entries).items():
-        ending = f", the others stay 0: {MAP_ONCE}" if place in written else ""
+        advice = _SAMPLE_ONCE if place in sampled else MAP_ONCE
+        ending = f", the others stay 0: {advice}" if place in written else ""
         yield f"{words}: {program} finds entries by index and subindex, and reaches the first one only{ending}"
 
 
