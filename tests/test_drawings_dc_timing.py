@@ -101,6 +101,13 @@ def test_oversampling_divides_the_cycle_and_sync1_comes_once():
     assert "The device controls latch 0 and 1." in words(root)
 
 
+def test_a_sync1_that_cannot_come_as_often_as_described_is_told():
+    """Every 3 ms with SYNC0 every 2 ms: the delay of 1 ms is over before the next SYNC0, so SYNC1 comes every 2 ms."""
+    root = timing(0x700, cycle_time_sync0_factor=2, cycle_time_sync1_factor=-3)
+    assert "SYNC1 every 2 ms, 1 ms after the SYNC0 that starts its delay. It is described every 3 ms" in words(root)
+    assert "It is described" not in words(timing(0x700, cycle_time_sync0_factor=2, cycle_time_sync1_factor=2))
+
+
 def test_sync1_with_the_period_of_sync0_is_only_shifted():
     both = {"cycle_time_sync0_factor": 1, "cycle_time_sync1_factor": 1}
     root = timing(0x700, **both)

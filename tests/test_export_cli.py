@@ -272,3 +272,49 @@ def test_other_variants_that_exchange_something_else_are_told(tmp_path):
         assert scan.stderr == result.stderr
         accepted = run("igh", "0xE5C:1:2", "--accept-revision", db=db)
         assert (words in accepted.stderr) is is_told
+
+
+def test_no_export_writes_over_what_it_reads(data, data_db, tmp_path):
+    """By its path, another path to it or a link; the journals that SQLite keeps beside a catalog are its files too."""
+    catalog = tmp_path / "c.db"
+    catalog.write_bytes(data_db.read_bytes())
+    write(tmp_path, {"in.xml": (data / "l6n_drive.xml").read_bytes(), "slaves.txt": "", "sub/x": ""})
+    drive, dump = tmp_path / "in.xml", tmp_path / "dump.bin"
+    assert run("sii", "--esi", drive, "-o", dump).exit_code == 0
+    (tmp_path / "link.xml").symlink_to(drive)
+    (tmp_path / "hard.xml").hardlink_to(drive)
+    kept = {path: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()}
+    identity = "0x4321:0xe2"
+    for words in (
+        ("igh", "--esi", drive, "-o", drive),
+        ("esi", "--esi", drive, "-o", tmp_path / "sub" / ".." / "in.xml"),
+        ("ros2", "--esi", drive, "-o", tmp_path / "link.xml"),
+        ("ros2", "--esi", tmp_path / "link.xml", "-o", drive),
+        ("soem", "--esi", drive, "-o", tmp_path / "hard.xml"),
+        ("sii", "--esi", drive, "--merge", dump, "-o", dump),
+        ("cstruct", "--sii", dump, "-o", dump),
+        ("igh", "--scan", tmp_path / "slaves.txt", "-o", tmp_path / "slaves.txt"),
+        ("igh", identity, "--db", catalog, "-o", catalog),
+        ("igh", identity, "--db", catalog, "-o", f"{catalog}-wal"),
+        ("igh", identity, "--db", f"sqlite:///{catalog}", "-o", catalog),
+    ):
+        line = error_line(run(*words), 2)
+        assert line == f"esicatalog: {words[-1]}: is an input of this export or its catalog; write to another file"
+    assert {path: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()} == kept
+    assert run("igh", "--esi", drive, "-o", tmp_path / "out.h").exit_code == 0
+    assert run("igh", "--esi", drive, "-o", tmp_path / "out.h").exit_code == 0
+
+
+def test_a_dictionary_that_a_file_pulls_in_is_not_written_over(tmp_path):
+    """Neither as OUT nor beside it; in another folder there is nothing to lose."""
+    profile = "<Profile><DictionaryFile>Dict.xml</DictionaryFile></Profile>"
+    objects = "<Object><Index>#x1000</Index><Name>n</Name><Type>UDINT</Type><BitSize>32</BitSize></Object>"
+    dictionary = f"<EtherCATDict><Dictionary><DataTypes/><Objects>{objects}</Objects></Dictionary></EtherCATDict>"
+    drive = write(tmp_path, {"in.xml": esi(device(profile)), "Dict.xml": dictionary, "other/x": ""}) / "in.xml"
+    for out, options in (("Dict.xml", ()), ("out.xml", ("--with-files",))):
+        line = error_line(run("esi", "--esi", drive, *options, "-o", tmp_path / out), 2)
+        assert line.startswith(f"esicatalog: {tmp_path / 'Dict.xml'}: is an input")
+    assert (tmp_path / "Dict.xml").read_text() == dictionary
+    assert not (tmp_path / "out.xml").exists()
+    assert run("esi", "--esi", drive, "--with-files", "-o", tmp_path / "other" / "in.xml").exit_code == 0
+    assert (tmp_path / "other" / "Dict.xml").exists()

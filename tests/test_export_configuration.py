@@ -599,17 +599,17 @@ def conditions(content: str, cycle_ns: int) -> list[str]:
     [
         # SYNC1 once in a bus cycle: until that is as long as the SYNC0 cycle, SYNC1 comes with SYNC0.
         (times("#x700", ">3000000", 'Factor="-1">0'), 1_000_000, 0, ["C <= 3000000"]),
-        (times("#x700", ">3000000", 'Factor="-1">0'), 3_000_000, 0, ["C >= 3000000"]),
-        (times("#x700", ">3000000", 'Factor="-1">0'), 6_000_000, 3_000_000, ["C >= 3000000"]),
+        (times("#x700", ">3000000", 'Factor="-1">0'), 3_000_000, 0, ["C % 3000000 == 0"]),
+        (times("#x700", ">3000000", 'Factor="-1">0'), 6_000_000, 3_000_000, ["C % 3000000 == 0"]),
         # With a shift the delay alone does not tell: at 1.5 ms it would be 0.5 ms, and is 2 ms.
-        (times("#x700", ">3000000", 'Factor="-1">0', shift1="2000000"), 6_000_000, 5_000_000, ["C >= 3000000"]),
+        (times("#x700", ">3000000", 'Factor="-1">0', shift1="2000000"), 6_000_000, 5_000_000, ["C % 3000000 == 0"]),
         (times("#x700", ">3000000", 'Factor="-1">0', shift1="2000000"), 1_500_000, 2_000_000, ["C <= 3000000"]),
         # Both from the bus cycle or both fixed: one is longer at every bus cycle.
         (times("#x700", FACTOR_1, 'Factor="2">0'), 1_000_000, 1_000_000, []),
         (times("#x700", 'Factor="2">0', 'Factor="-1">0'), 1_000_000, 0, []),
         (times("#x700", ">1000000", 'Factor="2">0'), 1_000_000, 1_000_000, []),
         # The other way round: a fixed SYNC1 and SYNC0 once in a bus cycle.
-        (times("#x700", FACTOR_1, ">3000000"), 1_000_000, 2_000_000, ["3000000 >= C"]),
+        (times("#x700", FACTOR_1, ">3000000"), 1_000_000, 2_000_000, ["3000000 % C == 0"]),
         (times("#x700", FACTOR_1, ">3000000"), 4_000_000, 0, ["3000000 <= C"]),
     ],
 )
@@ -619,7 +619,7 @@ def test_a_header_is_for_bus_cycles_at_which_sync1_is_longer_or_shorter_alike(mo
     assert found is not None
     assert found.sync1_delay.in_ns(cycle_ns) == delay_ns
     assert [
-        condition for condition in conditions(content, cycle_ns) if "%" not in condition and "-" not in condition
+        condition for condition in conditions(content, cycle_ns) if " or " not in condition and "-" not in condition
     ] == made
 
 
@@ -636,7 +636,7 @@ WITHIN, MOVED = 270_000, 20_000
         # Every second SYNC0: with a delay below one SYNC0 cycle it would come with each.
         (FACTOR_1, 'Factor="2">0', -30_000, 250_000, 470_000, ["(C - 30000) >= 0"]),
         # Two whole SYNC0 cycles, which move nothing.
-        (">250000", 'Factor="-1">0', -500_000, 1_000_000, 750_000, ["C >= 250000"]),
+        (">250000", 'Factor="-1">0', -500_000, 1_000_000, 750_000, ["C % 250000 == 0"]),
     ],
 )
 def test_a_shift_that_is_not_within_a_cycle_of_sync0_does_not_change_the_rate_of_sync1(
@@ -649,7 +649,52 @@ def test_a_shift_that_is_not_within_a_cycle_of_sync0_does_not_change_the_rate_of
     assert any(remark.startswith(f"ShiftTimeSync1, {shift_ns} ns, is not within") for remark in found.remarks) == (
         not 0 <= shift_ns < found.clocks.sync0_cycle.in_ns(cycle_ns)
     )
-    assert [condition for condition in conditions(content, cycle_ns) if "%" not in condition] == made
+    assert [condition for condition in conditions(content, cycle_ns) if " or " not in condition] == made
+
+
+@pytest.mark.parametrize(
+    ("sync0", "sync1", "cycle_ns", "described"),
+    [
+        # The delay of 2.5 ms is over between the second and the third SYNC0: SYNC1 would come every 3 ms.
+        (FACTOR_1, ">4000000", 1_500_000, "every 4000000 ns, which is no multiple of the SYNC0 cycle of 1500000 ns"),
+        ('Factor="2">0', 'Factor="-3">0', None, "every 3000000 ns, which is no multiple of the SYNC0 cycle of 2000000"),
+        (">400000", ">1000000", 2_000_000, "every 1000000 ns, which is no multiple of the SYNC0 cycle of 400000 ns"),
+    ],
+)
+def test_a_sync1_between_two_multiples_of_the_sync0_cycle_is_refused(sync0, sync1, cycle_ns, described):
+    content = SMS + dc(("m", times("#x700", sync0, sync1)))
+    with pytest.raises(InputError, match=f"'m' describes SYNC1 {described}"):
+        configured(content, cycle_ns=cycle_ns)
+    # Without the bit of SYNC1 it is none.
+    assert configured(content.replace("#x700", "#x300"), cycle_ns=cycle_ns).clocks is not None
+
+
+@pytest.mark.parametrize(
+    ("times_of_mode", "word", "remark"),
+    [
+        ("<ActivateAdditional>#x1</ActivateAdditional>", "#x300", "the OpMode gives ActivateAdditional, which is left"),
+        ("<ActivateAdditional>#x1</ActivateAdditional>", "0", "the OpMode gives ActivateAdditional, which is left out"),
+        (
+            "<CycleTimeSync2 Factor='1'>0</CycleTimeSync2><ShiftTimeSync3>5</ShiftTimeSync3>",
+            "#x300",
+            "the OpMode gives CycleTimeSync2, ShiftTimeSync3, which is left out",
+        ),
+        ("<ShiftTimeSync1 Input='1'>9</ShiftTimeSync1>", "#x700", "ShiftTimeSync1 counts from the input reference"),
+        ("<ShiftTimeSync1 Factor='2'>9</ShiftTimeSync1>", "#x700", "ShiftTimeSync1 has Factor 2, which is left out"),
+        ("<ShiftTimeSync0 Factor='2'>9</ShiftTimeSync0>", "#x300", "ShiftTimeSync0 has Factor 2, which is left out"),
+        # Not given, or of a signal that is not generated.
+        ("<ActivateAdditional>0</ActivateAdditional><CycleTimeSync2>0</CycleTimeSync2>", "#x300", None),
+        ("<ShiftTimeSync1 Input='1' Factor='2'>9</ShiftTimeSync1>", "#x300", None),
+    ],
+)
+def test_parts_of_an_op_mode_that_are_left_out_are_told(times_of_mode, word, remark):
+    found = configured(SMS + dc(("m", times(word, FACTOR_1 if word != "0" else "") + times_of_mode)))
+    assert [words[: len(remark or "")] for words in found.remarks] == ([remark] if remark else [])
+
+
+def test_a_bus_cycle_that_is_open_follows_a_fixed_sync0_before_sync1_is_judged():
+    found = configured(SMS + dc(("m", times("#x700", ">700000", 'Factor="-1">0'))))
+    assert (found.cycle_ns, found.clocks.sync1_delay.in_ns(700_000)) == (700_000, 0)
 
 
 @pytest.mark.parametrize("word", ["#x300", "#x500", "#x700"])
@@ -749,6 +794,29 @@ def test_commands_by_transition():
     assert sorted(remark.split(":")[0] for remark in found.remarks) == ["InitCmd 0x2003", "InitCmd 0x2004"]
 
 
+def test_a_command_that_nothing_sends_is_told():
+    """Without a Transition, and with one that is empty; of a module too."""
+    odd = init_cmd("", "#x2001", "01")
+    empty = init_cmd("PS", "#x2002", "02").replace("<Transition>PS<", "<Transition><")
+    found = configured(
+        f"{SMS}<Mailbox><CoE>{odd}{empty}</CoE></Mailbox>{ONE_SLOT}", module(f"<Mailbox><CoE>{odd}</CoE></Mailbox>")
+    )
+    assert found.commands == ()
+    assert found.remarks == (
+        "InitCmd 0x2001:01 of the device is left out: it names no transition",
+        "InitCmd 0x2002:01 of the device is left out: transition '' is unknown",
+        "InitCmd 0x2001:01 of the module in slot 0 is left out: it names no transition",
+    )
+
+
+def test_an_address_list_that_is_wanted_and_not_written_is_told():
+    """DownloadModuleAddressList; with no module plugged there are no addresses."""
+    wanting = ONE_SLOT.replace("<Slots", '<Slots DownloadModuleAddressList="1"')
+    (remark,) = configured(SMS + wanting, module("")).remarks
+    assert remark.startswith("Slots/@DownloadModuleAddressList: the device wants to be told the addresses")
+    assert configured(SMS + ONE_SLOT, module("")).remarks == ()
+
+
 def test_a_command_marked_overwritten_by_module_yields_to_the_module():
     own = init_cmd("PS", "#x6060", "08", 'OverwrittenByModule="1"') + init_cmd("PS", "#x6061", "01")
     of_module = f"<Mailbox><CoE>{init_cmd('PS', '#x6060', '09')}</CoE></Mailbox>"
@@ -775,6 +843,29 @@ def cycle_remarks(commands: str, content: str = "", **choice) -> list[str]:
     return [remark for remark in found.remarks if "the bus cycle is" in remark]
 
 
+def at_once(index: str, subindex: int, data: str) -> str:
+    return written(index, subindex, data).replace("<InitCmd>", '<InitCmd CompleteAccess="1">')
+
+
+def period(value: str, exponent: str) -> str:
+    """The interpolation time period with defaults, as hexadecimal bytes."""
+    bits = {"SubIndex 000": ("USINT", 0, "02"), "value": ("USINT", 16, value), "index": ("SINT", 24, exponent)}
+    items = "".join(
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>{kind}</Type><BitSize>8</BitSize>"
+        f"<BitOffs>{offset}</BitOffs></SubItem>"
+        for number, (name, (kind, offset, _)) in enumerate(bits.items())
+    )
+    values = "".join(
+        f"<SubItem><Name>{name}</Name><Info><DefaultData>{default}</DefaultData></Info></SubItem>"
+        for name, (_, _, default) in bits.items()
+    )
+    return dictionary(
+        f"<DataType><Name>DT60C2</Name><BitSize>32</BitSize>{items}</DataType>",
+        f"<Object><Index>#x60C2</Index><Name>Interpolation time period</Name><Type>DT60C2</Type><BitSize>32</BitSize>"
+        f"<Info>{values}</Info></Object>",
+    )
+
+
 TWO_AXES = rx("#x1600", entry("#x6040", 16), entry("#x6840", 16))
 
 
@@ -790,9 +881,20 @@ TWO_AXES = rx("#x1600", entry("#x6040", 16), entry("#x6840", 16))
         # Cycle time of the SyncManager parameters, UDINT in ns.
         (written("#x1C32", 2, "40420F00"), "", 1_000_000),
         (written("#x1C33", 2, "20A10700"), "", 500_000),
+        # The exponent that the dictionary declares counts where no command writes it, -4; and so does the value.
+        (written("#x60C2", 1, "0A"), "DECLARED", 1_000_000),
+        (written("#x60C2", 2, "FB"), "DECLARED", 200_000),
+        (written("#x60C2", 1, "02") + written("#x60C2", 2, "FD"), "DECLARED", 2_000_000),
+        # Complete access: subindex 0 has 16 bits.
+        (at_once("#x60C2", 0, "020014FC"), "", 2_000_000),
+        (at_once("#x60C2", 1, "14FC"), "", 2_000_000),
+        (at_once("#x60C2", 0, "02000A"), "DECLARED", 1_000_000),
+        (at_once("#x1C32", 0, "0300020040420F00"), "", 1_000_000),
+        (at_once("#x1C32", 2, "40420F00"), "", 1_000_000),
     ],
 )
 def test_cycle_times_that_commands_write_are_compared_with_the_bus_cycle(commands, content, written_ns):
+    content = content.replace("DECLARED", period("14", "FC"))
     assert cycle_remarks(commands, content, cycle_ns=written_ns) == []
     (remark,) = cycle_remarks(commands, content, cycle_ns=4_000_000)
     assert f"writes {written_ns} ns, the bus cycle is 4000000 ns: adapt one of them" in remark
@@ -806,6 +908,10 @@ def test_cycle_times_that_commands_write_are_compared_with_the_bus_cycle(command
         written("#x1C32", 1, "0200"),
         written("#x60C2", 2, "FD"),
         written("#x60C2", 1, "00" * 5_000),
+        # Neither the value nor its place is there.
+        at_once("#x60C2", 0, "0200"),
+        at_once("#x60C2", 3, "14"),
+        at_once("#x1C32", 0, "030002004042"),
     ],
 )
 def test_commands_that_write_no_cycle_time(commands):

@@ -277,7 +277,9 @@ def test_start_up_commands(tmp_path):
         "complete download 5 0x2006 0900",
     ]
     assert text.count("left out, ecrt_slave_config_pdos() writes PDO assignment and mapping") == 3
-    assert "left out, IgH sends complete access from subindex 0 only" in text
+    why = "IgH sends complete access from subindex 0 only, and this begins at 1"
+    assert f"/* PS 0x2003: left out, {why} */" in text
+    assert f" * - PS 0x2003 is left out: {why}\n" in text
 
 
 @needs_gcc
@@ -334,8 +336,17 @@ def test_a_cycle_at_which_a_slower_sync1_does_not_follow_sync0_does_not_compile(
     for header, fits_not in ((usual, 6_000_000), (longer, 1_500_000)):
         # Where both are as long, both headers say 0.
         check_syntax(tmp_path, [header], IGH_16, "-DCYCLE_NS=3000000")
-        with pytest.raises(AssertionError, match="than the SYNC0 cycle at this CYCLE_NS"):
+        with pytest.raises(AssertionError, match="the SYNC0 cycle at this CYCLE_NS"):
             check_syntax(tmp_path, [header], IGH_16, f"-DCYCLE_NS={fits_not}")
+
+
+@needs_gcc
+def test_a_cycle_of_which_a_fixed_sync1_is_no_multiple_does_not_compile(tmp_path):
+    """SYNC1 every 4 ms: at 1.5 ms it would come every 3 ms, whatever the delay says."""
+    header = header_of(SMS + dc(("m", times("#x700", FACTOR_1, ">4000000"))))
+    check_syntax(tmp_path, [header], IGH_16, "-DCYCLE_NS=2000000")
+    with pytest.raises(AssertionError, match="SYNC1 is described at no multiple of the SYNC0 cycle at this CYCLE_NS"):
+        check_syntax(tmp_path, [header], IGH_16, "-DCYCLE_NS=1500000")
 
 
 def test_the_cycle_of_the_option_is_the_default_of_the_header():

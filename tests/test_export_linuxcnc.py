@@ -174,6 +174,32 @@ def test_types_of_pins():
     )
 
 
+def remarks_of(content: str) -> str:
+    return " ".join(linuxcnc_configuration(configured(content)).split())
+
+
+def test_what_older_versions_make_of_a_type_is_told():
+    """Their generic driver writes every float as an integer, and reads the sign of bytes that begin on one."""
+    floats = (entry("#x7000", 32, "a", 1, "REAL"), entry("#x7000", 32, "b", 2, "REAL"))
+    as_integer = "older versions of LinuxCNC-Ethercat write float-ieee as an integer"
+    outputs = SMS + rx("#x1600", *floats)
+    assert remarks_of(outputs).count(as_integer) == 1
+    assert "float-double-ieee" not in remarks_of(outputs)
+    assert "float-double-ieee needs a version of LinuxCNC-Ethercat that knows it" in remarks_of(SMS + TYPES)
+
+    def inputs(*entries: str) -> str:
+        mapped = rx("#x1A00", *entries, attributes='Sm="3"').replace("RxPdo", "TxPdo")
+        return remarks_of(SMS + mapped)
+
+    assert as_integer not in inputs(*floats)
+    bit = entry("#x6000", 1, "bit", 1, "BOOL")
+    for kind, bits, is_told in (("SINT", 8, True), ("INT", 16, True), ("DINT", 32, False), ("UINT", 16, False)):
+        value = entry("#x6000", bits, "value", 2, kind)
+        words = f"0x6000:02 value: older versions of LinuxCNC-Ethercat read {bits} bits that begin inside a byte"
+        assert (words in inputs(bit, value)) == is_told
+        assert "older versions" not in inputs(value)
+
+
 def test_samples_have_pins_of_their_own():
     """0x7000:01 in three samples with OSIndexInc 16."""
     content = SMS + rx("#x1600", entry("#x7000", 16, "value", 1, "INT"), attributes='Sm="2" OSFac="3" OSIndexInc="16"')

@@ -1,7 +1,9 @@
 """What every export says of a configuration that the device may not have: start-up commands, defaults, slots, sizes."""
 
+import re
+
 import pytest
-from snippets import dictionary, pdo
+from snippets import device, dictionary, esi, pdo, read
 from test_export_configuration import COE, SMS, configured, dc, entry, init_cmd, pdos, rx, subject, times
 
 from esicatalog.errors import InputError
@@ -14,7 +16,7 @@ from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.ros2 import ros2_slave
 from esicatalog.export.soem import soem_header
 from esicatalog.export.soem_startup import hook_commands
-from esicatalog.export.subject import Subject
+from esicatalog.export.subject import Subject, subjects_of_document
 from esicatalog.identity import ModuleChoice
 
 EXPORTS = (igh_header, soem_header, pysoem_module, ros2_slave, linuxcnc_configuration)
@@ -335,6 +337,42 @@ def test_programs_that_reach_one_copy_say_what_becomes_of_the_others(export):
     assert "every copy is sent" not in text
 
 
+@pytest.mark.parametrize("export", [ros2_slave, linuxcnc_configuration])
+def test_samples_that_are_not_reached_are_no_matter_of_pdos(export):
+    """0x1600 is sampled four times by the OpMode, chosen with --pdo or not."""
+    mode = '<AssignActivate>#x300</AssignActivate><CycleTimeSync0 Factor="-4">0</CycleTimeSync0>'
+    mode += '<Sm No="2"><Pdo OSFac="4">#x1600</Pdo></Sm>'
+    content = SMS + rx("#x1600", entry("#x7000", 16, "sample", 1)) + dc(("4", mode))
+    for pdos_chosen in ((), parse_pdo_choice("0x1600")):
+        text = " ".join(export(configured(content, pdos=pdos_chosen)).replace("#", "").split())
+        assert "0x7000:01 sample is mapped 4 times: " in text
+        assert "the others stay 0: choose an OpMode without oversampling" in text
+        assert "pdo) so that it is mapped once" not in text
+
+
+@pytest.mark.parametrize(
+    ("export", "advice"),
+    [
+        (igh_header, "register its outputs in one domain and its inputs in another"),
+        (ros2_slave, "see whether ethercat_driver_ros2 has domains for outputs and for inputs in its version"),
+        (linuxcnc_configuration, "see whether LinuxCNC-Ethercat has domains for outputs and for inputs in its version"),
+        (soem_header, None),
+        (pysoem_module, None),
+    ],
+)
+def test_a_device_that_takes_no_lrw(export, advice):
+    """Of the masters IgH does not look at the flag in the EEPROM image, SOEM does."""
+
+    def text(attribute: str) -> str:
+        described = esi(device(drive()).replace("<Type ", f"<Type {attribute} "))
+        (found,) = subjects_of_document(read(described).document, "x.xml")
+        return " ".join(export(configure(found)).replace("#", "").replace("*", "").split())
+
+    assert ("the device takes no LRW (Type/@UseLrdLwr)" in text('UseLrdLwr="1"')) == (advice is not None)
+    assert advice is None or advice in text('UseLrdLwr="1"')
+    assert "LRW" not in text("")
+
+
 def test_copies_of_inputs_and_of_what_has_no_name():
     inputs = pdo("TxPdo", "#x1A00", 16, attributes='Sm="3"') + pdo("TxPdo", "#x1A01", 16, attributes='Sm="3"')
     assert listed(configured(SMS + inputs.replace("<Name>e1</Name>", "")), "lcec").remarks == (
@@ -364,3 +402,20 @@ def test_only_gaps_are_called_so():
         lines = [line for line in export(found).splitlines() if line.rstrip(" */->").endswith("gap")]
         assert len(lines) == 1, export
     assert "<!--  -->" not in linuxcnc_configuration(found)
+
+
+@pytest.mark.parametrize("transition", ["PS", "SO"])
+@pytest.mark.parametrize("export", EXPORTS)
+def test_complete_access_that_begins_further_on_is_left_out(export, transition):
+    """SOEM rewrites the subindex to 1, IgH knows 0 only: the two bytes would land in other subindices than 2 and 3."""
+    here = command("#x8000", 2, "AABB", AT_ONCE).replace(">PS<", f">{transition}<")
+    text = export(configured(drive(here)))
+    assert f"- {transition} 0x8000 is left out: " in text
+    assert not re.search("0x8000,|idx=.8000", text)
+
+
+@pytest.mark.parametrize("export", (soem_header, pysoem_module))
+def test_soem_sends_complete_access_from_subindex_1(export):
+    text = export(configured(drive(command("#x8000", 1, "AABB", AT_ONCE))))
+    assert "left out" not in text
+    assert re.search(r"sdo_write\(0x8000, 1, .*, ca=True\)|SDOwrite\(.*0x8000, 0x01, TRUE", text)

@@ -156,10 +156,14 @@ def test_the_l6n_drive(data):
 
 
 def test_what_the_drive_plugin_needs_is_told(data):
-    text = " ".join(ros2_slave(l6n(data, pdos=parse_pdo_choice("0x1601,0x1A01"))).replace("#", "").split())
+    text = " ".join(ros2_slave(l6n(data, pdos=parse_pdo_choice("0x1600,0x1A01"))).replace("#", "").split())
     assert "EcCiA402Drive switches the drive on by itself where it does not know auto_state_transitions" in text
     assert "holds the actual position only when 0x6061 and 0x6064 are mapped" in text
     assert "0x6061 and 0x6064" not in ros2_slave(l6n(data))
+    # 0x1601 has the target velocity; what is not mapped, the target position, need not be held.
+    velocity = ros2_slave(l6n(data, pdos=parse_pdo_choice("0x1601,0x1A01")))
+    assert "0x60ff" in velocity
+    assert "0x6061 and 0x6064" not in velocity
     assert '<param name="position">5</param>' in ros2_slave(l6n(data, position=5))
 
 

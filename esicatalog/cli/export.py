@@ -11,6 +11,7 @@ from typing import Any
 
 import click
 
+from esicatalog.catalog.own_files import own_files
 from esicatalog.cli.common import IDENTITY, NUMBER, PLUGGED, db_option, read_as, reporting_errors
 from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subjects_of_vendor
 from esicatalog.errors import InputError
@@ -20,11 +21,14 @@ from esicatalog.identity import Identity, modules_by_slot
 
 Option = Callable[[Callable[..., Any]], Callable[..., Any]]
 
+_FILES_OF_TARGETS = ("scan", "sii", "merge")
+"""Options of single targets that name a file to read."""
+
 _DEVICE: tuple[Option, ...] = (
     click.argument("identity", type=IDENTITY, required=False),
     db_option,
     click.option("--esi", metavar="FILE", help="Take the device from this ESI file; no catalog is opened."),
-    click.option("-o", "--output", metavar="OUT", help="Write to this file instead of stdout."),
+    click.option("-o", "--output", metavar="OUT", help="Write to this file, none that is read, instead of stdout."),
     click.option("--accept-revision", is_flag=True, help="Take the nearest revision when the exact one is missing."),
 )
 _CHOICE: tuple[Option, ...] = (
@@ -80,7 +84,10 @@ def _target(*extra: Option, is_choosing: bool = True) -> Callable[[Callable[...,
         ) -> None:
             choice = _choice(rest) if is_choosing else Choice()
             notes: list[str] = []
-            made = function(Inputs(identity, db, esi, accept_revision, choice, notes), **rest)
+            named = filter(None, (esi, *(rest.get(option) for option in _FILES_OF_TARGETS)))
+            inputs = Inputs(identity, db, esi, accept_revision, choice, notes, output, [*own_files(db), *named])
+            inputs.check_output(output)
+            made = function(inputs, **rest)
             _write(made, output)
             for note in notes:
                 click.echo(f"esicatalog: {note}", err=True)
@@ -242,6 +249,8 @@ def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: 
         raise InputError("--with-files writes several files; say where with -o OUT")
     path = Path(output)
     first, *others = export_esi_files(path.name, named, groups, devices).items()
+    for name, _ in others:
+        inputs.check_output(path.parent / name)
     for name, content in others:
         beside = path.parent / name
         beside.parent.mkdir(parents=True, exist_ok=True)

@@ -27,6 +27,10 @@ class Inputs(NamedTuple):
     choice: Choice
     notes: list[str]
     """What is told about the devices that were taken, once something is made of them: a refusal is one line."""
+    output: str | None
+    """The file that is written, None for stdout."""
+    read: list[str]
+    """The files that are read, and those of the catalog; what they pull in is added when they are read."""
 
     def configuration(self) -> "Configuration":
         """The configured device. Raises :class:`InputError` and :class:`NotFound` with what to do."""
@@ -39,7 +43,10 @@ class Inputs(NamedTuple):
         from esicatalog.api import Catalog
 
         if self.esi is not None:
-            return _subject_of_file(self.esi, self.identity)
+            found, references = _subject_of_file(self.esi, self.identity)
+            self.read.extend(str(Path(self.esi).parent / member) for member in references)
+            self.check_output(self.output)
+            return found
         if self.identity is None:
             raise InputError("say which device: an IDENTITY, or --esi FILE")
         with Catalog.open(self.db) as catalog:
@@ -68,6 +75,11 @@ class Inputs(NamedTuple):
         words = f"asked for {identity}, described is {found.identity_text}: {answer.reason}"
         self.notes.append(f"accepted, {words}")
         return catalog.export_subject(found.identity_text).standing_in(words)
+
+    def check_output(self, output: str | Path | None) -> None:
+        """Raise :class:`InputError` where writing there would destroy a file that is read, or the catalog."""
+        if output is not None and any(_is_same_file(Path(output), Path(name)) for name in self.read):
+            raise InputError(f"{output}: is an input of this export or its catalog; write to another file")
 
     def check_no_device(self, option: str) -> None:
         """Raise :class:`InputError` when a device is named beside an option that says everything itself."""
@@ -155,9 +167,19 @@ def _subject_of_scan(inputs: Inputs, catalog: "Catalog", identity: Identity) -> 
     return inputs.subject_of(catalog, identity)
 
 
-def _subject_of_file(name: str, identity: Identity | None) -> "Subject":
+def _is_same_file(path: Path, other: Path) -> bool:
+    """Whether both are one regular file, or would be: a terminal may well be read and written."""
+    if path.exists() and other.exists():
+        return path.is_file() and path.samefile(other)
+    return path.resolve() == other.resolve()
+
+
+def _subject_of_file(name: str, identity: Identity | None) -> "tuple[Subject, list[str]]":
+    """The device of a file, and the members beside it that the file pulls in."""
     from esicatalog.esi.reader import read_esi
     from esicatalog.export.subject import choose_subject, subjects_of_document
 
     file_name = Path(name).name
-    return choose_subject(subjects_of_document(read_esi(name).document, file_name), identity, file_name)
+    document = read_esi(name).document
+    references = [reference.location for reference in document.references if reference.location is not None]
+    return choose_subject(subjects_of_document(document, file_name), identity, file_name), references

@@ -1,8 +1,8 @@
 """Times of the distributed clocks for a chosen OpMode, as multiples of the bus cycle (ESI-FACTS section 11).
 
 SYNC1 is programmed as a delay after SYNC0: register 0x09A4 = SYNC1 period - SYNC0 period + ShiftTimeSync1. The delay
-starts again with the first SYNC0 after it has passed, so a shift of whole SYNC0 cycles would not move SYNC1 but make it
-slower or faster.
+starts again with the first SYNC0 after it has passed, so SYNC1 comes every so many whole SYNC0 cycles: a shift of whole
+SYNC0 cycles would not move it but make it slower or faster, and a period of SYNC1 between two multiples cannot be.
 """
 
 import math
@@ -31,6 +31,19 @@ _TIME_LOOP_CONTROL_ONLY = (
     "the registers 0x0940 to 0x09FF, and AssignActivate 0x{:04X} of the OpMode is left out; the clocks of the bus have "
     "to be kept together all the same"
 )
+_AFTER_1_17 = {
+    "ActivateAdditional": ("activate_additional",),
+    "CycleTimeSync2": ("cycle_time_sync2_ns", "cycle_time_sync2_factor"),
+    "ShiftTimeSync2": ("shift_time_sync2_ns",),
+    "CycleTimeSync3": ("cycle_time_sync3_ns", "cycle_time_sync3_factor"),
+    "ShiftTimeSync3": ("shift_time_sync3_ns",),
+}
+"""Elements of an OpMode in schemas after 1.17, with the fields that hold them."""
+_INPUT_REFERENCE = (
+    "{} counts from the input reference (Input=1): the shift is given as written; a master that knows its input time "
+    "adds it"
+)
+_WITHOUT_RULE = "{}, which is left out: its rule is not public; compare with a known configuration of the device"
 
 
 class Time(NamedTuple):
@@ -109,6 +122,11 @@ class Clocks(NamedTuple):
         """Whether pulses of a fixed period move against the bus cycle: neither is a multiple of the other."""
         return bool(self.fixed_ns and self.fixed_ns % cycle_ns and cycle_ns % self.fixed_ns)
 
+    def is_uneven(self, cycle_ns: int) -> bool:
+        """Whether the period of SYNC1 lies between two multiples of the SYNC0 cycle, which no pulse can keep."""
+        period, sync0_cycle = self.sync1_period.in_ns(cycle_ns), self.sync0_cycle.in_ns(cycle_ns)
+        return period > sync0_cycle > 0 and bool(period % sync0_cycle)
+
     def conditions(self, cycle: str, cycle_ns: int, either: str, divide: str = "/") -> Iterator[Condition]:
         """What must hold of a bus cycle that is known later, for what was made for ``cycle_ns`` to be right then, too.
 
@@ -129,11 +147,12 @@ class Clocks(NamedTuple):
         is_shorter = longer.in_ns(cycle_ns) < 0
         if longer.may_change_sign:
             period, sync0_cycle = (time.expression(cycle, divide) for time in (self.sync1_period, self.sync0_cycle))
-            sign, otherwise = ("<=", "slower") if is_shorter else (">=", "faster")
-            yield Condition(
-                f"{period} {sign} {sync0_cycle}",
-                f"SYNC1 is described {otherwise} than the SYNC0 cycle at this {cycle}: generate anew",
+            relation, otherwise = (
+                (f"{period} <= {sync0_cycle}", "slower than")
+                if is_shorter
+                else (f"{period} % {sync0_cycle} == 0", "at no multiple of")
             )
+            yield Condition(relation, f"SYNC1 is described {otherwise} the SYNC0 cycle at this {cycle}: generate anew")
         shift = self.sync1_delay if is_shorter else self.sync1_delay.minus(longer)
         for time, sign in ((shift, ">= 0"), (self.sync0_cycle.minus(shift), "> 0")):
             if time.may_change_sign:
@@ -191,16 +210,19 @@ def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int | No
     """What a master programs for the OpMode at this bus cycle, and remarks; no clocks with Dc/@TimeLoopControlOnly.
 
     ``cycle_ns`` None leaves the bus cycle open: the usual one, or that of a SYNC0 that would drift against it. Raises
-    :class:`InputError` when the signals would drift against the cycle that is asked for, and as :func:`clocks` does.
+    :class:`InputError` when the signals would drift against the cycle that is asked for, when SYNC1 cannot come as
+    often as described, and as :func:`clocks` does.
     """
     usual_ns = cycle_ns if cycle_ns is not None else DEFAULT_CYCLE_NS
     if device.dc_time_loop_control_only and op_mode is not None and op_mode.assign_activate:
         return Programmed(usual_ns, None, (_TIME_LOOP_CONTROL_ONLY.format(op_mode.assign_activate),))
     found = clocks(op_mode, usual_ns)
+    newer = _newer_remarks(op_mode) if op_mode is not None else ()
     if found is None or op_mode is None:
-        return Programmed(usual_ns, None, ())
+        return Programmed(usual_ns, None, tuple(newer))
     if not found.drifts(usual_ns):
-        return Programmed(usual_ns, found, (*found.remarks, *_fixed_remarks(found, usual_ns)))
+        _check_even(found, op_mode.name, usual_ns)
+        return Programmed(usual_ns, found, (*found.remarks, *_fixed_remarks(found, usual_ns), *newer))
     if cycle_ns is not None:
         raise InputError(
             f"OpMode {op_mode.name!r} fixes the SYNC0 cycle at {found.fixed_ns} ns, which drifts against a bus cycle "
@@ -212,6 +234,22 @@ def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int | No
     )
     programmed = programmed_clocks(device, op_mode, found.fixed_ns)
     return programmed._replace(remarks=(open_remark, *programmed.remarks))
+
+
+def _check_even(found: Clocks, name: str | None, cycle_ns: int) -> None:
+    if found.is_uneven(cycle_ns):
+        period, sync0_cycle = found.sync1_period.in_ns(cycle_ns), found.sync0_cycle.in_ns(cycle_ns)
+        raise InputError(
+            f"OpMode {name!r} describes SYNC1 every {period} ns, which is no multiple of the SYNC0 cycle of "
+            f"{sync0_cycle} ns, and a slave controller generates multiples only: choose the bus cycle (--cycle-ns) or "
+            "another OpMode"
+        )
+
+
+def _newer_remarks(op_mode: OpMode) -> Iterator[str]:
+    given = [name for name, fields in _AFTER_1_17.items() if any(getattr(op_mode, field) for field in fields)]
+    if given:
+        yield _WITHOUT_RULE.format(f"the OpMode gives {', '.join(given)}")
 
 
 def _fixed_remarks(found: Clocks, cycle_ns: int) -> Iterator[str]:
@@ -239,16 +277,14 @@ def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
     shift_ns = (op_mode.shift_time_sync0_ns or 0) if signals.dc_active else 0
     period = _sync1_period(op_mode, sync0) if signals.sync1 else Time()
     delay = _sync1_delay(op_mode, sync0, period, cycle_ns, remarks) if signals.sync1 else Time()
-    if signals.dc_active and op_mode.shift_time_sync0_input:
-        remarks.append(
-            "ShiftTimeSync0 counts from the input reference (Input=1): the shift is given as written; a master that "
-            "knows its input time adds it"
-        )
-    if signals.dc_active and op_mode.shift_time_sync0_factor:
-        remarks.append(
-            f"ShiftTimeSync0 has Factor {op_mode.shift_time_sync0_factor}, which is left out: its rule is not public; "
-            "compare with a known configuration of the device"
-        )
+    for name, is_used, is_input, factor in (
+        ("ShiftTimeSync0", signals.dc_active, op_mode.shift_time_sync0_input, op_mode.shift_time_sync0_factor),
+        ("ShiftTimeSync1", signals.sync1, op_mode.shift_time_sync1_input, op_mode.shift_time_sync1_factor),
+    ):
+        if is_used and is_input:
+            remarks.append(_INPUT_REFERENCE.format(name))
+        if is_used and factor:
+            remarks.append(_WITHOUT_RULE.format(f"{name} has Factor {factor}"))
     found = Clocks(op_mode.assign_activate, signals, sync0, shift_ns, delay, period, tuple(remarks))
     if cycle_ns % found.divisor:
         raise InputError(

@@ -9,6 +9,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.export.choice import Choice, check_numbers
 from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
+from esicatalog.export.cycle_commands import cycle_remarks
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.image_remarks import (
     assignment_remarks,
@@ -17,7 +18,7 @@ from esicatalog.export.image_remarks import (
     repeat_remarks,
     swap_remarks,
 )
-from esicatalog.export.init_cmds import StartCommand, cycle_remarks, start_commands
+from esicatalog.export.init_cmds import StartCommand, start_commands
 from esicatalog.export.missing_modules import missing_modules
 from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.names import IDENTIFIER, identifier
@@ -121,7 +122,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *programmed.remarks,
         *_too_short(device, programmed.cycle_ns),
         *command_remarks,
-        *cycle_remarks(commands, names.axes, programmed.cycle_ns, _sync0_ns(programmed)),
+        *cycle_remarks(commands, names.axes, objects, programmed.cycle_ns, _sync0_ns(programmed)),
         *mode_remarks(commands, names.axes, expanded, images),
     ]
     sync_managers = configured_sync_managers(device, images, names.identifiers, objects, remarks)

@@ -9,12 +9,15 @@ from typing import NamedTuple
 
 from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration
-from esicatalog.export.igh_limits import check_limits, master_written
+from esicatalog.export.igh_limits import check_limits, lrw_remarks, master_written
 from esicatalog.export.image_remarks import MAP_ONCE, mapped_again
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
 from esicatalog.model.sm_facts import OUTPUT
 from esicatalog.model.start_up import BEFORE_SAFE_OP
+
+_SAMPLE_ONCE = "choose an OpMode without oversampling (--op-mode), if the device has one"
+"""What helps against samples, which a choice of PDOs leaves as they are."""
 
 
 class Listed(NamedTuple):
@@ -43,6 +46,9 @@ def listed(configuration: Configuration, program: str) -> Listed:
     repeated = list(_repeated(configuration))
     written = master_written(configuration)
     remarks = [*_left_out_sync_managers(configuration), *_left_out_commands(configuration, program, written)]
+    remarks += lrw_remarks(
+        configuration.subject.device, f"see whether {program} has domains for outputs and for inputs in its version"
+    )
     remarks += _unreached(configuration, program, [entry for sm, entry in repeated if sm.direction == OUTPUT])
     return Listed(
         tuple(sm for sm in configuration.sync_managers if sm.is_described or _is_mailbox(sm)),
@@ -68,7 +74,7 @@ def _left_out_commands(configuration: Configuration, program: str, written: Cont
     for command in (item for item in configuration.commands if not configuration.is_contradicted(item)):
         why = _why_left_out(command, written)
         if why is not None:
-            yield f"{command.transition} {command.place} {command.comment}".rstrip() + f" is left out: {program} {why}"
+            yield f"{command.words} is left out: {program} {why}"
 
 
 def _why_left_out(command: StartCommand, written: Container[StartCommand]) -> str | None:
@@ -85,8 +91,16 @@ def _unreached(configuration: Configuration, program: str, outputs: Iterable[Map
     """What becomes of repeated entries; ``outputs`` are those of them that nothing writes."""
     entries = (entry for sm in configuration.sync_managers for entry in sm.entries)
     written = {(entry.entry_index, entry.subindex) for entry in outputs}
+    sampled = {
+        (entry.entry_index, entry.subindex)
+        for sm in configuration.sync_managers
+        for pdo in sm.pdos
+        for entry in pdo.entries
+        if pdo.sample_count > 1
+    }
     for place, words in mapped_again((entry.entry_index, entry.subindex, entry.name) for entry in entries).items():
-        ending = f", the others stay 0: {MAP_ONCE}" if place in written else ""
+        advice = _SAMPLE_ONCE if place in sampled else MAP_ONCE
+        ending = f", the others stay 0: {advice}" if place in written else ""
         yield f"{words}: {program} finds entries by index and subindex, and reaches the first one only{ending}"
 
 

@@ -6,6 +6,7 @@ And what the master does with them: it writes assignment and mapping of the Sync
 from collections.abc import Iterator
 
 from esicatalog.errors import InputError
+from esicatalog.esi.records.device import Device
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS
@@ -39,6 +40,15 @@ def master_written(configuration: Configuration) -> frozenset[StartCommand]:
         for command in configuration.commands
         if command.writes_pdo_configuration and command.object_index in written
     )
+
+
+def lrw_remarks(device: Device, advice: str) -> Iterator[str]:
+    """That the master's datagrams may not reach the device, with what to do; see ec_datagram_pair_init()."""
+    if device.use_lrd_lwr:
+        yield (
+            "the device takes no LRW (Type/@UseLrdLwr), and IgH exchanges a domain that has outputs and inputs with "
+            f"LRW: {advice}"
+        )
 
 
 def check_limits(configuration: Configuration) -> None:

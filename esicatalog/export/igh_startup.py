@@ -31,6 +31,7 @@ _TIMEOUTS = (
     ("back_to_init_timeout_ms", (("PREOP", "INIT"), ("SAFEOP", "INIT"), ("OP", "INIT"), ("SAFEOP", "PREOP"))),
     ("back_to_safeop_timeout_ms", (("OP", "SAFEOP"),)),
 )
+_PDOS_BY_MASTER = "ecrt_slave_config_pdos() writes PDO assignment and mapping"
 _OFF_BEAT = (
     "The master looks for the first SYNC0 in steps of SYNC0 cycle + SYNC1 delay, which is no multiple of the bus cycle "
     "here: measure where SYNC0 lies in the cycle."
@@ -117,19 +118,26 @@ def timeout_remarks(device: Device) -> Iterator[str]:
 
 
 def _sent(command: StartCommand, call: Callable[[StartCommand], str], written: Container[StartCommand]) -> SentCommand:
-    words = f"{command.transition} {command.place} {command.comment}".rstrip()
-    why = _left_out(command, written)
+    why = _PDOS_BY_MASTER if command in written else _unsendable(command)
     if why is not None:
-        return SentCommand(comment_text(f"{words}: left out, {why}"))
-    return SentCommand(comment_text(words), call(command), c_bytes(command.data))
+        return SentCommand(comment_text(f"{command.words}: left out, {why}"))
+    return SentCommand(comment_text(command.words), call(command), c_bytes(command.data))
 
 
-def _left_out(command: StartCommand, written: Container[StartCommand]) -> str | None:
-    if command in written:
-        return "ecrt_slave_config_pdos() writes PDO assignment and mapping"
+def _unsendable(command: StartCommand) -> str | None:
+    """Why the master cannot send a command, None where it can."""
     if command.complete_access and command.subindex:
         return f"IgH sends complete access from subindex 0 only, and this begins at {command.subindex}"
     return None
+
+
+def command_remarks(configuration: Configuration) -> Iterator[str]:
+    """Commands that neither the master nor the application sends, but for those on PDOs that the master writes."""
+    written = master_written(configuration)
+    for command in configuration.commands:
+        why = _unsendable(command)
+        if why is not None and command not in written:
+            yield f"{command.words} is left out: {why}"
 
 
 def _config_call(command: StartCommand) -> str:

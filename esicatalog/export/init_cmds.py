@@ -1,7 +1,6 @@
 """Start-up commands of a device and its plugged modules, in the order in which they are due."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from fractions import Fraction
 from itertools import groupby
 from operator import attrgetter
 from typing import Generic, NamedTuple, TypeVar
@@ -9,25 +8,16 @@ from typing import Generic, NamedTuple, TypeVar
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
-from esicatalog.model.cia402 import AXIS_STEP
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
 from esicatalog.model.start_up import TRANSITIONS, transition_of, unusable_part, written_places, yields
-from esicatalog.model.sync_parameters import SYNC_PARAMETERS
 
 MODULE_IDENT_LIST = 0xF030
-_NS_OF_CYCLE_UNIT = {
-    ("SoE", 1, 0): 1_000,
-    ("SoE", 2, 0): 1_000,
-    **{("CoE", index, 2): 1 for index in SYNC_PARAMETERS},
-}
-"""Where cycle times are written, and in which unit: S-0-0001 control unit cycle time and S-0-0002 communication cycle
-time (IEC 61800-7-204), cycle time of the SyncManager parameters (ETG.1020)."""
-_INTERPOLATION_TIME_PERIOD = 0x60C2
-"""Subindex 1 times ten to the power of subindex 2, in seconds (IEC 61800-7-201); further axes as their objects."""
-_USUAL_EXPONENT, _EXPONENT_OF_NS = -3, -9
-_MAX_TIME_BYTES = 8
 _WITHOUT_GENERATOR = ("AoE", "EoE")
+_ADDRESS_LIST = (
+    "Slots/@DownloadModuleAddressList: the device wants to be told the addresses of its modules at start, which are "
+    "not described and nothing here writes: write them in the application"
+)
 
 
 class StartCommand(NamedTuple):
@@ -58,6 +48,11 @@ class StartCommand(NamedTuple):
             f"0x{self.object_index:04X}" if self.complete_access else f"0x{self.object_index:04X}:{self.subindex:02X}"
         )
 
+    @property
+    def words(self) -> str:
+        """What it does and when, in words."""
+        return f"{self.transition} {self.place} {self.comment}".rstrip()
+
 
 Sent = TypeVar("Sent")
 
@@ -83,7 +78,7 @@ def start_commands(
     device: Device, plugged: Sequence[PluggedModule], expanded: Sequence[ExpandedModule]
 ) -> tuple[tuple[StartCommand, ...], tuple[str, ...]]:
     """All commands by transition, those of the device before those of its modules, and remarks about odd ones."""
-    remarks: list[str] = []
+    remarks = [_ADDRESS_LIST] if device.download_module_address_list and plugged else []
     commands = list(_module_list(device, plugged))
     of_modules = [(f"module in slot {item.slot_number}", item.module.mailbox) for item in expanded]
     replaced = written_places(item.module for item in expanded)
@@ -117,18 +112,21 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
         remarks.append(f"{protocol} InitCmd of the {owner} is left out: its {unusable} cannot be used")
         return
     data = decode_hex_binary(command.data)
+    written = StartCommand(
+        "",
+        protocol,
+        index,
+        command.subindex or 0,
+        data or b"",
+        bool(command.complete_access),
+        command.channel or 0,
+        " ".join((command.comment or "").split()),
+        bool(command.adapt_automatically),
+    )
+    if not command.transitions:
+        remarks.append(f"InitCmd {written.place} of the {owner} is left out: it names no transition")
     for transition in command.transitions:
-        found = StartCommand(
-            transition_of(transition),
-            protocol,
-            index,
-            command.subindex or 0,
-            data or b"",
-            bool(command.complete_access),
-            command.channel or 0,
-            " ".join((command.comment or "").split()),
-            bool(command.adapt_automatically),
-        )
+        found = written._replace(transition=transition_of(transition))
         if found.transition not in TRANSITIONS:
             remarks.append(f"InitCmd {found.place} of the {owner} is left out: transition {transition!r} is unknown")
         elif not data:
@@ -162,41 +160,3 @@ def single_accesses(command: StartCommand) -> Iterator[StartCommand]:
     for subindex, value in enumerate(values, 1):
         yield single._replace(subindex=subindex, data=value, comment=f"Slot {subindex - 1}")
     yield single._replace(data=command.data[:1])
-
-
-def cycle_remarks(
-    commands: Sequence[StartCommand], axes: Iterable[int], cycle_ns: int, sync0_ns: Fraction | None
-) -> Iterator[str]:
-    """Commands that write a cycle time other than the bus cycle: vendors' examples, to be adapted.
-
-    For the parameters of SyncManagers the cycle of SYNC0, None when it is not generated, is as good.
-    """
-    units = dict(_cycle_units(commands, axes))
-    for command in commands:
-        unit = units.get((command.protocol, command.object_index, command.subindex))
-        if unit is None or command.complete_access or len(command.data) > _MAX_TIME_BYTES:
-            continue
-        written_ns = int.from_bytes(command.data, "little") * unit
-        by_sync0 = command.object_index in SYNC_PARAMETERS and written_ns == sync0_ns
-        if written_ns != cycle_ns and not by_sync0:
-            tool = "; AdaptAutomatically: the configuration tool adapts the data" if command.adapt_automatically else ""
-            yield (
-                f"InitCmd {command.place} {command.comment}".rstrip()
-                + f" writes {written_ns} ns, the bus cycle is {cycle_ns} ns: adapt one of them{tool}"
-            )
-
-
-def _cycle_units(
-    commands: Sequence[StartCommand], axes: Iterable[int]
-) -> Iterator[tuple[tuple[str, int, int], int | Fraction]]:
-    yield from _NS_OF_CYCLE_UNIT.items()
-    single = {
-        (command.object_index, command.subindex): command.data
-        for command in commands
-        if command.protocol == "CoE" and not command.complete_access
-    }
-    for axis in {0, *axes}:
-        index = _INTERPOLATION_TIME_PERIOD + axis * AXIS_STEP
-        data = single.get((index, 2))
-        exponent = int.from_bytes(data[:1], "little", signed=True) if data is not None else _USUAL_EXPONENT
-        yield ("CoE", index, 1), Fraction(10) ** (exponent - _EXPONENT_OF_NS)

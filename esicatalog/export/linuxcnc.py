@@ -143,7 +143,9 @@ def linuxcnc_configuration(configuration: Configuration) -> str:
     dc = _dc(configuration, clocks) if clocks is not None else None
     if clocks is not None and (note := off_beat(clocks, configuration.cycle_ns)):
         remarks.append(note)
-    heading = list(heading_lines(configuration._replace(remarks=tuple(remarks)), f"{PROGRAM} configuration"))
+    heading = list(
+        heading_lines(configuration._replace(remarks=tuple(dict.fromkeys(remarks))), f"{PROGRAM} configuration")
+    )
     if any("--" in line for line in heading):
         heading += ["", _APART]
     return render(
@@ -188,10 +190,7 @@ def _entry(
         taken = pins.take(entry.identifier, types) if types else ()
         if taken:
             is_whole = len(taken) == 1
-            if sm.direction != OUTPUT and taken[0].type == "s32" and entry.bit_length not in _SIGNED_BITS:
-                remarks.append(
-                    f"{entry.place} {entry.name}: {PROGRAM} reads {entry.bit_length} bits without their sign"
-                )
+            remarks += _type_remarks(entry, sm, taken[0])
             yield EntryElement(
                 *place, entry.bit_length, taken[0] if is_whole else None, () if is_whole else taken, comment
             )
@@ -200,6 +199,23 @@ def _entry(
         remarks.append(f"{entry.place} {entry.name} has no pin: {why}")
     for length in pieces(entry.bit_length):
         yield EntryElement(*place, length, None, (), comment)
+
+
+def _type_remarks(entry: MappedEntry, sm: SmConfiguration, pin: Pin) -> Iterator[str]:
+    """What the generic driver, or an older version of it, makes of a value of this type."""
+    is_output = sm.direction == OUTPUT
+    if pin.type == "s32" and not is_output:
+        if entry.bit_length not in _SIGNED_BITS:
+            yield f"{entry.place} {entry.name}: {PROGRAM} reads {entry.bit_length} bits without their sign"
+        elif entry.bit_length < _PIN_BITS and not on_byte(entry):
+            yield (
+                f"{entry.place} {entry.name}: older versions of {PROGRAM} read {entry.bit_length} bits that begin "
+                "inside a byte without their sign"
+            )
+    if pin.type == "float-ieee" and is_output:
+        yield f"older versions of {PROGRAM} write float-ieee as an integer"
+    if pin.type == "float-double-ieee":
+        yield f"float-double-ieee needs a version of {PROGRAM} that knows it"
 
 
 def _types(entry: MappedEntry) -> list[tuple[str, str, int]]:
@@ -215,17 +231,16 @@ def _types(entry: MappedEntry) -> list[tuple[str, str, int]]:
 
 
 def _sdo(command: StartCommand, remarks: list[str]) -> Iterator[SdoElement]:
-    words = f"{command.transition} {command.place} {command.comment}".rstrip()
     if command.object_index == 0xFFFF or command.subindex == 0xFF:
-        remarks.append(f"{words} is left out: the parser of {PROGRAM} refuses this index or subindex")
+        remarks.append(f"{command.words} is left out: the parser of {PROGRAM} refuses this index or subindex")
     elif command.complete_access and command.subindex:
-        remarks.append(f"{words} is left out: {PROGRAM} sends complete access from subindex 0 only")
+        remarks.append(f"{command.words} is left out: {PROGRAM} sends complete access from subindex 0 only")
     else:
         lines = (
             command.data[start : start + _DATA_OF_LINE].hex(" ") for start in range(0, len(command.data), _DATA_OF_LINE)
         )
         subindex = "complete" if command.complete_access else f"{command.subindex:02x}"
-        yield SdoElement(f"{command.object_index:04x}", subindex, _comment(words), tuple(lines))
+        yield SdoElement(f"{command.object_index:04x}", subindex, _comment(command.words), tuple(lines))
 
 
 def _dc(configuration: Configuration, found: Clocks) -> DcElement:

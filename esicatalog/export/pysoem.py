@@ -16,7 +16,7 @@ from esicatalog.export.rendering import render
 from esicatalog.export.sm_configuration import MappedEntry
 from esicatalog.export.soem_startup import (
     RegisterWrite,
-    command_words,
+    command_remarks,
     hook_commands,
     later_commands,
     register_remarks,
@@ -83,6 +83,7 @@ def pysoem_module(configuration: Configuration) -> str:
     remarks = [*configuration.remarks, *configuration.copy_remarks]
     remarks += [remark for layout in layouts for remark in (*layout.remarks, *_sharing(layout))]
     remarks += register_remarks(configuration, "pysoem")
+    remarks += command_remarks(configuration, "pysoem")
     remarks += [
         f"{command.transition} {command.place} is left out: pysoem has no call for SoE"
         for command in configuration.commands
@@ -162,7 +163,7 @@ def _property(name: str, entry: MappedEntry) -> BitProperty:
 
 
 def _sent(command: StartCommand | RegisterWrite) -> SentCommand:
-    return SentCommand(comment_text(command_words(command)), _statement(command))
+    return SentCommand(comment_text(command.words), _statement(command))
 
 
 def _statement(command: StartCommand | RegisterWrite) -> str | None:

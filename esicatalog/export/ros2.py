@@ -40,6 +40,7 @@ _INTERFACES = {
 """Names that ros2_control and the controllers of the driver use, by the CiA 402 object of the first axis."""
 _INTERFACES_BY_NAME = {CIA402_NAMES[index]: interface for index, interface in _INTERFACES.items()}
 """The same for drives that have such values elsewhere: motion terminals (profile 5001) and SoE."""
+_TARGET_POSITION = 0x607A
 _HELD_BY = {0x6061, 0x6064}
 """Mapped, they let the CiA 402 plugin hold the actual position."""
 _NOT_PLAIN = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null"))
@@ -211,12 +212,13 @@ def _sdo(command: StartCommand, remarks: list[str]) -> Iterator[Row]:
         return
     size = len(command.data)
     value = int.from_bytes(command.data, "little", signed=size > 2)
-    comment = f"{command.transition} {command.place} {command.comment}".rstrip()
     if command.complete_access or size not in _SDO_TYPES or not -(1 << 31) <= value < 1 << 31:
-        remarks.append(f"{comment} is left out: {PROGRAM} sends integers that fit 32 bits, one subindex at a time")
+        remarks.append(
+            f"{command.words} is left out: {PROGRAM} sends integers that fit 32 bits, one subindex at a time"
+        )
         return
     place = f"index: 0x{command.object_index:04x}, sub_index: {command.subindex}"
-    yield Row(f"{place}, type: {_SDO_TYPES[size]}, value: {value}", comment_text(comment))
+    yield Row(f"{place}, type: {_SDO_TYPES[size]}, value: {value}", comment_text(command.words))
 
 
 def _sync_manager(sm: SmConfiguration) -> Row:
@@ -244,7 +246,8 @@ def _drive_remarks(configuration: Configuration) -> Iterable[str]:
         return
     yield "the plugin EcCiA402Drive switches the drive on by itself where it does not know auto_state_transitions"
     mapped = {entry.entry_index for sm in configuration.images(INPUT) for entry in sm.entries}
-    if _HELD_BY - mapped:
+    commanded = {entry.entry_index for sm in configuration.images(OUTPUT) for entry in sm.entries}
+    if _TARGET_POSITION in commanded and _HELD_BY - mapped:
         yield (
             "EcCiA402Drive holds the actual position only when 0x6061 and 0x6064 are mapped, and here one of them is "
             "not: its target position is 0 until one is commanded"

@@ -70,6 +70,8 @@ class AssignedPdo(NamedTuple):
     entries: tuple[MappedEntry, ...]
     is_described: bool
     """Whether its content is known, be it none."""
+    sample_count: int
+    """How often its entries come: 1 without oversampling."""
 
     @property
     def mapping(self) -> PdoObject | None:
@@ -254,7 +256,14 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
             )
         )
     return AssignedPdo(
-        pdo.pdo_index, name, placed.direction, bool(pdo.fixed), placed.slot_number, tuple(entries), is_described(pdo)
+        pdo.pdo_index,
+        name,
+        placed.direction,
+        bool(pdo.fixed),
+        placed.slot_number,
+        tuple(entries),
+        is_described(pdo),
+        placed.repeat,
     )
 
 

@@ -11,7 +11,7 @@ from esicatalog.export.rendering import render
 from esicatalog.export.soem_image import image_code
 from esicatalog.export.soem_startup import (
     RegisterWrite,
-    command_words,
+    command_remarks,
     hook_commands,
     later_commands,
     register_remarks,
@@ -86,6 +86,7 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
         *configuration.remarks,
         *configuration.copy_remarks,
         *register_remarks(configuration, "SOEM"),
+        *command_remarks(configuration, "SOEM"),
         *(remark for image in images for remark in image.remarks),
     )
     heading = heading_lines(configuration._replace(remarks=remarks), _target(version))
@@ -117,7 +118,7 @@ def _sent(command: StartCommand | RegisterWrite, api: Api) -> SentCommand:
         call = f"{api.write_sdo}{index}, 0x{command.subindex:02x}, {access}, sizeof(data), data, EC_TIMEOUTRXM)"
         if command.protocol == "SoE":
             call = f"{api.write_idn}{command.channel}, EC_SOE_VALUE_B, {index}, sizeof(data), data, EC_TIMEOUTRXM)"
-    return SentCommand(comment_text(command_words(command)), call, c_bytes(command.data))
+    return SentCommand(comment_text(command.words), call, c_bytes(command.data))
 
 
 def _clock_calls(configuration: Configuration, api: Api) -> ClockCalls | None:

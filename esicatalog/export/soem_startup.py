@@ -20,6 +20,7 @@ from esicatalog.model.start_up import BEFORE_SAFE_OP
 _SYNC0_ACTIVE, _SYNC01_ACTIVE = 0x03, 0x07
 """What SOEM writes to register 0x0981 for SYNC0 alone and for both; to 0x0980 it writes 0."""
 _SYNC_REGISTERS = 0x0980
+_LAST_COMPLETE_SUBINDEX = 1
 
 
 class RegisterWrite(NamedTuple):
@@ -62,14 +63,25 @@ def later_commands(configuration: Configuration) -> Iterator[StartCommand]:
 
 def _own_commands(configuration: Configuration) -> Iterator[StartCommand]:
     """InitCmds without those that would make the process image another one than the structures here."""
+    return (command for command in _fitting(configuration) if not _begins_elsewhere(command))
+
+
+def _fitting(configuration: Configuration) -> Iterator[StartCommand]:
     return (command for command in configuration.commands if not configuration.is_contradicted(command))
 
 
-def command_words(command: StartCommand | RegisterWrite) -> str:
-    """What a command does, for a comment."""
-    if isinstance(command, RegisterWrite):
-        return command.words
-    return f"{command.transition} {command.place} {command.comment}".strip()
+def _begins_elsewhere(command: StartCommand) -> bool:
+    """Whether SOEM would write it to other subindices: it takes 1 for a higher one with complete access."""
+    return command.complete_access and command.subindex > _LAST_COMPLETE_SUBINDEX
+
+
+def command_remarks(configuration: Configuration, program: str) -> Iterator[str]:
+    """InitCmds that are left out for what SOEM would make of them."""
+    for command in filter(_begins_elsewhere, _fitting(configuration)):
+        yield (
+            f"{command.words} is left out: {program} sends complete access from subindex 0 or 1 only, and this begins "
+            f"at {command.subindex}"
+        )
 
 
 def soem_clocks(found: Clocks) -> SoemClocks:

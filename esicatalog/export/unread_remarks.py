@@ -22,6 +22,7 @@ _FIELDS: Mapping[type[Record], frozenset[str]] = {
             "module_pdo_group",
             "dc_time_loop_control_only",
             "download_module_ident_list",
+            "download_module_address_list",
             "slot_pdo_increment",
             "slot_group_pdo_increment",
             "slot_index_increment",

@@ -124,7 +124,10 @@ def _sync1(op_mode: OpMode, programmed: Clocks, cycle_ns: int) -> tuple[Signal, 
     where = f"{time_text(delay)} after the SYNC0 that starts its delay" if delay else "together with SYNC0"
     silent = "" if programmed.signals.sync0 else "; SYNC0 itself gives no pulse"
     every = f"every {time_text(period)}"
-    return Signal("SYNC1", every, period, programmed.sync0_shift_ns + delay), f"SYNC1 {every}, {where}{silent}."
+    described = time_text(programmed.sync1_period.in_ns(cycle_ns))
+    uneven = f" It is described every {described}, which is no multiple of the SYNC0 cycle: exports refuse it."
+    said = f"SYNC1 {every}, {where}{silent}." + (uneven if programmed.is_uneven(cycle_ns) else "")
+    return Signal("SYNC1", every, period, programmed.sync0_shift_ns + delay), said
 
 
 def _shifts(op_mode: OpMode, programmed: Clocks, signals: tuple[Signal, ...], cycle_ns: int) -> Iterator[Shift]:
