@@ -145,7 +145,9 @@ def _matched_modes(left: tuple[OpMode, ...], right: tuple[OpMode, ...]) -> list[
 
 
 def _content(mode: OpMode) -> tuple[str, ...]:
-    return fact_words(mode, _OP_MODE), *(f"SM{value_of(item, 'no')} {fact_words(item, _OP_MODE_SM)}" for item in mode.sm_assignments)
+    return fact_words(mode, _OP_MODE), *(
+        f"SM{value_of(item, 'no')} {fact_words(item, _OP_MODE_SM)}" for item in mode.sm_assignments
+    )
 
 
 def _compare_order(
