@@ -3,6 +3,8 @@
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
+import msgspec
+
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.model.compare_device import compare_messages, listed_messages
 from esicatalog.model.compare_facts import (
@@ -27,7 +29,7 @@ from esicatalog.model.compare_words import (
     text,
     yes_no,
 )
-from esicatalog.model.pdo_facts import index_words
+from esicatalog.model.words import init_cmd_target
 
 _MAILBOX = (
     Fact("data_link_layer", "DataLinkLayer", lost, yes_no),
@@ -143,8 +145,5 @@ def _sent(command: InitCmd) -> tuple[str, str | None, tuple[str, ...]]:
 
 
 def _target(command: InitCmd) -> str:
-    if command.idn is not None:
-        return f"IDN {command.idn}" + (f" channel {command.channel}" if command.channel is not None else "")
-    if command.object_index is not None:
-        return f"{index_words(command.object_index)}:{command.subindex or 0:02X}"
-    return f"type {command.eoe_type}" if command.eoe_type is not None else ""
+    """What it writes to, in the words of sheets; CompleteAccess is compared as a fact of its own."""
+    return init_cmd_target(msgspec.structs.replace(command, complete_access=None))
