@@ -220,3 +220,11 @@ def test_thousands_of_equal_objects_are_compared_at_once():
     assert told(objects(*many), objects(*many[:-1], single("#x2FFF", flags=RO))) == [
         ("0x2FFF:00 access", "rw", "ro", True)
     ]
+
+
+@pytest.mark.parametrize(("category", "differs"), [("o", False), ("m", True), ("c", True)])
+def test_an_object_is_optional_where_it_does_not_say_what_it_is(category, differs):
+    """ETG.2000 Flags/Category: default o."""
+    silent, said = objects(single("#x2000")), objects(single("#x2000", flags=f"<Category>{category}</Category>"))
+    assert told(silent, said) == ([("0x2000:00 category", "o", category, False)] if differs else [])
+    assert told(said, silent) == ([("0x2000:00 category", category, "o", False)] if differs else [])
