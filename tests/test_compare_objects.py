@@ -237,3 +237,11 @@ def test_blanks_make_no_other_text_of_an_enumeration():
 
 def test_a_value_without_text():
     assert told(one_value("<Text>on</Text>"), one_value("")) == [("0x2000:00 enumeration", "1 on", "1", False)]
+
+
+@pytest.mark.parametrize(("category", "differs"), [("o", False), ("m", True), ("c", True)])
+def test_an_object_is_optional_where_it_does_not_say_what_it_is(category, differs):
+    """ETG.2000 Flags/Category: default o."""
+    silent, said = objects(single("#x2000")), objects(single("#x2000", flags=f"<Category>{category}</Category>"))
+    assert told(silent, said) == ([("0x2000:00 category", "o", category, False)] if differs else [])
+    assert told(said, silent) == ([("0x2000:00 category", category, "o", False)] if differs else [])

@@ -194,7 +194,7 @@ def test_other_commands():
         "sdo 0x2002:01 complete 0200",
     ]
     assert module.CYCLE_NS == 250_000
-    assert "# - PS S-0-0032 is left out: pysoem has no call for SoE" in pysoem_module(found)
+    assert "# - PS S-0-0032 channel 1 is left out: pysoem has no call for SoE" in pysoem_module(found)
     assert not hasattr(module, "Outputs")
     assert not hasattr(module, "config_dc")
 

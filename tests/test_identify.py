@@ -178,6 +178,7 @@ def test_nothing_is_sampled_where_only_a_gap_of_no_bits_is_more(tmp_path):
 
 
 VARIABLE = '<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name></RxPdo>'
+SLOT_OF_NOBODY = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent>9</ModuleIdent></Slot></Slots>'
 NO_LENGTH = '<RxPdo Sm="0"><Index>#x1600</Index><Entry><Index>#x7000</Index></Entry></RxPdo>'
 
 
@@ -198,6 +199,11 @@ NO_LENGTH = '<RxPdo Sm="0"><Index>#x1600</Index><Entry><Index>#x7000</Index></En
             '<Sm DefaultSize="8">Outputs</Sm>',
             '<Sm DefaultSize="64">Outputs</Sm>',
             "SyncManagers without PDOs have DefaultSize SM0 8 here, SM0 64 there",
+        ),
+        (
+            f"<Sm>Outputs</Sm>{SLOT_OF_NOBODY}",
+            "<Sm>Outputs</Sm>",
+            "slots that need a module: 1 here, none there",
         ),
         (
             "<Sm>Outputs</Sm>" + VARIABLE,

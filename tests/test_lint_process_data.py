@@ -61,7 +61,7 @@ def test_l52_knows_what_a_sync_manager_is_for(tmp_path, sm, index, words):
     mode = f'<OpMode><Name>DC</Name><AssignActivate>0</AssignActivate><Sm No="{sm}"><Pdo>{index}</Pdo></Sm></OpMode>'
     pdos = pdo("RxPdo", "#x1600", 8) + pdo("TxPdo", "#x1A00", 8)
     found = linted(tmp_path, "L52", device(f"{MAILBOX_AND_PROCESS_DATA}{pdos}<Dc>{mode}</Dc>"))
-    assert [item["message"] for item in found] == ([f"OpMode 1 'DC' {words}"] if words else [])
+    assert [item["message"] for item in found] == ([f"OpMode 0 'DC' {words}"] if words else [])
 
 
 @pytest.mark.parametrize(("limit", "count"), [('OSMax="10"', 1), ('OSMax="20"', 0), ("", 0)])
@@ -70,7 +70,7 @@ def test_l52_knows_how_often_a_pdo_may_be_sampled(tmp_path, limit, count):
     mode = f"<OpMode><Name>DC</Name><AssignActivate>0</AssignActivate>{listed}</OpMode>"
     content = MAILBOX_AND_PROCESS_DATA + pdo("TxPdo", "#x1A00", 8, attributes=limit)
     found = linted(tmp_path, "L52", device(f"{content}<Dc>{mode}</Dc>"))
-    assert [item["message"] for item in found] == ["OpMode 1 'DC' samples PDO 0x1A00 20 times, its OSMax is 10"] * count
+    assert [item["message"] for item in found] == ["OpMode 0 'DC' samples PDO 0x1A00 20 times, its OSMax is 10"] * count
 
 
 @pytest.mark.parametrize(
@@ -238,16 +238,16 @@ CYCLE_0, NO_CYCLE_0 = '<CycleTimeSync0 Factor="1">0</CycleTimeSync0>', "<CycleTi
         ),
         ("L26", '<Sm DefaultSize="0">Outputs</Sm>', None),
         # A time of 0 counts with its Factor only.
-        ("L51", op_mode(NO_CYCLE_0), "OpMode 1 'DC' makes SYNC pulses with CycleTimeSync0 0 and no Factor"),
-        ("L51", op_mode(NO_CYCLE_0.replace(">", ' Factor="0">', 1)), "OpMode 1 'DC' makes SYNC pulses with"),
-        ("L51", op_mode(), "OpMode 1 'DC' makes SYNC pulses without CycleTimeSync0"),
+        ("L51", op_mode(NO_CYCLE_0), "OpMode 0 'DC' makes SYNC pulses with CycleTimeSync0 0 and no Factor"),
+        ("L51", op_mode(NO_CYCLE_0.replace(">", ' Factor="0">', 1)), "OpMode 0 'DC' makes SYNC pulses with"),
+        ("L51", op_mode(), "OpMode 0 'DC' makes SYNC pulses without CycleTimeSync0"),
         ("L51", op_mode(CYCLE_0), None),
         # Bit 0x0001: the device makes its SYNC signals itself.
         ("L51", op_mode(NO_CYCLE_0, activate="#x301"), None),
         (
             "L50",
             op_mode(CYCLE_0, "<CycleTimeSync1>0</CycleTimeSync1>", activate="#x700"),
-            "OpMode 1 'DC' makes SYNC1 (AssignActivate 0x0700) with CycleTimeSync1 0 and no Factor: its time",
+            "OpMode 0 'DC' makes SYNC1 (AssignActivate 0x0700) with CycleTimeSync1 0 and no Factor: its time",
         ),
         ("L50", op_mode(CYCLE_0, "<ShiftTimeSync1>0</ShiftTimeSync1>", activate="#x700"), None),
         ("L50", op_mode(CYCLE_0, '<CycleTimeSync1 Factor="1">0</CycleTimeSync1>', activate="#x700"), None),
@@ -261,3 +261,22 @@ def test_zero_is_no_length_and_no_time(tmp_path, rule_id, content, words):
     found = linted(tmp_path, rule_id, device(content))
     assert len(found) == (words is not None)
     assert all(item["message"].startswith(words) for item in found)
+
+
+def test_slots_and_op_modes_are_counted_as_options_take_them(tmp_path):
+    """From 0, slots over all instances: --module 2=IDENT plugs into the one that L53 tells of, --op-mode 1 is L51's."""
+    idents = "<ModuleIdent>1</ModuleIdent><ModuleIdent>2</ModuleIdent>"
+    slots = "".join(
+        f'<Slot MinInstances="{least}" MaxInstances="{most}"><Name>s</Name>{idents}</Slot>'
+        for least, most in ((0, 2), (1, 1))
+    )
+    modules = "".join(f'<Module><Type ModuleIdent="{n}">M{n}</Type><Name>M</Name></Module>' for n in (1, 2))
+    modes = "".join(
+        f"<OpMode><Name>{name}</Name><AssignActivate>{word}</AssignActivate></OpMode>"
+        for name, word in (("Free", 0), ("DC", "#x300"))
+    )
+    content = device(f"{MAILBOX_AND_PROCESS_DATA}<Dc>{modes}</Dc><Slots>{slots}</Slots>")
+    (slot,) = linted(tmp_path, "L53", content, modules)
+    assert slot["message"].startswith("slot 2 needs a module (MinInstances 1) and presets none")
+    (mode,) = linted(tmp_path, "L51", content, modules)
+    assert mode["message"].startswith("OpMode 1 'DC' makes SYNC pulses without CycleTimeSync0")

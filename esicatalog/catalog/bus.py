@@ -13,8 +13,10 @@ from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.bus import BusSummary, SlaveReport, look_at_bus
+from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.revision_check import EXACT
 from esicatalog.model.scan_compare import compare_objects, compare_pdos
+from esicatalog.model.slots import default_modules
 from esicatalog.scan.records import Scan, ScanFinding, ScannedDictionary, ScannedPdos, ScannedSlave
 
 _NO_IDENTITY = Identification(None, None, None, "none", "the scan gives no identity of this slave", None, (), ())
@@ -146,7 +148,7 @@ def bus_reports(
         devices = [lookup.at_bus(fit.answer.device.device) if fit.answer.device else None for fit in fits]
         reports, summary = look_at_bus(list(zip(slaves, devices, strict=True)))
         together = zip(listed, fits, reports, strict=True)
-        found.append(BusReport(number, tuple(_identified(*item) for item in together), summary))
+        found.append(BusReport(number, tuple(_identified(*item, read) for item in together), summary))
     return found
 
 
@@ -158,10 +160,18 @@ class _Fit(NamedTuple):
     notes: tuple[str, ...] = ()
 
 
-def _identified(listed: _Listed, fit: _Fit, report: SlaveReport) -> IdentifiedSlave:
+def _identified(listed: _Listed, fit: _Fit, report: SlaveReport, records: Records) -> IdentifiedSlave:
     slave, findings = listed
-    report = report._replace(notes=(*report.notes, *fit.notes))
+    missing: tuple[str, ...] = ()
+    if fit.answer.device is not None and None in (report.output_bytes, report.input_bytes):
+        missing = _missing_modules(*records(fit.answer.device.device))
+    report = report._replace(notes=(*report.notes, *missing, *fit.notes))
     return IdentifiedSlave(slave, fit.answer, report, fit.differences, findings)
+
+
+def _missing_modules(device: Device, modules: Sequence[Module]) -> tuple[str, ...]:
+    """Why lengths are not known where modules have to be chosen first."""
+    return tuple(dict.fromkeys(missing_pdos(device, modules, default_modules(device, modules)).values()))
 
 
 def _fitting(

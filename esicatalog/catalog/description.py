@@ -19,7 +19,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.module_choice import chosen_modules
-from esicatalog.model.process_image import SmImage, plugged_process_image
+from esicatalog.model.process_image import SmImage, whole_process_image
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sync import default_position
 
@@ -73,7 +73,7 @@ class DeviceDescription(NamedTuple):
 
         Raises :class:`InputError` for a choice that does not fit.
         """
-        return plugged_process_image(self.device, self.plugged(choice))
+        return whole_process_image(self.device, self.modules, self.plugged(choice))
 
 
 def read_description(connection: sa.Connection, lookup: IdentityLookup, identity: Identity) -> DeviceDescription:

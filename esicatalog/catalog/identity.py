@@ -73,6 +73,10 @@ _BESIDE_LAYOUT = (
         "ORDER BY s.position",
     ),
     (
+        "slots that need a module: {} here, {} there",
+        "SELECT sum(min_instances) FROM slots WHERE device_id = ? HAVING sum(min_instances) > 0",
+    ),
+    (
         "the same entries are sampled otherwise: {} here, {} there",
         "SELECT output_bytes, 'bytes out,', input_bytes, 'in' FROM device_facts WHERE device_id = ?",
     ),

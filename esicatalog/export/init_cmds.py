@@ -11,6 +11,7 @@ from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
 from esicatalog.model.start_up import TRANSITIONS, transition_of, unusable_part, written_places, yields
+from esicatalog.model.words import soe_target
 
 MODULE_IDENT_LIST = 0xF030
 _WITHOUT_GENERATOR = ("AoE", "EoE")
@@ -29,7 +30,8 @@ class StartCommand(NamedTuple):
     subindex: int
     data: bytes
     complete_access: bool = False
-    channel: int = 0
+    declared_channel: int | None = None
+    """Of SoE, as the InitCmd gives it."""
     comment: str = ""
     adapt_automatically: bool = False
 
@@ -39,11 +41,16 @@ class StartCommand(NamedTuple):
         return self.protocol == "CoE" and (self.object_index in PDO_ASSIGNMENTS or is_pdo_mapping(self.object_index))
 
     @property
+    def channel(self) -> int:
+        """The drive of the device that an IDN is of: the first one unless the InitCmd says another."""
+        return self.declared_channel or 0
+
+    @property
     def place(self) -> str:
         """What is written, in words."""
         if self.protocol == "SoE":
             kind, number = "P" if self.object_index & 0x8000 else "S", self.object_index & 0x0FFF
-            return f"{kind}-{self.object_index >> 12 & 7}-{number:04}"
+            return soe_target(f"{kind}-{self.object_index >> 12 & 7}-{number:04}", self.declared_channel)
         return (
             f"0x{self.object_index:04X}" if self.complete_access else f"0x{self.object_index:04X}:{self.subindex:02X}"
         )
@@ -119,7 +126,7 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
         command.subindex or 0,
         data or b"",
         bool(command.complete_access),
-        command.channel or 0,
+        command.channel,
         " ".join((command.comment or "").split()),
         bool(command.adapt_automatically),
     )

@@ -86,6 +86,11 @@ def _fewer_rights(left: int, right: int) -> bool:
     return bool(left & ~right)
 
 
+def _category(entry: ObjectEntry) -> str:
+    """Optional unless it says something else (ESI-FACTS section 7.3)."""
+    return entry.category or "o"
+
+
 def _type(entry: ObjectEntry) -> str | None:
     return entry.base_type or entry.data_type
 
@@ -97,7 +102,7 @@ _ENTRY = (
     Fact("pdo_mapping", "PDO mapping", lost_items, lambda letters: _MAPPING_WORDS.get(letters)),
     Fact("safety_mapping", "safety mapping", always),
     Fact("unit", "unit", lost, h8),
-    Fact("category", "category", never),
+    Fact(_category, "category", never),
     Fact(lambda entry: bool(entry.access_word & BACKUP), "Backup", never, yes_no),
     Fact(lambda entry: bool(entry.access_word & SETTING), "Setting", never, yes_no),
     Fact("display_name", "display name", never),

@@ -48,7 +48,8 @@ def entries_with_place(image: SmImage) -> list[tuple[int, Entry]]:
 
 
 def _undescribed(image: SmImage) -> Iterator[str]:
-    """PDOs of unknown length among the entries that have no place for it, a DefaultSize without PDOs, what is left out.
+    """PDOs of unknown length among the entries that have no place for it, a DefaultSize without PDOs, what is left out
+    or brought by modules that are not chosen.
 
     Which PDO it is counts: two of unknown length are hardly the same.
     """
@@ -62,6 +63,8 @@ def _undescribed(image: SmImage) -> Iterator[str]:
         yield f"no PDO, DefaultSize {image.left_open}"
     if image.overflow is not None:
         yield image.overflow
+    if image.missing_modules is not None:
+        yield "PDOs of required modules"
 
 
 def _without_place(image: SmImage) -> Iterator[Mapped | str]:

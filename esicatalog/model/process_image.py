@@ -27,6 +27,7 @@ from esicatalog.model.pdo_facts import (
     pdos_by_direction,
     symmetric_exclusions,
 )
+from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.slots import MAX_INDEX, PluggedModule, default_modules
 from esicatalog.model.sm_facts import transfer_direction
 from esicatalog.model.sync import default_op_mode
@@ -82,6 +83,8 @@ class SmImage(NamedTuple):
     """Whether the described bits are all; the remarks say why not."""
     left_open: int | None = None
     """DefaultSize of a SyncManager that has no PDO and exchanges something that is not described."""
+    missing_modules: str | None = None
+    """Which required slots are empty whose modules have PDOs of this direction; also among the remarks."""
 
     @property
     def left_open_words(self) -> str | None:
@@ -122,7 +125,23 @@ class NamedAssignment(NamedTuple):
 
 def default_process_image(device: Device, modules: Sequence[Module] = ()) -> list[SmImage]:
     """The process image without any choice: default OpMode, default modules."""
-    return plugged_process_image(device, default_modules(device, modules))
+    return whole_process_image(device, modules, default_modules(device, modules))
+
+
+def whole_process_image(device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]) -> list[SmImage]:
+    """As :func:`plugged_process_image`; where a required slot is still empty, its length is not known.
+
+    ``modules`` are all of the device.
+    """
+    images = plugged_process_image(device, plugged)
+    missing = missing_pdos(device, modules, plugged)
+    return [_without_modules(image, missing.get(image.transfer_direction)) for image in images] if missing else images
+
+
+def _without_modules(image: SmImage, missing: str | None) -> SmImage:
+    if missing is None:
+        return image
+    return image._replace(remarks=(*image.remarks, missing), has_known_size=False, missing_modules=missing)
 
 
 def plugged_process_image(device: Device, plugged: Sequence[PluggedModule]) -> list[SmImage]:

@@ -120,10 +120,15 @@ def preset_idents(slot: Slot) -> list[int]:
     return [ident for ident in (*marked, slot.default_ident, slot.fallback_ident) if ident is not None]
 
 
+def required_instances(slot: Slot) -> int:
+    """How many slots of a Slot element need a module: MinInstances; a preset makes the first one such a slot."""
+    return slot.min_instances or (1 if preset_idents(slot) else 0)
+
+
 def default_modules(device: Device, modules: Sequence[Module]) -> list[PluggedModule]:
     """What is plugged without a choice: in required slots the preset module, else the only one that fits.
 
-    A preset makes the first slot of a Slot element a required one. It counts where it fits.
+    A preset counts where it fits.
     """
     by_ident: dict[int | None, list[Module]] = defaultdict(list)
     for module in modules:
@@ -131,12 +136,11 @@ def default_modules(device: Device, modules: Sequence[Module]) -> list[PluggedMo
     plugged = []
     for slot, numbers in slot_runs(device):
         idents: list[int | None] = [*preset_idents(slot)]
-        required = slot.min_instances or (1 if idents else 0)
         if not idents and len(slot.module_idents) == 1:
             idents = [slot.module_idents[0].module_ident]
         fitting = (module for ident in idents for module in by_ident.get(ident, ()) if accepts(slot, module))
         if (module_there := next(fitting, None)) is not None:
-            plugged += [PluggedModule(number, slot, module_there) for number in numbers[:required]]
+            plugged += [PluggedModule(number, slot, module_there) for number in numbers[: required_instances(slot)]]
     return plugged
 
 

@@ -35,10 +35,15 @@ def coe_details(mailbox: Mailbox | None) -> list[str]:
     return [words for field, words in _COE_DETAILS.items() if mailbox is not None and getattr(mailbox, field)]
 
 
+def soe_target(idn: str, channel: int | None) -> str:
+    """An IDN with the drive of the device that it is of, as InitCmd/@Chn says it: most devices have a single one."""
+    return f"{idn} channel {channel}" if channel is not None else idn
+
+
 def init_cmd_target(command: InitCmd) -> str:
-    """What a start-up command writes to."""
+    """What a start-up command writes to; an IDN in the words of :func:`soe_target`."""
     if command.idn is not None:
-        return f"IDN {command.idn}"
+        return soe_target(f"IDN {command.idn}", command.channel)
     if command.object_index is not None:
         complete = " complete" if command.complete_access else ""
         return f"0x{command.object_index:04X}:{command.subindex or 0:02X}{complete}"

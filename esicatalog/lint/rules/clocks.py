@@ -12,7 +12,8 @@ from esicatalog.model.sync import SYNC0_PULSE, SYNC1_PULSE, is_superseded, sync_
 
 
 def _words(number: int, mode: OpMode) -> str:
-    return f"OpMode {number + 1} {mode.name or ''!r}"
+    """An OpMode by its position, as ``show`` and ``export --op-mode`` count them: from 0."""
+    return f"OpMode {number} {mode.name or ''!r}"
 
 
 @rule("L49", ERROR, "ETG.2000 OpMode/AssignActivate: registers 0x0980 and 0x0981; pulses need bit 0x0100")

@@ -20,12 +20,13 @@ def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
         unknown = f"no module at hand has, but {listed([repr(name) for name in subject.missing])} is missing"
         severity = WARNING
     idents = {module.module_ident for module in subject.module_records}
-    for number, slot in enumerate(subject.device.slots):
+    for number, (slot, instances) in enumerate(slot_runs(subject.device)):
         place: Place = ("slots", number)
+        words = f"slot {instances.start}"
         for position, item in enumerate(slot.module_idents):
             if item.module_ident is not None and item.module_ident not in idents:
                 yield Found(
-                    f"slot {number + 1} names ModuleIdent 0x{item.module_ident:X}, which {unknown}",
+                    f"{words} names ModuleIdent 0x{item.module_ident:X}, which {unknown}",
                     (*place, "module_idents", position),
                     severity,
                 )
@@ -33,22 +34,20 @@ def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
             if ident is not None and not any(
                 module.module_ident == ident and accepts(slot, module) for module in subject.module_records
             ):
-                yield Found(
-                    f"slot {number + 1} has {name} 0x{ident:X}, which is no module that fits it", place, WARNING
-                )
+                yield Found(f"{words} has {name} 0x{ident:X}, which is no module that fits it", place, WARNING)
         preset = [item for item in slot.module_idents if item.is_default]
         if len(preset) > 1:
-            yield Found(f"slot {number + 1} presets {len(preset)} modules: only one can be plugged", place)
+            yield Found(f"{words} presets {len(preset)} modules: only one can be plugged", place)
         elif not preset_idents(slot) and len(slot.module_idents) > 1 and slot.min_instances:
             yield Found(
-                f"slot {number + 1} needs a module (MinInstances {slot.min_instances}) and presets none: "
+                f"{words} needs a module (MinInstances {slot.min_instances}) and presets none: "
                 "mark one ModuleIdent with Default=1",
                 place,
                 WARNING,
             )
         lowest, highest = slot.min_instances, slot.max_instances
         if lowest is not None and highest is not None and lowest > highest:
-            yield Found(f"slot {number + 1} has MinInstances {lowest} above MaxInstances {highest}", place)
+            yield Found(f"{words} has MinInstances {lowest} above MaxInstances {highest}", place)
 
 
 @rule("L54", ERROR, "ETG.2000 Module Type/@ModuleIdent: what slots and 0xF030 refer to")

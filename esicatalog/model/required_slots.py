@@ -1,0 +1,89 @@
+"""Slots that need a module and have none: what its PDOs add is not known (ESI-FACTS sections 12 and 18).
+
+A required slot stays empty where several modules fit and none is preset, or where what it takes is not described. An
+image without such a module is none that the device can have.
+"""
+
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.slots import Slot
+from esicatalog.model.module_choice import fitting_choices
+from esicatalog.model.pdo_facts import pdos_by_direction
+from esicatalog.model.slots import PluggedModule, accepts, required_instances, slot_runs
+from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS
+
+_MOST_NUMBERS = 4
+
+
+class EmptySlots(NamedTuple):
+    """Slots of one Slot element that have no module, and the modules with PDOs that fit them.
+
+    There is none of these where no module that fits is described at all.
+    """
+
+    slot: Slot
+    numbers: tuple[int, ...]
+    with_pdos: tuple[Module, ...]
+
+
+def required_empty_slots(
+    device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]
+) -> list[EmptySlots]:
+    """The slots that need a module and have none, unless only modules without PDOs fit."""
+    return list(_empty(device, modules, plugged, required_instances))
+
+
+def empty_slots(device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]) -> list[EmptySlots]:
+    """All slots that have no module and are fitted by one with PDOs."""
+    found = _empty(device, modules, plugged, lambda _: None)
+    return [item for item in found if item.with_pdos]
+
+
+def _empty(
+    device: Device,
+    modules: Sequence[Module],
+    plugged: Sequence[PluggedModule],
+    instances: Callable[[Slot], int | None],
+) -> Iterator[EmptySlots]:
+    taken = {item.slot_number for item in plugged}
+    for slot, numbers in slot_runs(device):
+        if empty := tuple(number for number in numbers[: instances(slot)] if number not in taken):
+            fitting = [module for module in modules if accepts(slot, module)]
+            with_pdos = tuple(module for module in fitting if module.rx_pdos or module.tx_pdos)
+            if with_pdos or not fitting:
+                yield EmptySlots(slot, empty, with_pdos)
+
+
+def empty_words(empty: Sequence[EmptySlots], are_required: bool) -> str:
+    """Which slots these are: "slots 0, 1 without a module, though required"."""
+    numbers = [number for item in empty for number in item.numbers]
+    more = f" and {len(numbers) - _MOST_NUMBERS} more" if len(numbers) > _MOST_NUMBERS else ""
+    which = f"slot{'' if len(numbers) == 1 else 's'} {', '.join(map(str, numbers[:_MOST_NUMBERS]))}{more}"
+    return f"{which} without a module{', though required' if are_required else ''}"
+
+
+def fitting_words(empty: Sequence[EmptySlots], modules: Sequence[Module]) -> str:
+    """What fits the first of them; ``modules`` are all of the device."""
+    first = empty[0]
+    return f"what fits slot {first.numbers[0]}: {fitting_choices(first.slot, modules)}"
+
+
+def missing_pdos(device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]) -> dict[str, str]:
+    """Which required slots are empty whose module adds PDOs, in words, by the transfer direction of these PDOs.
+
+    A module that is not described may have PDOs of either direction.
+    """
+    empty = required_empty_slots(device, modules, plugged)
+    adding: dict[str, list[EmptySlots]] = defaultdict(list)
+    for item in empty:
+        described = {direction for module in item.with_pdos for direction, pdos in pdos_by_direction(module) if pdos}
+        for direction in described or TRANSFER_DIRECTIONS:
+            adding[TRANSFER_DIRECTIONS[direction]].append(item)
+    return {
+        direction: f"{empty_words(items, True)}: PDOs of modules are missing; {fitting_words(items, modules)}"
+        for direction, items in adding.items()
+    }
