@@ -9,7 +9,7 @@ from esicatalog.export.c_text import comment_text, wrapped
 from esicatalog.export.clocks import Condition
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines, op_mode_words
-from esicatalog.export.image_layout import ImageLayout, Member, image_layout
+from esicatalog.export.io_map import IoMap, Member, io_map
 from esicatalog.export.init_cmds import StartCommand, by_transition
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
@@ -79,9 +79,9 @@ class DcCode(NamedTuple):
 
 def pysoem_module(configuration: Configuration) -> str:
     """The module for one device."""
-    layouts = [image_layout(configuration, direction) for direction in (OUTPUT, INPUT)]
+    maps = [io_map(configuration, direction) for direction in (OUTPUT, INPUT)]
     remarks = [*configuration.remarks, *configuration.copy_remarks]
-    remarks += [remark for layout in layouts for remark in (*layout.remarks, *_sharing(layout))]
+    remarks += [remark for layout in maps for remark in (*layout.remarks, *_sharing(layout))]
     remarks += register_remarks(configuration, "pysoem")
     remarks += command_remarks(configuration, "pysoem")
     remarks += [
@@ -90,7 +90,7 @@ def pysoem_module(configuration: Configuration) -> str:
         if command.protocol == "SoE"
     ]
     heading = heading_lines(configuration._replace(remarks=tuple(remarks)), "pysoem configuration")
-    images = [_image_class(layout) for layout in layouts]
+    images = [_image_class(layout) for layout in maps]
     return render(
         "pysoem.py.j2",
         configuration=configuration,
@@ -105,7 +105,7 @@ def pysoem_module(configuration: Configuration) -> str:
     )
 
 
-def _sharing(layout: ImageLayout) -> Iterable[str]:
+def _sharing(layout: IoMap) -> Iterable[str]:
     if layout.bit_size and layout.starts_inside_byte:
         bits = "1 bit" if layout.bit_size == 1 else f"{layout.bit_size} bits"
         yield (
@@ -114,7 +114,7 @@ def _sharing(layout: ImageLayout) -> Iterable[str]:
         )
 
 
-def _image_class(layout: ImageLayout) -> ImageClass:
+def _image_class(layout: IoMap) -> ImageClass:
     names = _python_names([*(member.name for member in layout.members), *(entry.identifier for entry in layout.others)])
     count = len(layout.members)
     return ImageClass(

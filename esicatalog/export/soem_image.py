@@ -6,7 +6,7 @@ from typing import NamedTuple
 from esicatalog.export.c_access import Function, Place, c_type, read_bits, read_long, write_bits, write_long
 from esicatalog.export.c_text import comment_text
 from esicatalog.export.configuration import Configuration
-from esicatalog.export.image_layout import ImageLayout, Member, image_layout
+from esicatalog.export.io_map import IoMap, Member, io_map
 from esicatalog.export.sm_configuration import MappedEntry
 from esicatalog.model.sm_facts import OUTPUT
 
@@ -38,7 +38,7 @@ class ImageCode(NamedTuple):
 
 def image_code(configuration: Configuration, direction: str) -> ImageCode:
     """The structure of one direction; without members when nothing is exchanged."""
-    layout = image_layout(configuration, direction)
+    layout = io_map(configuration, direction)
     type_name = f"{configuration.prefix}_{direction}s_t"
     return ImageCode(
         direction,
@@ -68,7 +68,7 @@ def _words(entry: MappedEntry) -> str:
     return comment_text(f"{entry.place} {entry.name}".rstrip())
 
 
-def _accessors(prefix: str, type_name: str, layout: ImageLayout, entry: MappedEntry) -> Iterator[Function]:
+def _accessors(prefix: str, type_name: str, layout: IoMap, entry: MappedEntry) -> Iterator[Function]:
     is_output = layout.direction == OUTPUT
     const = "" if is_output else "const "
     image, cast = f"{const}{type_name} *image", f"({const}uint8_t *) image"

@@ -1,4 +1,4 @@
-"""The process image that an application of SOEM sees in one direction.
+"""The process image as an application of SOEM sees it: its IOmap, in one direction.
 
 Its SyncManagers lie one after the other, each in whole bytes. Behind a PDO without described entries, or a SyncManager
 that exchanges something without PDOs, nothing tells where anything lies: there the layout ends.
@@ -24,7 +24,7 @@ class Member(NamedTuple):
     entry: MappedEntry | None
 
 
-class ImageLayout(NamedTuple):
+class IoMap(NamedTuple):
     """Values of one direction by their place in the image."""
 
     direction: str
@@ -41,7 +41,7 @@ class ImageLayout(NamedTuple):
         return self.bit_size < _BITS_OF_BYTE
 
 
-def image_layout(configuration: Configuration, direction: str) -> ImageLayout:
+def io_map(configuration: Configuration, direction: str) -> IoMap:
     """The image of one direction; without members when nothing is exchanged."""
     entries, byte_size, bit_size = [], 0, 0
     images = [sm for sm in configuration.sync_managers if sm.direction == direction and (sm.pdos or sm.is_left_open)]
@@ -65,7 +65,7 @@ def image_layout(configuration: Configuration, direction: str) -> ImageLayout:
                 f"the {direction}s take {byte_size} bytes in {len(images)} SyncManagers, and SOEM maps only the "
                 f"{needed} that the sum of their bits needs: what lies behind is not exchanged"
             )
-    return ImageLayout(
+    return IoMap(
         direction,
         byte_size,
         bit_size,
