@@ -9,8 +9,8 @@ from esicatalog.export.c_text import comment_text, wrapped
 from esicatalog.export.clocks import Condition
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines, op_mode_words
-from esicatalog.export.io_map import IoMap, Member, io_map
 from esicatalog.export.init_cmds import StartCommand, by_transition
+from esicatalog.export.io_map import IoMap, Member, io_map
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.export.sm_configuration import MappedEntry
