@@ -4,7 +4,8 @@ import asyncio
 import json
 import re
 import socket
-from contextlib import ExitStack
+import sqlite3
+from contextlib import ExitStack, closing
 from pathlib import Path
 
 import msgspec
@@ -423,6 +424,22 @@ async def test_a_document_without_devices_makes_other_answers(tmp_path):
         catalog.ingest([folder], jobs=1)
     after = await web.get("/-/esi/", headers={"if-none-match": before.headers["etag"]})
     assert (after.status_code, after.headers["etag"] != before.headers["etag"]) == (200, True)
+
+
+@pytest.mark.parametrize("path", [f"{ROUTE}?vendor=0xe5c&product=1", "/-/esi/devices.json", "/-/esi/"])
+async def test_nothing_is_confirmed_while_an_ingest_is_under_way(tmp_path, path):
+    """Nothing says then what the catalog holds: answers that differ would have one name."""
+    db = tmp_path / "c.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([write(tmp_path / "esi", {"a.xml": esi(device())})], jobs=1)
+    web = await client(db)
+    finished = await web.get(path)
+    with closing(sqlite3.connect(db)) as connection, connection:
+        connection.execute("DELETE FROM catalog_state WHERE key IN ('content_hash', 'state_hash')")
+    for asked in ({}, {"if-none-match": finished.headers["etag"]}, {"if-none-match": '"0-changing-unknown"'}):
+        answer = await web.get(path, headers=asked)
+        assert (answer.status_code, "etag" in answer.headers) == (200, False)
+        assert answer.headers["cache-control"] == "no-store"
 
 
 async def test_cors_only_where_datasette_has_it(data_db):

@@ -69,7 +69,7 @@ def json_route(handlers: dict[str, Handler]) -> View:
         catalog = await catalog_for(datasette, request.actor)
         if handler is handlers.get("GET"):
             headers |= _validators(catalog)
-            if request.headers.get("if-none-match") == headers["ETag"]:
+            if _is_confirmed(request, headers):
                 return Response(b"", 304, headers)
         try:
             value, status = await handler(request, catalog)
@@ -95,7 +95,7 @@ def page_route(
         headers = {"Vary": part.header} if part is not None else {}
         if request.method != "POST":
             headers |= _validators(catalog, "part" if part is not None and part.is_asked(request) else "")
-            if request.headers.get("if-none-match") == headers["ETag"]:
+            if _is_confirmed(request, headers):
                 return Response(b"", 304, headers)
         try:
             page = await handler(request, catalog)
@@ -144,9 +144,19 @@ def status_of(error: EsiCatalogError) -> int:
 
 
 def _validators(catalog: Catalog, kind: str = "") -> dict[str, str]:
-    """What an answer depends on: what the catalog holds, the version that answers, and what it is of several."""
-    held = f"{catalog.content_hash() or 'changing'}-{catalog.state_hash() or 'unknown'}"
-    return {"ETag": f'"{__version__}-{held}{kind}"', "Cache-Control": "no-cache"}
+    """What an answer depends on: what the catalog holds, the version that answers, and what it is of several.
+
+    While an ingest is under way nothing says what the catalog holds: answers are not to be kept then.
+    """
+    held = (catalog.content_hash(), catalog.state_hash())
+    if None in held:
+        return {"Cache-Control": "no-store"}
+    return {"ETag": f'"{__version__}-{held[0]}-{held[1]}{kind}"', "Cache-Control": "no-cache"}
+
+
+def _is_confirmed(request: Any, headers: dict[str, str]) -> bool:
+    """Whether the client has the answer already that has these validators."""
+    return "ETag" in headers and request.headers.get("if-none-match") == headers["ETag"]
 
 
 def _json(value: Any, status: int, headers: dict[str, str]) -> Response:
