@@ -446,6 +446,17 @@ async def test_cors_only_where_datasette_has_it(data_db):
     web = await new_client(data_db, cors=True)
     response = await web.get(f"{ROUTE}?vendor=1&product=1")
     assert response.headers["access-control-allow-origin"] == "*"
+    exported = await web.get("/-/esi/device/0x1097/0x2406/0x8f/export/igh")
+    assert (exported.status_code, exported.headers["access-control-allow-origin"]) == (200, "*")
+    # What a browser asks before a script of another site posts JSON.
+    asked = {"access-control-request-method": "POST", "access-control-request-headers": "content-type"}
+    allowed = await web.request("OPTIONS", ROUTE, headers={"origin": "https://example.com", **asked})
+    assert allowed.status_code == 204
+    assert "POST" in allowed.headers["access-control-allow-methods"].split(", ")
+    assert "content-type" in allowed.headers["access-control-allow-headers"].lower().split(", ")
+    plain = await client(data_db)
+    for path in ("/-/esi/device/0x1097/0x2406/0x8f/export/igh", ROUTE):
+        assert (await plain.request("OPTIONS", path)).status_code == 405
 
 
 async def test_who_may_not_see_the_database_gets_no_answer(data_db):

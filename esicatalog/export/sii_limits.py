@@ -59,7 +59,9 @@ def check_image(image: SiiImage, byte_size: int, filled_to: int | None = None) -
     """
     beyond = list(_beyond_the_format(image))
     if beyond:
-        raise SiiLimitError(f"no image can hold this, unless it is left out (--fit): {'; '.join(beyond)}")
+        raise SiiLimitError(
+            f"no image can hold this, unless it is left out (esicatalog export sii --fit): {'; '.join(beyond)}"
+        )
     end_mark = bool(image.categories) or byte_size > HEADER.size
     image = msgspec.structs.replace(image, end_mark=end_mark)
     used, behind = used_bytes(image), behind_end_mark(image)
@@ -67,7 +69,7 @@ def check_image(image: SiiImage, byte_size: int, filled_to: int | None = None) -
     if excess > 0:
         raise SiiLimitError(
             f"the image takes {used + len(behind)} bytes, {excess} more than the {byte_size} of the EEPROM; "
-            "to fit, names and then more can be left out (--fit)",
+            "to fit, names and then more can be left out (esicatalog export sii --fit)",
             excess,
         )
     free = (byte_size if filled_to is None else filled_to) - used - len(behind)
