@@ -128,6 +128,8 @@ VIEW_COLUMNS = {
     "cstca": "Devices with CSTCA",
     "dc_modes": "Number of OpModes",
     "device_id": "Key in devices",
+    "device_overview.sync0": "1 = some OpMode generates SYNC0",
+    "device_overview.sync1": "1 = some OpMode generates SYNC1",
     "drives": "Devices with any finding about a drive mode",
     "first_source": "First document that carries it",
     "hm": "Devices with HM",
@@ -160,14 +162,12 @@ VIEW_COLUMNS = {
     "slots": "Number of Slot elements",
     "source_id": "Key in sources",
     "sources": "Number of documents that carry it",
-    "sync0": "1 = AssignActivate generates SYNC0",
-    "sync1": "1 = AssignActivate generates SYNC1",
     "tq": "Devices with TQ",
     "tx_pdos": "Number of its own TxPdo",
     "vendor": "Vendor's name",
     "vl": "Devices with VL",
 }
-"""Columns that only views have, and those that a view uses for something of its own."""
+"""Columns that only views have, and those that views, or one that is named, use for something of their own."""
 
 KEYS = """\
 ## How rows are keyed by vendor, product and revision
@@ -230,8 +230,9 @@ def view_columns() -> dict[str, dict[str, str]]:
 def _view_column_comment(view: str, column: str) -> str:
     if column.endswith("_hex"):
         return f"{_view_column_comment(view, column.removesuffix('_hex'))}, as 0x… text"
-    if column in VIEW_COLUMNS:
-        return VIEW_COLUMNS[column]
+    for name in (f"{view}.{column}", column):
+        if name in VIEW_COLUMNS:
+            return VIEW_COLUMNS[name]
     for table in VIEW_TABLES.get(view, (view.partition("_")[2],)):
         if column in metadata.tables[table].columns:
             return _comment(metadata.tables[table].columns[column])

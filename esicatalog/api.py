@@ -12,7 +12,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
-from esicatalog.identity import Identity, parse_identity, require_numbers
+from esicatalog.errors import CatalogError
+from esicatalog.identity import Identity, checked, checked_number, parse_identity
 
 if TYPE_CHECKING:
     import sqlalchemy as sa
@@ -46,6 +47,8 @@ class Catalog:
         self, target: str | os.PathLike[str], create: bool = False, read_only: bool = False, at_once: bool = True
     ) -> None:
         """As :meth:`open`; with ``at_once`` false an existing catalog too is opened when it is first used."""
+        if create and read_only:
+            raise CatalogError(f"{os.fspath(target)}: what only reads makes no catalog; leave out create or read_only")
         self._target = target
         self._read_only = read_only
         self._opened: sa.Engine | None = None
@@ -57,7 +60,7 @@ class Catalog:
     def open(cls, target: str | os.PathLike[str], create: bool = False, read_only: bool = False) -> Self:
         """Open the catalog in a file or at a database URL; ``create`` makes a missing one on first use.
 
-        With ``read_only`` the database refuses every change, whatever asks for one.
+        With ``read_only``, which excludes ``create``, the database refuses every change, whatever asks for one.
         Raises :class:`~esicatalog.errors.CatalogError` with what to do when that is not possible.
         """
         return cls(target, create, read_only)
@@ -131,7 +134,7 @@ class Catalog:
 
         Raises :class:`~esicatalog.errors.InputError` for what is no number of 32 bits.
         """
-        require_numbers(vendor_id, product_code, revision_no or 0)
+        checked(Identity(vendor_id, product_code, revision_no))
         return (self._lookup or self._identities()).identify(vendor_id, product_code, revision_no)
 
     def identify_scan(
@@ -172,8 +175,9 @@ class Catalog:
 
         ``filters`` are the fields of :class:`~esicatalog.catalog.device_filter.DeviceFilter`, as values or as the
         texts that the command takes, and a single one where several can be given: ``modes=["CSV", "CSP"]`` or
-        ``modes="CSV,CSP"``, ``maps=[(0x60FF, None), (0x6041, 0)]`` or ``maps="0x60FF"``, ``bytes_in="<=8"``. Raises
-        :class:`~esicatalog.errors.InputError`, and :class:`~esicatalog.errors.NotFound` for an unknown ``like``.
+        ``modes="CSV,CSP"``, ``maps=[(0x60FF, None), (0x6041, 0)]`` or ``maps="0x60FF"``, ``bytes_in="<=8"``,
+        ``vendor="0x1097"`` or a part of the name. Raises :class:`~esicatalog.errors.InputError` for what is no such
+        value, and :class:`~esicatalog.errors.NotFound` for an unknown ``like``.
         """
         from esicatalog.catalog.filter_texts import filter_of_fields
 
@@ -209,7 +213,7 @@ class Catalog:
         from esicatalog.catalog.description import read_description
         from esicatalog.catalog.identity import IdentityLookup
 
-        wanted = parse_identity(identity) if isinstance(identity, str) else identity
+        wanted = parse_identity(identity) if isinstance(identity, str) else checked(identity)
         with self._connection() as connection:
             return read_description(connection, IdentityLookup(connection_query(connection)), wanted)
 
@@ -227,11 +231,11 @@ class Catalog:
         """What generators get of a device: its description with the vendor and groups of its document.
 
         Without a variant it says of the preferred description whether others exchange something else. Raises
-        :class:`~esicatalog.errors.NotFound`.
+        :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
         """
         from esicatalog.catalog.devices import find_device, variants_with_slots
 
-        wanted = parse_identity(identity) if isinstance(identity, str) else identity
+        wanted = parse_identity(identity) if isinstance(identity, str) else checked(identity)
         with self._connection() as connection:
             number, found, variant_count = find_device(connection, wanted)
             subject = self._export_subject(connection, number, found)
@@ -241,7 +245,11 @@ class Catalog:
         return subject.beside(with_slots, words if differing is not None else None)
 
     def export_subjects(self, vendor_id: int) -> "list[Subject]":
-        """What generators get of all devices of a vendor, with codes and without: the preferred descriptions."""
+        """What generators get of all devices of a vendor, with codes and without: the preferred descriptions.
+
+        Raises :class:`~esicatalog.errors.InputError` for what is no number of 32 bits.
+        """
+        checked_number(vendor_id, "vendor")
         from esicatalog.catalog.devices import devices_of_vendor
 
         with self._connection() as connection:

@@ -68,28 +68,50 @@ def parse_number(text: str, what: str = "number", limit: int = UINT32_MAX) -> in
     return value
 
 
-def require_numbers(*numbers: int) -> None:
-    """Raise :class:`InputError` unless these can be numbers of an identity, whatever type callers declared."""
-    for number in numbers:
-        if not (isinstance(number, int) and 0 <= number <= UINT32_MAX):
-            raise InputError(f"{str(number)[:_SHOWN]!r} is no number of an identity; those go from 0 to 0xffffffff")
+def checked_number(value: object, what: str) -> int:
+    """A number of an identity, whatever type callers declared. Raises :class:`InputError`."""
+    if not isinstance(value, int) or isinstance(value, bool) or not 0 <= value <= UINT32_MAX:
+        raise InputError(f"{what} {repr(value)[:_SHOWN]} is no number from 0 to 0x{UINT32_MAX:x}")
+    return value
+
+
+def checked(identity: Identity) -> Identity:
+    """The same identity, if it can be one, whatever types callers declared. Raises :class:`InputError`."""
+    checked_number(identity.vendor_id, "vendor")
+    checked_number(identity.product_code, "product")
+    if identity.revision_no is not None:
+        checked_number(identity.revision_no, "revision")
+        if identity.without_revision:
+            raise InputError(f"revision 0x{identity.revision_no:x} is given, and that there is none; give one of both")
+    if identity.variant is not None and checked_number(identity.variant, "variant") == 0:
+        raise InputError("variants count from 1")
+    return identity
 
 
 def parse_identity(text: str) -> Identity:
     """An identity written ``V:P[:R][@VARIANT]``, R ``-`` where none is described. Raises :class:`InputError`."""
-    numbers, at, variant_text = text.partition("@")
-    parts = numbers.split(":")
-    if len(parts) not in (2, 3):
+    numbers, at, variant = text.partition("@")
+    vendor, *rest = numbers.split(":")
+    if len(rest) not in (1, 2):
         raise InputError(f"identity {text!r} is not VENDOR:PRODUCT[:REVISION][@VARIANT]")
-    without_revision = parts[2:] == [NO_REVISION]
-    vendor_id, product_code, *rest = (
-        parse_number(part, what)
-        for part, what in zip(parts[:2] if without_revision else parts, ("vendor", "product", "revision"), strict=False)
+    return identity_of_parts(vendor, rest[0], rest[1] if len(rest) == 2 else None, variant if at else None)
+
+
+def identity_of_parts(vendor: str, product: str, revision: str | None = None, variant: str | None = None) -> Identity:
+    """The identity of parts as :func:`parse_identity` reads them; None for those that are not there.
+
+    Raises :class:`InputError`.
+    """
+    without_revision = revision == NO_REVISION
+    return checked(
+        Identity(
+            parse_number(vendor, "vendor"),
+            parse_number(product, "product"),
+            None if revision is None or without_revision else parse_number(revision, "revision"),
+            parse_number(variant, "variant") if variant is not None else None,
+            without_revision,
+        )
     )
-    variant = parse_number(variant_text, "variant") if at else None
-    if variant == 0:
-        raise InputError(f"identity {text!r}: variants count from 1")
-    return Identity(vendor_id, product_code, rest[0] if rest else None, variant, without_revision)
 
 
 def parse_mapped(text: str) -> tuple[int, int | None]:

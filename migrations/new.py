@@ -4,6 +4,7 @@ Read the result before you commit it, and raise SCHEMA_VERSION in esicatalog/cat
 """
 
 import re
+import subprocess
 import sys
 import textwrap
 from pathlib import Path
@@ -68,6 +69,8 @@ def main(message: str) -> None:
     )
     path = versions / f"{revision}_{slug}.py"
     path.write_text(text, encoding="utf-8")
+    for command in (["check", "--fix"], ["format"]):  # an empty migration needs no imports, texts other quotes
+        subprocess.run([sys.executable, "-m", "ruff", *command, "--quiet", str(path)], check=True)
     print(path)
 
 

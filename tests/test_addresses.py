@@ -151,6 +151,16 @@ async def test_what_is_only_read_takes_no_other_method(data_db, path, method):
     assert (await web.request("HEAD", path, follow_redirects=False)).status_code in (200, 302, 404)
 
 
+async def test_a_page_number_that_is_left_empty_is_none(data_db):
+    assert texts(await page(data_db, "/-/esi/?page=&text=servo"), "h2") == ["4 devices"]
+
+
+@pytest.mark.parametrize("path", ["compare?a=0xe5c:1&b=0xe5c:2&c=9", "?foo=1"])
+async def test_pages_refuse_what_they_do_not_read(data_db, path):
+    tree = await page(data_db, f"/-/esi/{path}", 400)
+    assert texts(tree, "[role=alert]")[0].startswith("unknown ")
+
+
 async def test_a_single_parameter_is_told_as_one(data_db):
     tree = await page(data_db, f"{EYOU}?variant=2", 400)
     assert texts(tree, "[role=alert]") == ["unknown parameter 'variant'; there is only module"]

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from snippets import device, esi, pdo, write
+from snippets import device, dictionary, esi, pdo, write
 
 from esicatalog import Catalog
 from esicatalog.cli.diff import command
@@ -141,6 +141,32 @@ def test_modules_have_sections_of_their_own(tmp_path):
     assert lines[lines.index("module 0x00000007: PDO") + 1] == (
         "  ! TxPDO 0x1A00 entry 1  0x7000:01 (8 bit) e1 -> 0x7000:01 (9 bit) e1"
     )
+
+
+def assigned(last: str) -> str:
+    """An OpMode with a list of eleven PDOs: more than a line shows of a value."""
+    indices = [*(f"#x1A{number:02X}" for number in range(10)), last]
+    pdos = "".join(f"<Pdo>{index}</Pdo>" for index in indices)
+    return f'<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate><Sm No="3">{pdos}</Sm></OpMode></Dc>'
+
+
+def test_long_values_show_where_they_differ(tmp_path):
+    done = run("--esi", *files(tmp_path, esi(device(assigned("#x1A0A"))), esi(device(assigned("#x1A0B")))))
+    (line,) = [line for line in done.stdout.splitlines() if "PDOs" in line]
+    left, right = line.split("PDOs")[1].split(" -> ")
+    assert left.endswith("0x1A0A")
+    assert right.endswith("0x1A0B")
+
+
+def test_blanks_of_a_default_text_count_and_are_shown(tmp_path):
+    types = "<DataType><Name>STRING(4)</Name><BitSize>32</BitSize></DataType>"
+    declared = (
+        "<Object><Index>#x1008</Index><Name>O</Name><Type>STRING(4)</Type><BitSize>32</BitSize>"
+        "<Info><DefaultData>{}</DefaultData></Info></Object>"
+    )
+    left, right = (esi(device(dictionary(types, declared.format(data)))) for data in ("61202062", "61206200"))
+    done = run("--esi", *files(tmp_path, left, right))
+    assert '"a  b" -> "a b"' in done.stdout
 
 
 def test_what_is_missing_from_a_file_is_told(tmp_path):

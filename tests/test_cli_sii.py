@@ -127,6 +127,80 @@ def test_another_revision_is_not_compared(tmp_path):
     assert done.stdout.startswith("not compared: no exact ESI")
 
 
+BARE = (
+    "<Sm StartAddress='#x1000' Enable='1'>Outputs</Sm><Sm>Inputs</Sm>"
+    "<Dc><OpMode><Name>SM</Name><AssignActivate>0</AssignActivate></OpMode>"
+    "<OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
+)
+"""No Eeprom, no ControlByte, no CycleTimeSync0."""
+SAID = (
+    "<Sm StartAddress='#x1000' Enable='1' ControlByte='#x64' DefaultSize='2'>Outputs</Sm>"
+    "<Sm StartAddress='#x1100' Enable='1' ControlByte='#x20'>Inputs</Sm>"
+    "<Dc><OpMode><Name>SM</Name><AssignActivate>0</AssignActivate>"
+    "<CycleTimeSync0 Factor='0'>0</CycleTimeSync0></OpMode>"
+    "<OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate>"
+    "<CycleTimeSync0 Factor='0'>0</CycleTimeSync0></OpMode>"
+    "</Dc><Eeprom><ByteSize>4096</ByteSize><ConfigData>8003006E6400</ConfigData><BootStrap>0010000100110001</BootStrap>"
+    "</Eeprom>"
+)
+"""The same with what a tool fills in."""
+
+
+def values_that_differ(dump: Path, db: Path) -> list[str]:
+    """What verify tells, but for texts: :func:`dump_of` knows no name of the group."""
+    found = json.loads(run("sii", "verify", dump, "--format", "json", db=db).stdout)
+    return [item["text"] for item in found["differences"] if item["part"] != "texts"]
+
+
+def test_what_the_description_does_not_say_is_no_difference(tmp_path):
+    db = catalog_of(tmp_path, esi(device(BARE)))
+    dump = dump_of(tmp_path, SAID)
+    data = bytearray(dump.read_bytes())
+    data[0x40:0x44] = b"own!"
+    dump.write_bytes(data)
+    assert values_that_differ(dump, db) == []
+    assert run("sii", "verify", dump, db=db).exit_code == 0
+
+
+@pytest.mark.parametrize(
+    ("said", "other", "line"),
+    [
+        ("4096", "2048", "size word: the image has 31; described is 15"),
+        ("8003006E6400", "8004006E6400", "PDI control: the image has 0x0380; described is 0x0480"),
+        ("0010000100110001", "0010000200110001", "bytes of the bootstrap receive mailbox: the image has 256; "),
+        ("#x64", "#x44", "SM0: the image has Outputs at 0x1000, 2 bytes, control 0x64"),
+        ("#x300</AssignActivate><CycleTimeSync0 Factor='0'", "#x300</AssignActivate><CycleTimeSync0 Factor='1'",
+         "OpMode 2: the image has AssignActivate 0x0300, SYNC0 cycle 0 ns factor 0"),
+        ("<Eeprom>", "<Eeprom><Category><CatNo>3</CatNo><Data>AABB</Data></Category>",
+         "category 3 (device specific): not in the image; described is aa bb"),
+    ],
+)  # fmt: skip
+def test_what_the_description_says_is_compared(tmp_path, said, other, line):
+    db = catalog_of(tmp_path, esi(device(SAID.replace(said, other))))
+    (told,) = values_that_differ(dump_of(tmp_path, SAID), db)
+    assert told.startswith(line)
+
+
+def test_general_flags_and_coe_details_count(tmp_path):
+    mailbox = "<Mailbox><CoE SdoInfo='1'/></Mailbox>"
+    db = catalog_of(tmp_path, esi(device(mailbox)))
+    done = run("sii", "verify", dump_of(tmp_path, mailbox.replace("SdoInfo", "PdoAssign")), db=db)
+    assert (done.exit_code, "  ! General: CoE: the image has SDO, PDO assign; described is SDO" in done.stdout) == (
+        1,
+        True,
+    )
+    assert "CoE details" in run("sii", "verify", "--help").stdout
+
+
+def test_an_image_in_the_description_that_is_none_is_not_that_of_the_user(tmp_path):
+    db = catalog_of(tmp_path, esi(device("<Eeprom><Data>0011</Data></Eeprom>")))
+    dump = dump_of(tmp_path, DEVICE)
+    words = ("Eeprom/Data of T1 (0.xml, line 1): no SII image", "its length in bytes is 2")
+    for command in (("sii", "verify", dump), ("export", "sii", "0xe5c:1:1")):
+        line = one_line_error(run(*command, db=db))
+        assert all(part in line for part in words), line
+
+
 @pytest.mark.corpus
 def test_real_dumps_agree_with_their_descriptions(corpus, tmp_path):
     """EK1100 and EL2004: sync managers, FMMUs, PDO layout and the rest that a master uses."""
@@ -135,5 +209,16 @@ def test_real_dumps_agree_with_their_descriptions(corpus, tmp_path):
         catalog.ingest([archive, corpus / "esi" / "DiamondLightSource+ethercat-history.zip"])
     for name in ("*ek1100.hex", "*(EL2004).bin"):
         (dump,) = (corpus / "sii").rglob(name)
+        done = run("sii", "verify", dump, db=tmp_path / "c.db")
+        assert (done.exit_code, "0 in what a master uses" in done.stdout) == (0, True), done.stdout
+
+
+@pytest.mark.corpus
+def test_real_dumps_of_another_tool_agree(corpus, tmp_path):
+    """EasyCAT examples: their tool stores factor 0 where a description gives no CycleTimeSync0."""
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([corpus / "esi" / "dslemusp+EasyCAT.zip"])
+    for name in ("LAB_1", "LAB_2", "DemoHMI_Custom", "TestEasyCAT_Custom", "myCustomSlave"):
+        (dump,) = (corpus / "sii").rglob(f"examples__{name}__{name}.bin")
         done = run("sii", "verify", dump, db=tmp_path / "c.db")
         assert (done.exit_code, "0 in what a master uses" in done.stdout) == (0, True), done.stdout

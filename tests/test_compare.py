@@ -6,7 +6,7 @@ from snippets import device, esi, pdo, read
 from esicatalog.model.compare import compare_devices, summary_words
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.model.compare_documents import DescribedDevice, described_devices
-from esicatalog.model.compare_facts import Difference
+from esicatalog.model.compare_facts import Difference, excerpts
 
 
 def described(text: str) -> DescribedDevice:
@@ -327,3 +327,33 @@ def test_the_summary_counts_by_area():
     assert summary_words(compared(esi(left), esi(other_name))) == (
         "1 difference, none counts for a master; the default process image is the same"
     )
+
+
+def test_texts_about_a_diagnosis():
+    """Each is told, and none counts."""
+    message = "<DiagMessage><TextId>1</TextId><MessageText>m</MessageText>{}</DiagMessage>"
+    profile = "<Profile>{}<DiagMessages>{}</DiagMessages></Profile>"
+    causes = "<CauseRemedy><Cause>{}</Cause><Remedy>check</Remedy></CauseRemedy>"
+    resets = "<DiagReset><Text>{}</Text><Enum>1</Enum></DiagReset>"
+    assert told(
+        profile.format("", resets.format("by hand") + message.format(causes.format("hot") + "<Hint>old</Hint>")),
+        profile.format("", resets.format("by power") + message.format(causes.format("cold") + "<Hint>new</Hint>")),
+    ) == [
+        ("diagnosis text 0x0001 causes and remedies", "hot: check", "cold: check", False),
+        ("diagnosis text 0x0001 hint", "old", "new", False),
+        ("diagnosis texts resets", "1 by hand", "1 by power", False),
+    ]
+    assert told(
+        *(profile.format(f"<DiagFile>{name}</DiagFile>", message.format("")) for name in ("a.xml", "b.xml"))
+    ) == [("profile 0 diagnosis files", "a.xml", "b.xml", False)]
+
+
+@pytest.mark.parametrize("length", [70, 76, 77, 161, 400])
+@pytest.mark.parametrize("at", [0, 25, 69, -1])
+def test_parts_of_different_texts_are_different(length, at):
+    left = "a" * length
+    right = left[:at] + "b" + left[at + 1 :] if at >= 0 else left + "b"
+    for longest in (76, 160):
+        said, also = excerpts(left, right, longest)
+        assert said != also
+        assert max(len(said), len(also)) <= longest

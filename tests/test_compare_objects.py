@@ -220,3 +220,20 @@ def test_thousands_of_equal_objects_are_compared_at_once():
     assert told(objects(*many), objects(*many[:-1], single("#x2FFF", flags=RO))) == [
         ("0x2FFF:00 access", "rw", "ro", True)
     ]
+
+
+def one_value(words: str) -> str:
+    types = (
+        "<DataType><Name>USINT</Name><BitSize>8</BitSize></DataType><DataType><Name>E</Name>"
+        f"<BaseType>USINT</BaseType><BitSize>8</BitSize><EnumInfo>{words}<Enum>1</Enum></EnumInfo></DataType>"
+    )
+    declared = "<Object><Index>#x2000</Index><Name>O</Name><Type>E</Type><BitSize>8</BitSize></Object>"
+    return dictionary(types, declared)
+
+
+def test_blanks_make_no_other_text_of_an_enumeration():
+    assert told(one_value("<Text>300 mV</Text>"), one_value("<Text>300  mV</Text>")) == []
+
+
+def test_a_value_without_text():
+    assert told(one_value("<Text>on</Text>"), one_value("")) == [("0x2000:00 enumeration", "1 on", "1", False)]

@@ -245,6 +245,20 @@ def test_array_values_with_subindex_0_are_positional():
     assert defaults(resolve(ARRAY_A, "DT2000", 112, named)) == [3, 11, 12, 13]
 
 
+def test_array_values_whose_names_number_all_subindices_go_to_these():
+    named = info(
+        ("SubIndex 001", "0B000000"), ("SubIndex 000", "03"), ("SubIndex 003", "0D000000"), ("SubIndex 2", "0C")
+    )
+    assert defaults(resolve(ARRAY_A, "DT2000", 112, named)) == [3, 11, 12, 13]
+    shifted = info(*((f"SubIndex 00{n + 1}", f"0{n}") for n in range(4)))
+    assert defaults(resolve(ARRAY_A, "DT2000", 112, shifted)) == [0, 1, 2, 3], "no number of one is missing"
+
+
+def test_a_name_with_a_number_that_no_subindex_has_is_a_name():
+    named = info((f"SubIndex {'9' * 5000}", "0B000000"))
+    assert defaults(resolve(ARRAY_A, "DT2000", 112, named)) == [None] * 4
+
+
 def test_array_values_without_subindex_0():
     named = info(("SubIndex 001", "0B000000"), ("SubIndex 002", "0C000000"), ("SubIndex 003", "0D000000"))
     assert defaults(resolve(ARRAY_A, "DT2000", 112, named)) == [None, 11, 12, 13]

@@ -284,7 +284,9 @@ def test_text_is_readable_on_every_colour(scheme):
 def drawings_of(device, modules) -> list[str]:
     """Every drawing of a device's page."""
     images = default_process_image(device, modules)
-    modes = [dc_timing_svg(op_mode) for op_mode in device.op_modes] or [dc_timing_svg(None)]
+    modes = [
+        dc_timing_svg(op_mode, time_loop_control_only=device.dc_time_loop_control_only) for op_mode in device.op_modes
+    ] or [dc_timing_svg(None)]
     return [memory_map_svg(device, images), *modes, *map(process_image_svg, images)]
 
 

@@ -17,8 +17,9 @@ from esicatalog.web.drawings.dc_signals import time_text
 MS = 1_000_000
 
 
-def timing(assign_activate: int | None, cycle_ns: int = MS, **times):
-    return drawn(dc_timing_svg(OpMode(name="DC", assign_activate=assign_activate, **times), cycle_ns))
+def timing(assign_activate: int | None, cycle_ns: int = MS, time_loop_control_only: bool | None = None, **times):
+    op_mode = OpMode(name="DC", assign_activate=assign_activate, **times)
+    return drawn(dc_timing_svg(op_mode, cycle_ns, time_loop_control_only=time_loop_control_only))
 
 
 def lanes(root) -> list[str]:
@@ -138,6 +139,29 @@ def test_an_active_unit_without_pulses_draws_none():
     root = timing(0x100, cycle_time_sync0_factor=1)
     assert lanes(root) == ["Bus cycle"]
     assert "gives no pulses" in words(root)
+
+
+@pytest.mark.parametrize("word", [0x0100, 0x0300, 0x0320, 0x0730])
+def test_a_device_that_uses_the_time_only_generates_no_signal(word):
+    """Dc/@TimeLoopControlOnly: no SYNC and no LATCH signal, whatever AssignActivate asks for."""
+    root = timing(
+        word,
+        time_loop_control_only=True,
+        cycle_time_sync0_factor=1,
+        cycle_time_sync1_factor=1,
+        shift_time_sync0_ns=5000,
+        shift_time_sync0_input_delay_ns=3000,
+    )
+    assert lanes(root) == ["Bus cycle"]
+    assert root.get("aria-label") == "Timing of OpMode DC: no SYNC signals"
+    said = words(root)
+    assert "TimeLoopControlOnly: the device uses the DC time and no SYNC or LATCH signal" in said
+    assert f"whatever AssignActivate 0x{word:04X} asks for." in said
+    assert not any(text in said for text in ("pulses", "after SYNC0", "latch 0", "latch 1"))
+
+
+def test_an_op_mode_without_clocks_runs_free_whatever_the_device_needs_the_time_for():
+    assert lanes(timing(0x0000, time_loop_control_only=True)) == ["Bus cycle", "SyncManager event"]
 
 
 def test_what_is_not_known_is_said():

@@ -5,8 +5,12 @@ import struct
 import pytest
 from sii import by_hand
 from snippets import device, esi, pdo, read
+from test_export_configuration import subject
 
-from esicatalog.export.sii import sii_image
+from esicatalog.export.sii import described_image, sii_image
+from esicatalog.export.sii_header import eeprom_bytes
+from esicatalog.export.sii_limits import check_image, fit_image
+from esicatalog.export.sii_remarks import image_remarks
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.errors import SiiImageError
@@ -458,6 +462,78 @@ def test_a_whole_image_in_the_description_is_taken_as_it_stands():
     assert encode_sii(found) == by_hand.WHOLE
 
 
+OF_DEVICE = by_hand.image(
+    *by_hand.CATEGORIES,
+    header=by_hand.HEADER[:16] + struct.pack("<III", VENDOR, 1, 1) + by_hand.HEADER[28:],
+    end=by_hand.END + b"\xff" * 6,
+)
+"""A whole image with the identity of the device that the tests describe."""
+
+
+def with_data(data: bytes):
+    return subject(f"<Eeprom><Data>{data.hex()}</Data></Eeprom>")
+
+
+def written(data: bytes) -> bytes:
+    described = with_data(data)
+    found = described_image(described)
+    image = check_image(found, eeprom_bytes(found.header, described.device))
+    assert fit_image(found, eeprom_bytes(found.header, described.device)) == (image, ())
+    return encode_sii(image)
+
+
+@pytest.mark.parametrize("behind", [bytes(300), bytes(300) + b"\xff" * 40, b"\xff" * 9 + b"CALI" + bytes(10), b"\xff"])
+def test_what_is_behind_the_end_mark_of_a_whole_image_is_written(behind):
+    assert written(OF_DEVICE + behind) == (OF_DEVICE + behind).ljust(2048, b"\xff")
+
+
+def test_a_whole_image_longer_than_its_size_word_says_is_written_whole():
+    """The size word at byte 0x7C: 0 is 128 bytes."""
+    data = OF_DEVICE[:0x7C] + b"\0\0" + OF_DEVICE[0x7E:]
+    assert written(data) == data
+    assert image_remarks(with_data(data))[1:] == (
+        f"Eeprom/Data: size word at byte 0x7C says 128 bytes; the image has {len(data)}.",
+    )
+
+
+TAKEN = "The description holds the whole image (Eeprom/Data), which is taken in place of a computed one."
+
+
+def test_what_is_odd_about_a_whole_image_is_remarked():
+    assert image_remarks(with_data(OF_DEVICE)) == (TAKEN,)
+    wrong = bytes([OF_DEVICE[14] ^ 1])
+    assert image_remarks(with_data(OF_DEVICE[:14] + wrong + OF_DEVICE[15:])) == (
+        TAKEN,
+        f"Eeprom/Data: check sum at byte 0xE is 0x{wrong[0]:02X}; the words 0 to 6 need 0x{OF_DEVICE[14]:02X}.",
+    )
+    assert image_remarks(with_data(by_hand.WHOLE)) == (
+        TAKEN,
+        "The identity in Eeprom/Data is 0x0000079a:0xdeadbeef:0x00010002, that of the description "
+        "0x00000e5c:0x00000001:0x00000001; do not write this image, the device would be taken for another.",
+    )
+    assert image_remarks(with_data(b"\0\1"))[1].startswith("Eeprom/Data cannot be read: no SII image")
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "<Data>01020</Data>",
+        "<DataUINT>65536</DataUINT>",
+        "<DataUINT>-32769</DataUINT>",
+        "<DataUINT>two</DataUINT>",
+        "<DataUDINT>4294967296</DataUDINT>",
+    ],
+)
+def test_a_declared_category_that_cannot_be_stored_as_said_is_left_out(content):
+    eeprom = f"<Eeprom><ByteSize>2048</ByteSize><Category><CatNo>2048</CatNo>{content}</Category></Eeprom>"
+    assert image(eeprom).of_type(RawCategory) == ()
+
+
 def test_a_broken_image_in_the_description_is_named():
+    with pytest.raises(SiiImageError, match=r"Eeprom/Data of T1 \(x.xml, line 1\): no SII image"):
+        described_image(with_data(b"\0\x11"))
+
+
+def test_a_broken_image_is_no_image():
     with pytest.raises(SiiImageError, match="no SII image"):
         image("<Eeprom><Data>0011</Data></Eeprom>")

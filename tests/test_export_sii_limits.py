@@ -5,11 +5,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from snippets import device, esi, pdo, read
+from test_export_configuration import subject
 
 from esicatalog.errors import InputError
-from esicatalog.export.sii import sii_image
+from esicatalog.export.sii import described_image, sii_image
+from esicatalog.export.sii_header import eeprom_bytes
 from esicatalog.export.sii_limits import SiiLimitError, check_image, fit_image
-from esicatalog.export.sii_remarks import image_text
+from esicatalog.export.sii_remarks import image_remarks
+from esicatalog.export.sii_summary import image_text
+from esicatalog.export.subject import subjects_of_document
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import RawCategory, SiiImage
@@ -185,9 +189,8 @@ def test_a_fitted_image_reads_as_a_sound_one(byte_size, lengths, assigned):
 
 
 def test_the_text_says_what_was_left_out_and_why_to_merge():
-    (info,) = read(esi(device(NAMED))).document.infos
     fitted = fit_image(image(NAMED), used(NAMED) - 1)
-    text = image_text(info.devices[0], fitted.image, dropped=fitted.dropped)
+    text = image_text(subject(NAMED), fitted.image, dropped=fitted.dropped)
     assert text.splitlines()[0].startswith("SII image of T1 (0x00000001:0x00000001:0x00000001): ")
     assert "--merge DUMP" in text
     assert "unreachable" in text
@@ -205,6 +208,38 @@ def test_the_text_says_what_was_left_out_and_why_to_merge():
         (
             "<Eeprom><ConfigData>0421004401000E</ConfigData></Eeprom>",
             "ConfigData has 7 of the 8 bytes of the PDI words",
+        ),
+        ("<Eeprom><ByteSize>2000</ByteSize></Eeprom>", "ByteSize is stored in units of 128 bytes: 2000 as 1920."),
+        ("<Eeprom><ByteSize>-5</ByteSize></Eeprom>", "ByteSize is stored in units of 128 bytes: -5 as 128."),
+        (
+            "<Eeprom><ConfigData>050E0</ConfigData></Eeprom>",
+            "The description gives no usable ConfigData: the PDI words are zero.",
+        ),
+        (
+            "<Eeprom><ConfigData>05 0E</ConfigData></Eeprom>",
+            "correct the file: Eeprom/ConfigData '05 0E' is not hexBinary (pairs of hex digits).",
+        ),
+        ("<Eeprom><BootStrap>0x10</BootStrap></Eeprom>", "Eeprom/BootStrap '0x10' is not hexBinary"),
+        ("<Eeprom><Data>050</Data></Eeprom>", "Eeprom/Data '050' is not hexBinary"),
+        ("<Eeprom><ConfigData2>1</ConfigData2></Eeprom>", "Eeprom/ConfigData2 '1' is not hexBinary"),
+        (
+            "<Eeprom><Category><CatNo>9</CatNo><Data>01020</Data></Category></Eeprom>",
+            "Eeprom/Category/Data '01020' is not hexBinary",
+        ),
+        (
+            "<Eeprom><Category><CatNo>9</CatNo><DataUINT>70000</DataUINT></Category></Eeprom>",
+            "data cannot be read or do not fit into their type, left out; correct the file: 9.",
+        ),
+        (
+            '<Sm StartAddress="#x1000" ControlByte="#x24">Outputs</Sm><Sm Enable="1">Inputs</Sm>',
+            "inputs: Enable of SM0, StartAddress of SM1, ControlByte of SM1.",
+        ),
+        *(
+            (
+                f"<Dc><OpMode><Name>a</Name><ShiftTime{attribute}>0</ShiftTime{attribute[:5]}></OpMode></Dc>",
+                "An image has no place for: attributes of ShiftTimeSync0 and ShiftTimeSync1.",
+            )
+            for attribute in ('Sync0 Factor="1"', 'Sync0 Input="1"', 'Sync1 OutputDelayTime="5"')
         ),
         ("<Fmmu>Dynamic</Fmmu><Fmmu>Outputs</Fmmu>", "FMMUs without a code for their use, stored as unused: Dynamic."),
         ("<Sm>Motors</Sm>", "SyncManagers without a code for their use, stored as unused: Motors."),
@@ -237,19 +272,52 @@ def test_the_text_says_what_was_left_out_and_why_to_merge():
     ],
 )
 def test_remarks(content, words):
-    (info,) = read(esi(device(content))).document.infos
-    assert words in image_text(info.devices[0], image(content))
+    assert words in image_text(subject(content), image(content))
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "<Sm Virtual='1'>Outputs</Sm>",
+        '<Sm StartAddress="#x1000" ControlByte="#x24" Enable="0">Outputs</Sm>',
+        '<Dc><OpMode><Name>a</Name><ShiftTimeSync0 Input="0" Factor="0">0</ShiftTimeSync0></OpMode></Dc>',
+    ],
+)
+def test_what_is_given_or_needs_nothing_is_not_remarked(content):
+    config = "<Eeprom><ByteSize>2048</ByteSize><ConfigData>0401000000000000</ConfigData></Eeprom>"
+    assert image_remarks(subject(content + config)) == ()
+
+
+def test_all_texts_that_are_cut_are_named():
+    long = "x" * 256
+    mode = f"<Dc><OpMode><Name>mode {long}</Name><AssignActivate>0</AssignActivate></OpMode></Dc>"
+    text = esi(device(mode, type_text=f"type {long}")).replace(">Group<", f">group {long}<")
+    (described,) = subjects_of_document(read(text).document, "x.xml")
+    (remark,) = (remark for remark in image_remarks(described) if remark.startswith("Texts cut"))
+    assert [text.split()[0] for text in remark.removeprefix("Texts cut to 255 bytes: ").split(", ")] == [
+        "'type",
+        "'mode",
+        "'group",
+    ]
+
+
+@pytest.mark.parametrize("byte_size", [524289 + 127, 1 << 20, 1 << 24])
+def test_an_eeprom_larger_than_the_largest_is_refused(byte_size):
+    """4 MBit, 524288 bytes, is what a slave controller addresses (ESC data sheet)."""
+    described = subject(f"<Eeprom><ByteSize>{byte_size}</ByteSize></Eeprom>")
+    found = described_image(described)
+    with pytest.raises(SiiLimitError, match=f"EEPROM of {byte_size} bytes .* the largest has 524288"):
+        check_image(found, eeprom_bytes(found.header, described.device))
 
 
 def test_nothing_to_remark():
     content = "<Eeprom><ByteSize>2048</ByteSize><ConfigData>0401000000000000</ConfigData></Eeprom>"
-    (info,) = read(esi(device(content))).document.infos
-    assert "About this image" not in image_text(info.devices[0], image(content))
+    assert "About this image" not in image_text(subject(content), image(content))
 
 
 def test_codes_and_letters_that_are_missing_are_named():
     text = esi(device(product="")).replace('Physics="YY"', 'Physics="YX"')
-    (info,) = read(text).document.infos
-    found = image_text(info.devices[0], sii_image(1, None, info.devices[0]))
+    (described,) = subjects_of_document(read(text).document, "x.xml")
+    found = image_text(described, described_image(described))
     assert "Not given, so 0: ProductCode, RevisionNo." in found
     assert "Physics letters without a code, stored as unused ports: X." in found

@@ -6,13 +6,14 @@ import msgspec
 import pytest
 from sii import by_hand
 from snippets import device, esi, pdo, read
+from test_export_configuration import subject
 
 from esicatalog.export.sii import sii_image
 from esicatalog.export.sii_changes import image_changes, stored_otherwise
 from esicatalog.export.sii_header import configuration_bytes
 from esicatalog.export.sii_limits import SiiLimitError, check_image, fit_image
 from esicatalog.export.sii_merge import MergedImage, merge_image
-from esicatalog.export.sii_remarks import image_text
+from esicatalog.export.sii_summary import image_text
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import encode_sii, string_table
 from esicatalog.sii.errors import SiiImageError
@@ -133,8 +134,7 @@ def test_other_config_data_are_the_first_change():
     assert words(merged.changes)[0] == ("PDI words", "PDI control: 0x0380 would become 0x0405")
     assert words(merged.changes)[1][0] == "check sum"
     assert words(merged.changes)[2] == ("identity", "vendor id: 0x0000079A would become 0x00000002")
-    (info,) = read(esi(device())).document.infos
-    lines = image_text(info.devices[0], merged.image, merged=merged).splitlines()
+    lines = image_text(subject(""), merged.image, merged=merged).splitlines()
     assert [line for line in lines if "unreachable" in line or "another device" in line] == lines[3:5]
 
 
@@ -168,15 +168,13 @@ def test_merging_an_image_into_itself_changes_nothing():
     merged = merge_image(image, image)
     assert merged.changes == ()
     assert check_image(merged.image, merged.byte_size) == image
-    (info,) = read(esi(device())).document.infos
-    assert "The device's image would not change." in image_text(info.devices[0], image, merged=merged)
+    assert "The device's image would not change." in image_text(subject(""), image, merged=merged)
 
 
 def told(merged: MergedImage) -> tuple[bytes, list[str]]:
     """The image that is written, and what is told of it behind the first line."""
-    (info,) = read(esi(device())).document.infos
-    image = check_image(merged.image, merged.byte_size, merged.dump_bytes)
-    return encode_sii(image), image_text(info.devices[0], image, merged=merged).splitlines()[1:]
+    image = check_image(merged.image, merged.byte_size, merged.dump)
+    return encode_sii(image), image_text(subject(""), image, merged=merged).splitlines()[1:]
 
 
 UNCHANGED = "The device's image would not change."
@@ -214,7 +212,7 @@ def test_an_image_shorter_than_its_dump_is_filled_up_to_it():
     free = len(encode_sii(dump)) - len(encode_sii(merged.image))
     assert free > 0
     assert data == encode_sii(merged.image) + b"\xff" * free
-    assert encode_sii(fit_image(merged.image, merged.byte_size, merged.dump_bytes).image) == data
+    assert encode_sii(fit_image(merged.image, merged.byte_size, merged.dump).image) == data
 
 
 def test_of_a_whole_dump_nothing_is_unread():
@@ -301,9 +299,9 @@ def test_bytes_behind_the_end_mark_keep_their_address():
     address = len(encode_sii(dump)) - 4
     for content in ("", CONFIG, "<Fmmu>Outputs</Fmmu>", pdo("RxPdo", "#x1600", *range(1, 20))):
         merged = merge_image(computed(content), dump)
-        data = encode_sii(check_image(merged.image, merged.byte_size))
+        data = encode_sii(check_image(merged.image, merged.byte_size, dump))
         assert data[address : address + 4] == b"\x01\x02\xff\x04"
-        assert len(data) == 768
+        assert len(data) == len(encode_sii(dump)), "what was not read is not written"
     assert merged.kept[-1] == "104 bytes behind the end mark"
 
 
@@ -311,7 +309,7 @@ def test_bytes_behind_the_end_mark_keep_their_address_when_names_are_left_out():
     dump = dump_with_tail(100)
     address = len(encode_sii(dump)) - 4
     merged = merge_image(computed(pdo("RxPdo", "#x1600", *range(1, 20))), dump)
-    fitted = fit_image(merged.image, address + 4).image
+    fitted = fit_image(merged.image, address + 4, dump).image
     assert encode_sii(fitted)[address:] == b"\x01\x02\xff\x04"
 
 
@@ -320,7 +318,7 @@ def test_bytes_behind_the_end_mark_are_not_overwritten():
     content = pdo("RxPdo", "#x1600", *range(1, 60))
     excess = len(encode_sii(merge_image(computed(content), DUMP).image)) - len(by_hand.WHOLE) + 6
     with pytest.raises(SiiLimitError, match=f"{excess} bytes too long: it would overwrite") as found:
-        merge_image(computed(content), dump)
+        check_image(merge_image(computed(content), dump).image, 768, dump)
     assert found.value.excess_bytes == excess
 
 
@@ -448,3 +446,72 @@ def test_further_words_and_categories_are_changes_too():
         ("other words", "words 0x1D to 0x3D: zeros would become 01"),
         ("other categories", "category 3 (device specific) would be removed: 41 42"),
     )
+
+
+def test_zeros_behind_the_end_mark_stay_and_are_free():
+    """Some tools fill up with 0x00. What is free needs no room, and what is not overwritten stays."""
+    used = encode_sii(computed(CONFIG))
+    dump = decode_sii((used + bytes(300)).ljust(2048, b"\xff"))
+    merged = merge_image(computed(CONFIG), dump)
+    assert merged.kept == (), "nothing is there that could be kept"
+    data, lines = told(merged)
+    assert data == encode_sii(dump)
+    assert lines[0] == UNCHANGED
+    longer = merge_image(computed(CONFIG + pdo("RxPdo", "#x1600", 8)), dump)
+    data = encode_sii(check_image(longer.image, longer.byte_size, dump))
+    assert data[len(encode_sii(longer.image)) :] == encode_sii(dump)[len(encode_sii(longer.image)) :]
+
+
+def test_bytes_behind_the_strings_that_a_merge_loses_are_told():
+    """An odd byte pads the table; more than that is the maker's."""
+    strings, *others = computed(CONFIG).categories
+    kept = strings.rest + bytes.fromhex("53 45 43 52")
+    dump = msgspec.structs.replace(computed(CONFIG), categories=(msgspec.structs.replace(strings, rest=kept), *others))
+    assert words(merge_image(computed(CONFIG), dump).changes) == [
+        ("other categories", f"bytes of no whole record would be removed: {kept.hex(' ')}")
+    ]
+
+
+def test_a_second_general_category_that_a_merge_loses_is_told():
+    dump = msgspec.structs.replace(
+        computed(CONFIG), categories=(*computed(CONFIG).categories, General(reserved_20=b"SECOND" + bytes(6)))
+    )
+    stored = "00 " * 20 + "53 45 43 4f 4e 44" + " 00" * 6
+    assert words(merge_image(computed(CONFIG), dump).changes) == [
+        ("other categories", f"further General categories would be removed: {stored}")
+    ]
+
+
+def test_a_check_sum_that_is_not_tested_is_not_called_wrong():
+    """0x88A4: a slave controller loads the words whatever their check sum (ESC data sheet)."""
+    data = encode_sii(check_image(computed(CONFIG), 2048))
+    merged = merge_image(computed(CONFIG), decode_sii(data[:14] + b"\xa4\x88" + data[16:]))
+    _, lines = told(merged)
+    assert not any("does not load" in line for line in lines)
+    assert "  check sum: check sum: 0xA4 would become" in "\n".join(lines)
+
+
+def test_what_overlaps_the_bytes_behind_is_left_out_on_demand():
+    """Two free bytes behind the end mark, then the maker's: a longer name does not fit, without it all does."""
+    named = CONFIG + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')
+    used = encode_sii(computed(named))
+    dump = decode_sii((used + b"\xff\xffCALI").ljust(2048, b"\xff"))
+    merged = merge_image(computed(named.replace(">e1<", ">a much longer name<")), dump)
+    with pytest.raises(SiiLimitError, match=r"would overwrite the device's own bytes .*\(--fit\)"):
+        check_image(merged.image, merged.byte_size, dump)
+    image, dropped = fit_image(merged.image, merged.byte_size, dump)
+    assert dropped == ("names of entries: 1",)
+    data = encode_sii(image)
+    assert data[len(used) + 2 :] == encode_sii(dump)[len(used) + 2 :]
+    assert [item.pdo_index for item in image.rx_pdos] == [0x1600]
+
+
+def test_more_strings_than_a_table_holds_are_left_out_beside_bytes_behind():
+    many = CONFIG + pdo("RxPdo", "#x1600", *[8] * 255)
+    tail = b"\xff" * 7000 + b"CALI"
+    header = msgspec.structs.replace(DUMP.header, size_word=127)
+    dump = msgspec.structs.replace(DUMP, header=header, trailing=tail)
+    merged = merge_image(computed(many), dump)
+    data = encode_sii(fit_image(merged.image, merged.byte_size, dump).image)
+    assert data[-4:] == b"CALI"
+    assert len(data) == len(encode_sii(dump))

@@ -369,10 +369,18 @@ def test_a_lock_file_that_a_killed_ingest_left_is_no_obstacle(tmp_path, library,
 # Interrupts.
 
 
-@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
-@pytest.mark.parametrize("whom", ["group", "parent"])
 @pytest.mark.parametrize(
-    "seconds", [0.4, pytest.param(0.2, marks=pytest.mark.faults), pytest.param(0.6, marks=pytest.mark.faults)]
+    ("number", "code", "whom", "seconds"),
+    some_of(
+        [
+            (number, code, whom, seconds)
+            for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143))
+            for whom in ("group", "parent")
+            for seconds in (0.2, 0.4, 0.6)
+        ],
+        (signal.SIGINT, 130, "group", 0.4),
+        (signal.SIGTERM, 143, "parent", 0.4),
+    ),
 )
 def test_an_interrupt_is_one_line_and_leaves_nobody(tmp_path, library, expected, number, code, whom, seconds):
     db = tmp_path / "c.db"

@@ -20,7 +20,7 @@ from test_cli import one_line_error, run
 from test_search import catalog_of
 from web_client import client, new_client
 
-from esicatalog import Catalog, CatalogError, InputError, parse_identity
+from esicatalog import Catalog, CatalogError, InputError, NotFound, parse_identity
 from esicatalog.catalog.filter_texts import SHARPENS, filter_of_texts
 from esicatalog.catalog.results import json_bytes
 from esicatalog.cli.serve import _listen
@@ -90,10 +90,22 @@ def test_an_answer_tells_what_others_stored_meanwhile(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "numbers", [(2**70, 1), (-1, 1), (1, 2**32), (1, 1, 2**32), ("0xe5c", 1), (1, 1, "0x1"), (1, None)]
+    "numbers",
+    [
+        (2**70, 1),
+        (-1, 1),
+        (1, 2**32),
+        (1, 1, 2**32),
+        ("0xe5c", 1),
+        (1, 1, "0x1"),
+        (1, None),
+        (1, 1, ""),
+        (1, 1, []),
+        (1, 1, False),
+    ],
 )
 def test_what_is_no_number_of_an_identity_is_refused(several, numbers):
-    with Catalog.open(several) as catalog, pytest.raises(InputError, match="is no number of an identity"):
+    with Catalog.open(several) as catalog, pytest.raises(InputError, match="is no number from 0 to 0xffffffff"):
         catalog.identify(*numbers)
 
 
@@ -154,7 +166,7 @@ def test_how_a_gap_is_cut_is_no_difference(tmp_path):
     (warning,) = answer(db, 0xE5C, 1, 1).warnings
     assert warning == (
         "default process image differs in 1 of 2 other revisions; 0x00000003 for example: "
-        "SM0 byte 0.1 is padding (7 bit) here, padding (15 bit) there"
+        "SM0 byte 1.0 is 0x7001:00 (8 bit) here, nothing there"
     )
     assert rows(db, "SELECT layout_changed FROM device_revisions ORDER BY revision_no") == [(0,), (0,), (1,)]
 
@@ -301,6 +313,40 @@ def test_identities_have_a_connection_of_their_own(data_db):
         assert catalog.identify(0x1097, 0x2406) == expected
 
 
+IMPOSSIBLE = [
+    Identity(0x1097, 0x2406, 0x8F, 0),
+    Identity(0x1097, 0x2406, 0x8F, None, True),
+    Identity(-1, 2),
+    Identity(2**70, 2),
+    Identity("0x1097", 0x2406),
+]
+
+
+@pytest.mark.parametrize("identity", IMPOSSIBLE, ids=range(len(IMPOSSIBLE)))
+def test_what_can_be_no_identity_is_asked_for_in_vain(data_db, identity):
+    with Catalog.open(data_db) as catalog:
+        for ask in (catalog.device, catalog.export_subject):
+            with pytest.raises(InputError):
+                ask(identity)
+
+
+def test_numbers_that_no_row_can_have(data_db):
+    with Catalog.open(data_db) as catalog:
+        for number in (2**70, 2**63, 0, -1):
+            with pytest.raises(NotFound, match="no device row"):
+                catalog.device_of_row(number)
+        with pytest.raises(InputError, match="vendor"):
+            catalog.export_subjects(2**70)
+
+
+def test_a_catalog_that_only_reads_is_not_made(tmp_path):
+    for exists in (False, True):
+        with pytest.raises(CatalogError, match="leave out create or read_only"):
+            Catalog.open(tmp_path / "c.db", create=True, read_only=True)
+        assert (tmp_path / "c.db").exists() == exists
+        catalog_of(tmp_path, esi(device()))
+
+
 def test_a_damaged_catalog_is_one_line(tmp_path):
     db = catalog_of(tmp_path, esi(device()))
     with Catalog.open(db) as catalog:
@@ -359,6 +405,7 @@ async def test_a_scan_in_the_encoding_of_powershell(data_db, tmp_path, mark):
         ("?vendor=1&product=0x1ffffffff", "is larger than 0xffffffff"),
         ("?vendor=1&product=1&rev=1", "unknown parameter 'rev'"),
         ("?vendor=1&vendor=2&product=1", "vendor is given more than once"),
+        ("?vendor=&vendor=2&product=", "product is missing"),
     ],
 )
 async def test_wrong_requests_are_400_with_words(data_db, query, words):

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from esicatalog.errors import InputError
-from esicatalog.identity import Identity, parse_identity, parse_mapped, parse_number, parse_subindex
+from esicatalog.identity import Identity, checked, parse_identity, parse_mapped, parse_number, parse_subindex
 
 UINT32 = st.integers(0, 0xFFFF_FFFF)
 
@@ -49,6 +49,25 @@ def test_identities_come_back(identity):
 def test_what_is_no_identity(text):
     with pytest.raises(InputError):
         parse_identity(text)
+
+
+@pytest.mark.parametrize(
+    ("identity", "words"),
+    [
+        (Identity(-1, 2), "vendor -1 is no number from 0 to 0xffffffff"),
+        (Identity(2**70, 2), "vendor 1180591620717411303424 is no number"),
+        (Identity("0x1097", 2), "vendor '0x1097' is no number"),
+        (Identity(1, None), "product None is no number"),
+        (Identity(1, True), "product True is no number"),
+        (Identity(1, 2, ""), "revision '' is no number"),
+        (Identity(1, 2, 3, 0), "variants count from 1"),
+        (Identity(1, 2, 3, "1"), "variant '1' is no number"),
+        (Identity(1, 2, 3, None, True), "give one of both"),
+    ],
+)
+def test_what_can_be_no_identity(identity, words):
+    with pytest.raises(InputError, match=words):
+        checked(identity)
 
 
 def test_mapped_objects():

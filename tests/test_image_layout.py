@@ -1,8 +1,15 @@
 """When two process images have the same layout: the signature of the catalog and the comparison say it alike."""
 
-import pytest
-from snippets import device, esi, only_device, pdo
+import re
 
+import pytest
+from snippets import device, esi, only_device, pdo, rows
+from test_search import catalog_of
+
+from esicatalog import Catalog
+from esicatalog.catalog.identity import IdentityLookup
+from esicatalog.catalog.reader import RecordReader
+from esicatalog.model.compare_facts import Difference
 from esicatalog.model.compare_image import compare_images
 from esicatalog.model.process_data import ProcessData
 
@@ -78,6 +85,66 @@ def test_layouts_that_are_the_same(left, right):
 @pytest.mark.parametrize(("left", "right"), OTHER.values(), ids=OTHER)
 def test_layouts_that_differ(left, right):
     assert verdicts(left, right) == (False, False)
+
+
+_PLACE = re.compile(r"SM(\d+) byte (\d+\.\d) is (.+) here, (.+) there")
+_BY_DIFFERENCE = {
+    "size": "described bits are|in PDOs of unknown length|SyncManagers without PDOs have",
+    "direction": "SyncManagers with PDOs are",
+    "without known place": "in PDOs of unknown length|SyncManagers without PDOs have|too long for a SyncManager",
+}
+
+
+def contradiction(words: str, differences: list[Difference]) -> str | None:
+    """In what the words of ``identify`` say another difference of two descriptions than ``diff``, None if in nothing.
+
+    Of a SyncManager that only one has ``diff`` tells the size, ``identify`` its first entry.
+    """
+    first = {place.partition(" ")[0]: place for place in reversed([d.place for d in differences]) if " at " in place}
+    one_sided = {d.place.partition(" ")[0] for d in differences if d.left is None or d.right is None}
+    found = _PLACE.match(words)
+    if found is None:
+        kinds = "|".join(_BY_DIFFERENCE[d.place.partition(" ")[2]] for d in differences if " at " not in d.place)
+        return "no place" if first or not re.search(kinds, words) else None
+    sm, at, _, _ = found.groups()
+    if f"SM{sm}" not in first:
+        return "a place" if f"SM{sm}" not in one_sided else None
+    return "another place" if first[f"SM{sm}"] != f"SM{sm} at {at}" else None
+
+
+@pytest.mark.parametrize(("left", "right"), OTHER.values(), ids=OTHER)
+def test_identify_names_the_difference_that_diff_names(tmp_path, left, right):
+    """It asks the database alone: reading both descriptions would take a hundred times as long."""
+    ours, theirs = (only_device(esi(device(content))) for content in (left, right))
+    db = catalog_of(tmp_path, esi(device(left, revision="#x1") + device(right, revision="#x2")))
+    with Catalog.open(db) as catalog:
+        (warning,) = catalog.identify(0xE5C, 1, 1).warnings
+    assert contradiction(warning.partition("for example: ")[2], list(compare_images(ours, (), theirs, ()))) is None
+
+
+def test_a_gap_is_no_place_of_its_own(tmp_path):
+    """Where the one has a gap and behind it an entry, the other has an entry in the gap."""
+    left, right = SMS + rx((0, "14"), B), SMS + rx((0, "6"), A, (0, "7"), B)
+    db = catalog_of(tmp_path, esi(device(left, revision="#x1") + device(right, revision="#x2")))
+    with Catalog.open(db) as catalog:
+        (warning,) = catalog.identify(0xE5C, 1, 1).warnings
+    assert warning.endswith("for example: SM0 byte 0.6 is nothing here, 0x7000:01 (1 bit) there")
+
+
+@pytest.mark.corpus
+def test_identify_names_the_difference_that_diff_names_of_real_revisions(corpus_db):
+    pairs = "SELECT previous_id, device_id FROM device_revisions WHERE layout_changed = 1"
+    wrong = []
+    with Catalog.open(corpus_db) as catalog, catalog._connection() as connection:
+        reader, lookup = RecordReader(connection), catalog._identities()
+        for pair in rows(corpus_db, pairs):
+            (ours, theirs), (modules, others) = reader.devices(pair), map(reader.modules_of, pair)
+            if modules or others:
+                continue
+            words = IdentityLookup._layout_difference(lookup, None, None, *pair)
+            wrong.append((contradiction(words, list(compare_images(ours, (), theirs, ()))), pair, words))
+    assert len(wrong) > 100
+    assert [item for item in wrong if item[0] is not None] == []
 
 
 @pytest.mark.parametrize("content", ["", SMS, SMS + rx(attributes='Fixed="1"')])

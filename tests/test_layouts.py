@@ -77,6 +77,17 @@ def test_parts_of_parts_are_made_once():
     assert first.flags is second.flags and first.flags == Flags(access="ro", backup=1)
 
 
+def test_numbers_of_layouts_themselves_are_not_taken_for_places():
+    """In the specimen of a layout numbers from 100000000 on stand for texts."""
+    words = [
+        f"<Object><Index>#x{number:x}</Index><Name LcId='{lcid}'>Same</Name><Type>UINT</Type></Object>"
+        for number in range(0x2000, 0x2008)
+        for lcid in ("1000000021", "100000002", "11", "2")
+    ]
+    for found, piece in zip(read(Object, *words), words, strict=True):
+        assert found is None or found == parsed(Object, piece)
+
+
 def test_equal_flags_are_one_record_in_other_layouts_too_and_for_the_parser():
     flags = "<Flags><Access>ro</Access><Backup>7</Backup></Flags>"
     words = f"<SubItem><Name>N</Name>{flags}</SubItem>", f"<SubItem><Name>N</Name>\n{flags}\n</SubItem>"

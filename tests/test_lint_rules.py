@@ -10,9 +10,11 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from snippets import device, dictionary, esi, pdo, write
+from snippets import device, dictionary, esi, pdo, read, write
 
 from esicatalog.cli.lint import command
+from esicatalog.errors import InputError
+from esicatalog.export.clocks import chosen_op_mode
 from esicatalog.lint.registry import SEVERITY_WORDS
 from esicatalog.lint.rules import ALL_RULES
 
@@ -371,6 +373,22 @@ def test_l35_says_how_to_describe_what_is_filled_up(tmp_path):
         "SM 2: RxPdo 0x1600 of 12 bits; the last byte is filled up: where the device maps the other 4 too, "
         "describe them by a padding entry (Index 0)"
     ]
+
+
+def test_l52_says_of_names_twice_what_a_choice_by_name_then_does(tmp_path):
+    """A choice is refused, what a module asks for is the first one (ESI-FACTS sections 11 and 12)."""
+    modes = "".join(
+        f"<OpMode><Name>{name}</Name><AssignActivate>#x{word}</AssignActivate></OpMode>"
+        for name, word in (("Free", "0"), ("DC", "100"), ("DC", "120"))
+    )
+    asking = module("<DcOpModeName>DC</DcOpModeName>")
+    described = device(f"<Dc>{modes}</Dc>{slots(1)}")
+    (found,) = linted(tmp_path, "L52", described, asking)
+    assert "a choice by name is ambiguous, and a module's DcOpModeName means that one" in found["message"]
+    (held,) = read(esi(described, asking)).document.infos
+    with pytest.raises(InputError, match="'DC' exists at positions 1, 2; choose by position"):
+        chosen_op_mode(held.devices[0], (), "DC")
+    assert chosen_op_mode(held.devices[0], held.modules, None)[0] == 1
 
 
 @pytest.mark.parametrize(("index", "count"), [("#x1600", 0), ("#x1601", 1)])

@@ -20,6 +20,7 @@ from esicatalog.web.cells import decimal_filters
 HOSTILE = "&lt;script&gt;alert(1)&lt;/script&gt;"
 ATTRIBUTE = '"onmouseover=alert(1) x="'
 EYOU = "/-/esi/device/0x1097/0x2406/0x8f"
+L6N = "/-/esi/device/0x4321/0xe2/0x1"
 
 
 async def page(db: Path, path: str, status: int = 200):
@@ -83,9 +84,8 @@ async def test_devices_json_is_that_of_the_command(data_db):
     web = await client(data_db)
     found = (await web.get("/-/esi/devices.json?mode=CSV&strict=1")).json()
     assert [item["type"] for item in found] == ["ECX-A202", "EYOU_ServoModule_V143", "L6N"]
-    assert (await web.get("/-/esi/devices.json?limit=100000")).status_code == 200
-    too_many = await web.get("/-/esi/devices.json?limit=100001")
-    assert (too_many.status_code, "give 0 to 100000" in too_many.json()["error"]) == (400, True)
+    too_many = await web.get("/-/esi/devices.json?limit=4294967296")
+    assert (too_many.status_code, "is larger than 0xffffffff" in too_many.json()["error"]) == (400, True)
     refused = await web.get("/-/esi/devices.json?mode=XYZ")
     assert (refused.status_code, "say one of" in refused.json()["error"]) == (400, True)
 
@@ -513,6 +513,14 @@ async def test_browsers_are_told_on_a_page_why_there_is_no_file(tmp_path):
     assert all("Accept" in answer.headers["vary"].split(", ") for answer in (followed, asked))
 
 
+async def test_an_image_in_the_description_that_is_none_is_named_on_its_page_and_in_its_export(tmp_path):
+    db = catalog_of(tmp_path, esi(device("<Eeprom><Data>0011</Data></Eeprom>")))
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    assert "Eeprom/Data cannot be read: no SII image" in tree.text_content()
+    refused = await (await client(db)).get("/-/esi/device/0xe5c/1/1/export/sii")
+    assert (refused.status_code, refused.json()["error"].split(":")[0]) == (400, "Eeprom/Data of T1 (0.xml, line 1)")
+
+
 async def test_exports_take_choices_and_refuse_with_words(data_db):
     web = await client(data_db)
     chosen = await web.get(f"{EYOU}/export/igh?module=0%3D0x219800&cycle-ns=2000000&name=axis")
@@ -526,6 +534,43 @@ async def test_exports_take_choices_and_refuse_with_words(data_db):
         assert (refused.status_code, words in refused.json()["error"]) == (400, True)
     assert (await web.get(f"{EYOU}/export/nothing")).status_code == 404
     assert (await web.get("/-/esi/device/0x1/0x2/0x3/export/igh")).status_code == 404
+
+
+@pytest.mark.parametrize("name", ["pdo", "op-mode", "cycle-ns", "name", "alias", "position"])
+async def test_exports_take_each_choice_but_modules_once(data_db, name):
+    web = await client(data_db)
+    refused = await web.get(f"{L6N}/export/igh?{name}=0x1600&{name}=0x1601")
+    assert (refused.status_code, refused.json()) == (400, {"error": f"{name} is given more than once"})
+    modules = await web.get("/-/esi/device/0xe5c/0xa202/0x10002/export/igh?module=0%3D0x10900&module=1%3D0x10900")
+    assert modules.status_code == 200
+
+
+@pytest.mark.parametrize(
+    ("path", "name"), [("compare?a=0x1097:0x2406&b=0x4321:0xe2&a=0x4321:0xe2", "a"), ("?page=1&page=2", "page")]
+)
+async def test_pages_take_a_parameter_once(data_db, path, name):
+    tree = await page(data_db, f"/-/esi/{path}", 400)
+    assert texts(tree, "[role=alert]") == [f"{name} is given more than once"]
+
+
+async def test_numbers_of_exports_are_the_same_at_every_door(data_db):
+    web = await client(data_db)
+    for name, text, decimal in (("alias", "0x10", 16), ("position", "#x3", 3), ("cycle-ns", "0x7a120", 500_000)):
+        answer = await web.get(f"{L6N}/export/igh", params={name: text})
+        for written in (text, decimal):
+            done = run("export", "igh", "0x4321:0xe2:1", f"--{name}", written, db=data_db)
+            assert (done.exit_code, done.stdout) == (0, answer.text)
+    for name, text, words in (
+        ("alias", "0x10000", "alias 65536 is no 16 bit number"),
+        ("position", "65536", "position 65536 is no 16 bit number"),
+        ("cycle-ns", "0", "a bus cycle of 0 ns cannot be; give 1 to 4294967295 ns"),
+    ):
+        refused = await web.get(f"{L6N}/export/igh", params={name: text})
+        done = run("export", "igh", "0x4321:0xe2:1", f"--{name}", text, db=data_db)
+        assert (refused.status_code, refused.json()) == (400, {"error": words})
+        assert (done.exit_code, done.stderr) == (2, f"esicatalog: {words}\n")
+    refused = await web.get(f"{L6N}/export/igh", params={"cycle-ns": "0x100000000"})
+    assert (refused.status_code, "is larger than 0xffffffff" in refused.json()["error"]) == (400, True)
 
 
 @pytest.mark.parametrize("target", ["sii", "esi"])
@@ -829,3 +874,31 @@ async def test_op_modes_that_newer_tools_ignore_are_marked(tmp_path):
     heading = run("export", "soem", "0xe5c:1:1", db=db).stdout
     assert " ignored by newer tools: 0 'DC'\n" in heading
     assert "others:" not in heading
+
+
+async def test_a_device_that_uses_the_dc_time_only_generates_no_signal_anywhere(tmp_path):
+    """Dc/@TimeLoopControlOnly: table, drawing, sheet and filter agree; SQL tells what AssignActivate asks for."""
+    mode = "<Name>DC</Name><AssignActivate>#x320</AssignActivate><CycleTimeSync0 Factor='1'>0</CycleTimeSync0>"
+    db = catalog_of(tmp_path, esi(device(f"<Dc TimeLoopControlOnly='1'><OpMode>{mode}</OpMode></Dc>")))
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    (drawn,) = tree.cssselect("svg.dc-timing")
+    assert drawn.get("aria-label") == "Timing of OpMode DC: no SYNC signals"
+    assert "DC time only" in run("show", "0xe5c:1:1", db=db).stdout
+    assert run("devices", "--sync", "sync0", db=db).stderr == "0 devices\n"
+    columns = "sync0, latch1_pdi, dc_time_loop_control_only"
+    assert rows(db, f"SELECT {columns} FROM device_dc_modes") == [(1, 1, 1)]
+    assert rows(db, "SELECT sync0, sync1 FROM device_overview") == [(0, 0)]
+
+
+async def test_exclude_of_one_side_counts_for_both_everywhere(tmp_path):
+    """ESI-FACTS section 9: only 0x1600 names the other one."""
+    pdos = pdo("RxPdo", "#x1600", 8, extra="<Exclude>#x1601</Exclude>") + pdo("RxPdo", "#x1601", 8)
+    db = catalog_of(tmp_path, esi(device(pdos)))
+    lines = run("show", "0xe5c:1:1", db=db).stdout.splitlines()
+    assert [line.split()[1:6] for line in lines if line.strip().startswith("RxPdo")] == [
+        ["0x1600", "no", "1", "8", "0x1601"],
+        ["0x1601", "no", "1", "8", "0x1600"],
+    ]
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    excluded = [text.partition("excludes ")[2] for text in texts(tree, "summary") if "excludes" in text]
+    assert excluded == ["0x1601", "0x1600"]

@@ -176,6 +176,51 @@ def test_words_in_other_places_are_left_alone(around, monkeypatch):
     assert reader.read(other.encode()) == plain(other.encode(), monkeypatch)
 
 
+ENTRY = "<Entry><Index>#x7000</Index><SubIndex>1</SubIndex><BitLen>16</BitLen><Name>C</Name></Entry>"
+OUTPUTS = f'<RxPdo Sm="2"><Index>#x1600</Index><Name>Outputs</Name>{ENTRY}</RxPdo>'
+
+
+@pytest.mark.parametrize(
+    "first",
+    [
+        f"<!-- {OUTPUTS.replace('Outputs', 'Old')} -->{OUTPUTS}",
+        f"<Info><VendorSpecific>{OUTPUTS.replace('#x1600', '1')}</VendorSpecific></Info>{OUTPUTS}",
+        OUTPUTS.replace("Outputs", "<![CDATA[<Entry>a</Entry>]]>"),
+        OUTPUTS.replace("</Name>", f"</Name><!-- {ENTRY} -->"),
+    ],
+)
+@pytest.mark.parametrize("second", [OUTPUTS, None])
+def test_a_document_with_parts_in_other_places_teaches_nothing(first, second, monkeypatch):
+    """Its entries are marked where no entry is read: the records of PDOs around them lack what they hold."""
+    reader = Reader()
+    for content in (first, second or first):
+        document = esi(device(content)).encode()
+        assert reader.read(document) == plain(document, monkeypatch)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "iso-8859-1"], ids=["saved as UTF-8", "saved as declared"])
+@pytest.mark.parametrize("order", [1, -1])
+def test_a_byte_order_mark_counts_more_than_the_declaration(encoding, order, monkeypatch):
+    """XML 1.0, section 4.3.3; libxml2 reads UTF-8 behind the mark of UTF-8 whatever the document declares."""
+    text = '<?xml version="1.0" encoding="ISO-8859-1"?>' + esi(device(OUTPUTS.replace(">C<", ">Winding \u00b0C<")))
+    content = text.encode(encoding)
+    reader = Reader()
+    for document in (content, b"\xef\xbb\xbf" + content)[::order]:
+        assert reader.read(document) == plain(document, monkeypatch)
+
+
+@pytest.mark.parametrize("blank", ["\f", "\v", "\x1c", "\x85"])
+@pytest.mark.parametrize("place", [0, 6, 7])
+def test_what_is_no_blank_of_xml_stays_with_the_parser(blank, place, monkeypatch):
+    objects = [OBJECT.replace("#x1000", f"#x{number:x}") for number in range(0x2000, 0x2008)]
+    reader = Reader()
+    reader.read(twice(TYPE, "".join(objects)).encode())
+    objects[place] += blank
+    content = twice(TYPE, "".join(objects)).encode()
+    assert reader.read(content) == plain(content, monkeypatch)
+    assert Reader().read(content) == plain(content, monkeypatch)
+
+
 @pytest.mark.parametrize(
     "objects",
     [
@@ -231,7 +276,7 @@ def _small_reader(self: Reader) -> None:
 
 PIECES = st.sampled_from(
     [TYPE, OBJECT, BROKEN, RECORD, values("#x1018", "03", "04"), FLAGS, "<SubItem>", "</SubItem>", "<SubItem a='1'/>",
-     "<RxPdo Sm='2'><Index>#x1600</Index><Name/></RxPdo>",
+     "<RxPdo Sm='2'><Index>#x1600</Index><Name/></RxPdo>", OUTPUTS, ENTRY, "\f",
      "\n", " ", "<!--", "-->", "<![CDATA[", "]]>", "</Object>", "<Object>", "<DataTypes>",
      "</DataTypes>", "<Objects>", "</Objects>", "</Dictionary>", "<Object/>", "<Object a='1'>", "&amp;", "&x;", "<?p?>"]
 )  # fmt: skip

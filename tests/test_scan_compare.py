@@ -7,7 +7,8 @@ from snippets import device, dictionary, esi, only_device, pdo, read
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model import scan_compare
-from esicatalog.model.scan_compare import access_text, compare_objects, compare_pdos
+from esicatalog.model.access import OP, PREOP, access_text, states_to_write
+from esicatalog.model.scan_compare import compare_objects, compare_pdos
 from esicatalog.model.slots import reachable_modules
 from esicatalog.scan.front import read_pdos, read_sdos
 from esicatalog.scan.records import ScannedDictionary, ScannedPdos
@@ -146,6 +147,7 @@ def test_access_words_as_masters_print_them():
     assert access_text(0b000111) == "r-r-r-"
     assert access_text(0b001111) == "rwr-r-"
     assert access_text(0) == "------"
+    assert (states_to_write(0b001111), states_to_write(0b1_100_111)) == (PREOP, OP)
 
 
 MODULAR = (

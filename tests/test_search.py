@@ -1,6 +1,7 @@
 """Which devices can do X: every filter against what the documents say."""
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -168,16 +169,96 @@ def test_evidence_says_what_a_document_leaves_out(tmp_path):
         ({"bytes_in": "<=8", "strict": False}, {"bytes_in": Bounds(None, 8)}),
         ({"like": "1:2:3"}, {"like": Identity(1, 2, 3)}),
         ({"vendor": "3S", "text": "x y", "sync": "sync1"}, {"vendor": "3S", "text": "x y", "sync": "sync1"}),
+        ({"vendor": "0x1097"}, {"vendor_id": 0x1097}),
+        ({"vendor": 0x1097, "vendor_id": None}, {"vendor_id": 0x1097}),
+        ({"modes": ["csv", "CSP,cst"]}, {"modes": ("CSV", "CSP", "CST")}),
+        ({"maps": 0x60FF, "bits": 32}, {"maps": ((0x60FF, None),), "bits": 32}),
+        ({"maps": [[0x6041, 0]]}, {"maps": ((0x6041, 0),)}),
+        ({"bytes_in": 8, "e_bus_ma": -100}, {"bytes_in": Bounds(8, 8), "e_bus_ma": Bounds(-100, -100)}),
+        ({"bytes_in": (None, 8)}, {"bytes_in": Bounds(None, 8)}),
+        ({"like": (1, 2, 3)}, {"like": Identity(1, 2, 3)}),
+        ({"needs_dc": 1, "bootstrap": "no"}, {"needs_dc": True}),
     ],
 )
 def test_fields_of_a_filter_as_values_and_as_texts(texts, values):
     assert filter_of_fields(texts) == DeviceFilter(**values)
 
 
-@pytest.mark.parametrize("wanted", [{"maps": "60FF"}, {"maps": ["x"]}, {"modes": "C"}, {"bytes_in": "few"}])
-def test_a_text_that_means_no_value_is_an_error(data_db, wanted):
+@pytest.mark.parametrize(
+    ("field", "texts"), [("maps", ["0x60FF"]), ("not_maps", ["0x6040"]), ("objects", ["0x6502"]), ("modes", ["csv"])]
+)
+def test_what_is_given_one_by_one_counts_like_a_list(field, texts):
+    assert filter_of_fields({field: iter(texts)}) == filter_of_fields({field: texts}) != DeviceFilter()
+
+
+@pytest.mark.parametrize(
+    ("field", "given"),
+    [
+        ("maps", "60FF"),
+        ("maps", ["x"]),
+        ("maps", [0x60FF, 0x6040]),
+        ("maps", [0x6041, 0]),
+        ("maps", (0x60FF, 0x6040)),
+        ("maps", (0x60FF, 0, 0)),
+        ("maps", [(0x10000, None)]),
+        ("maps", None),
+        ("objects", 1.5),
+        ("objects", b"0x6502"),
+        ("modes", "C"),
+        ("modes", [5]),
+        ("modes", 5),
+        ("bytes_in", "few"),
+        ("bytes_in", 1.5),
+        ("bytes_in", Bounds(None, 2**70)),
+        ("text", 5),
+        ("physics", 5),
+        ("vendor", ""),
+        ("vendor", "\udcff"),
+        ("vendor_id", 2**70),
+        ("vendor_id", -1),
+        ("vendor_id", True),
+        ("like", (1,)),
+        ("like", Identity(1, 2, 3, 0)),
+        ("like", Identity(2**70, 2)),
+        ("needs_dc", None),
+        ("limit", 2**70),
+        ("limit", -1),
+    ],
+)
+def test_what_means_no_value_is_an_error(data_db, field, given):
     with Catalog.open(data_db) as catalog, pytest.raises(InputError):
-        catalog.devices(**wanted)
+        catalog.devices(**{field: given})
+
+
+def test_two_numbers_of_a_vendor_are_refused():
+    with pytest.raises(InputError, match="give one of both"):
+        filter_of_fields({"vendor": "0x1097", "vendor_id": 2})
+    assert filter_of_fields({"vendor": "EYOU", "vendor_id": 2}) == DeviceFilter(vendor="EYOU", vendor_id=2)
+
+
+@pytest.mark.parametrize(
+    "fields", [{"vendor_id": 2**70}, {"vendor_id": "0x1097"}, {"maps": ((0x60FF, 0x6040),)}, {"bytes_in": 8}]
+)
+def test_a_filter_checks_its_values_whoever_makes_it(fields):
+    with pytest.raises(InputError, match=next(iter(fields))):
+        DeviceFilter(**fields)
+
+
+async def test_a_limit_is_a_number_at_every_door(data_db):
+    web = await client(data_db)
+    for text in ("0x2", "100000", "100001", "0xffffffff"):
+        listed = run("devices", "--limit", text, "--format", "json", db=data_db)
+        answer = await web.get("/-/esi/devices.json", params={"limit": text})
+        assert len(answer.json()) == len(json.loads(listed.stdout)) == (2 if text == "0x2" else 5)
+        assert types(data_db, limit=text) == [item["type"] for item in answer.json()]
+
+
+async def test_openapi_states_the_limit_that_is_taken(data_db):
+    document = (await (await client(data_db)).get("/-/esi/openapi.json")).json()
+    parameters = document["paths"]["/-/esi/devices.json"]["get"]["parameters"]
+    (pattern,) = (item["schema"]["pattern"] for item in parameters if item["name"] == "limit")
+    assert all(re.search(pattern, text) for text in ("", "0", "5", "100000", "0x5", "4294967295"))
+    assert not any(re.search(pattern, text) for text in ("-1", "4294967296", "0x100000000", "1.5"))
 
 
 def test_wrong_filters_are_errors(data_db):

@@ -95,7 +95,7 @@ BOMBS = [
 ]
 
 
-@pytest.mark.parametrize("sql", BOMBS)
+@pytest.mark.parametrize("sql", [*BOMBS[2:], *(pytest.param(sql, marks=pytest.mark.faults) for sql in BOMBS[:2])])
 async def test_sql_that_would_never_end_is_stopped(data_db, sql):
     response = await asyncio.wait_for(answer(await client(data_db), sql), 60)
     assert response.status_code == 400

@@ -83,7 +83,19 @@ def test_a_string_table_gives_its_texts_back_or_refuses(texts):
         (SiiImage(header=Header(private=b"")), "private does not fit: 66 bytes needed, 0 given"),
         (
             SiiImage(categories=(RxPdos(pdos=(Pdo(pdo_index=0x1600, entries=(PdoEntry(bit_length=256),)),)),)),
-            "PdoEntry: bit_length 256",
+            "PDO 0x1600: entry 1: PdoEntry: bit_length 256 does not fit into 8 bits (Length in bits)",
+        ),
+        (
+            SiiImage(categories=(RxPdos(pdos=(Pdo(), Pdo(pdo_index=0x1601, sm=300))),)),
+            "PDO 0x1601: Pdo: sm 300 does not fit into 8 bits (Sync manager it is assigned to)",
+        ),
+        (
+            SiiImage(categories=(SyncManagers(sync_managers=(SyncManager(), SyncManager(length_bytes=65536))),)),
+            "SM1: SyncManager: length_bytes 65536 does not fit into 16 bits (Length in bytes)",
+        ),
+        (
+            SiiImage(categories=(DistributedClocks(modes=(DcMode(cycle_time_sync0_factor=40000),)),)),
+            "OpMode 1: DcMode: cycle_time_sync0_factor 40000",
         ),
         (SiiImage(categories=(TxPdos(pdos=(Pdo(entries=(PdoEntry(),) * 256),)),)), "Pdo: entries 256"),
         (SiiImage(categories=(Strings(strings=(SiiString(),) * 256),)), "256 strings"),

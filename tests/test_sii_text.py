@@ -5,9 +5,11 @@ import json
 from sii import by_hand
 from sii.by_hand import image
 
+from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.text import sheet_lines
 from esicatalog.sii.view import sii_json
+from esicatalog.sii.words import DATA_TYPES
 
 
 def sheet(data: bytes) -> list[str]:
@@ -94,3 +96,18 @@ def test_json_has_numbers_words_and_texts():
     assert rx_pdos["pdos"][0]["flags_words"] == ["default"]
     assert [mode["sync0"] for mode in clocks["modes"]] == [False, True]
     assert (whole["end_mark"], whole["trailing"], whole["findings"]) == (True, "ff" * 6, [])
+
+
+def test_a_check_sum_that_is_not_tested_is_not_wrong():
+    """0x88A4 (ESC data sheet): the slave controller loads the words whatever their check sum."""
+    untested = by_hand.WHOLE[:14] + b"\xa4\x88" + by_hand.WHOLE[16:]
+    assert "check sum 0xA4, not tested" in sheet(untested)
+    wrong = by_hand.WHOLE[:14] + bytes([by_hand.WHOLE[14] ^ 1, 0]) + by_hand.WHOLE[16:]
+    assert any(line.startswith("check sum") and ", wrong, " in line for line in sheet(wrong))
+
+
+def test_every_data_type_that_is_stored_has_its_name():
+    """STRING and VISIBLE_STRING share a code (ETG.1020)."""
+    for base in BASE_TYPES.values():
+        assert DATA_TYPES[base.code] == ("VISIBLE_STRING" if base.name == "STRING" else base.name)
+    assert set(DATA_TYPES) == {base.code for base in BASE_TYPES.values()}

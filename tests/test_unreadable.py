@@ -2,7 +2,7 @@
 
 import pytest
 from snippets import device, esi, only_device, pdo
-from test_export_configuration import COE, SMS, configured, dc, entry, init_cmd, pdos, rx, times
+from test_export_configuration import COE, SMS, configured, dc, entry, init_cmd, pdos, rx, subject, times
 
 from esicatalog.errors import InputError
 from esicatalog.esi.unreadable import Unreadable, unreadable, unreadable_values
@@ -24,7 +24,15 @@ def unread(content: str, module_text: str = "", **choice) -> list[str]:
 
 
 def in_image(content: str) -> list[str]:
-    return [remark for remark in image_remarks(only_device(esi(device(content)))) if "place for" not in remark]
+    return [remark for remark in image_remarks(subject(content)) if "place for" not in remark]
+
+
+def test_bytes_in_hex_are_unreadable_when_they_are_none():
+    """Their record keeps the text, in which a digit is missing or too many stand."""
+    found = only_device(esi(device("<Eeprom><ConfigData>050</ConfigData><BootStrap>0010</BootStrap></Eeprom>")))
+    assert list(unreadable_values(found, lambda part: True)) == [
+        Unreadable("Eeprom/ConfigData", "'050' is not hexBinary (pairs of hex digits)")
+    ]
 
 
 def test_values_are_listed_with_their_place_and_the_reason():

@@ -102,6 +102,20 @@ def test_identical_content_is_stored_once(tmp_path):
     assert rows(tmp_path / "all.db", query) == [("a.xml", 1, "G"), ("b.xml", 3, "G"), ("c.xml", 1, "Other")]
 
 
+def test_the_order_of_attributes_is_no_content(tmp_path):
+    """Spellings that are not canonical are kept, whatever their order, and which document came first is not told."""
+    attributes = ['StartAddress="4096"', 'ControlByte="100"', 'Enable="true"']
+    files = {
+        f"{number}.xml": esi(device(f"<Sm {' '.join(order)}>Outputs</Sm>", name="one"))
+        for number, order in enumerate(permutations(attributes))
+    }
+    kept = set()
+    for order in (tuple(files), tuple(reversed(files))):
+        assert stored(tmp_path, files, order) == [(1, "one")]
+        kept.add(str(rows(tmp_path / f"{'-'.join(order)}.db", "SELECT spelling FROM sync_managers")))
+    assert len(kept) == 1
+
+
 def test_the_same_identity_twice_in_one_document(tmp_path):
     assert stored(tmp_path, {"a.xml": esi(PLAIN + RICHER + PLAIN)}) == [(1, "richer"), (2, "plain")]
     assert rows(tmp_path / "all.db", "SELECT count(*) FROM device_sources") == [(3,)]

@@ -25,9 +25,6 @@ NEW_CATALOG = "new_catalog.sql"
 STATEMENT_END = ";\n\n"
 """Between the statements in there."""
 
-DEFAULT_CATALOG = "catalog.db"
-
-
 _DRIVERS = {"postgresql": "postgresql+psycopg", "postgres": "postgresql+psycopg"}
 """What a URL without driver means."""
 _BACKENDS = ("sqlite", "postgresql", "cockroachdb")

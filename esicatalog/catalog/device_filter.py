@@ -1,9 +1,12 @@
 """What can be asked of devices: one field a filter. No SQLAlchemy in here."""
 
+import functools
+from typing import Annotated
+
 import msgspec
 
 from esicatalog.errors import InputError
-from esicatalog.identity import Bounds, Identity
+from esicatalog.identity import UINT32_MAX, Bounds, Identity, checked
 from esicatalog.model.cia402 import DRIVE_MODES
 from esicatalog.model.words import MAILBOX_PROTOCOLS
 
@@ -11,27 +14,29 @@ PROTOCOLS = (*MAILBOX_PROTOCOLS, "fsoe")
 SYNC_SIGNALS = ("sync0", "sync1")
 MODES = tuple(DRIVE_MODES)
 IDENTIFICATIONS = ("reg134", "ado")
-_MOST_LISTED = 100_000
+AMOUNTS = ("bytes_in", "bytes_out", "min_cycle_ns", "e_bus_ma", "axes")
+"""The filters that are bounds of an amount."""
 
-Mapped = tuple[int, int | None]
+UInt32 = Annotated[int, msgspec.Meta(ge=0, le=UINT32_MAX)]
+Mapped = tuple[Annotated[int, msgspec.Meta(ge=0, le=0xFFFF)], Annotated[int, msgspec.Meta(ge=0, le=0xFF)] | None]
 """An object: index and subindex, None for every subindex."""
 
 
 class DeviceFilter(msgspec.Struct, frozen=True, kw_only=True):
     """What devices have to fulfil; all given conditions together. Raises :class:`InputError` for unknown words
-    and for a limit that cannot be.
+    and for values that are not of the type of their field, whoever gives them.
 
     Sizes, layout and drive modes are those of the default process image and of whatever module can be plugged; an
     answer says on what it rests.
     """
 
-    vendor_id: int | None = None
+    vendor_id: UInt32 | None = None
     vendor: str | None = None
     """Part of the vendor's name."""
-    product_code: int | None = None
+    product_code: UInt32 | None = None
     text: str | None = None
     """Words in vendor, type, name or identity; blank = none, as a search box that is left so."""
-    profile_no: int | None = None
+    profile_no: UInt32 | None = None
     modes: tuple[str, ...] = ()
     """CiA 402 modes, all of them: verdict yes or likely on some axis, with some module."""
     strict: bool = False
@@ -61,7 +66,7 @@ class DeviceFilter(msgspec.Struct, frozen=True, kw_only=True):
     maps: tuple[Mapped, ...] = ()
     """Some PDO of the device, or of a module that its slots can reach, maps each of these."""
     not_maps: tuple[Mapped, ...] = ()
-    bits: int | None = None
+    bits: UInt32 | None = None
     """BitLen of the entries that ``maps`` names."""
     objects: tuple[Mapped, ...] = ()
     like: Identity | None = None
@@ -70,9 +75,18 @@ class DeviceFilter(msgspec.Struct, frozen=True, kw_only=True):
     """Also the descriptions that are not preferred."""
     include_hidden: bool = False
     """Also the revisions that another description of the vendor supersedes (HideType)."""
-    limit: int | None = None
+    limit: UInt32 | None = None
 
     def __post_init__(self) -> None:
+        for name, default, kind in _fields():
+            given = getattr(self, name)
+            if given is not default:
+                msgspec.structs.force_setattr(self, name, _value(name, given, kind))
+        for name in AMOUNTS:
+            if any(abs(number) > UINT32_MAX for number in getattr(self, name) or () if number is not None):
+                raise InputError(f"{name}: no amount is larger than {UINT32_MAX}")
+        if self.like is not None:
+            checked(self.like)
         for mode in self.modes:
             _one_of("mode", mode, MODES)
         for name, allowed in (("sync", SYNC_SIGNALS), ("protocol", PROTOCOLS), ("identification", IDENTIFICATIONS)):
@@ -83,8 +97,22 @@ class DeviceFilter(msgspec.Struct, frozen=True, kw_only=True):
             raise InputError("bits is the length of the entries named by maps; give maps INDEX[:SUBINDEX] too")
         if self.strict and not self.modes:
             raise InputError("strict is about drive modes; give mode too, e.g. CSV")
-        if self.limit is not None and not 0 <= self.limit <= _MOST_LISTED:
-            raise InputError(f"limit cannot be so; give 0 to {_MOST_LISTED}, or none to list all devices")
+
+
+@functools.cache
+def _fields() -> tuple[tuple[str, object, object], ...]:
+    """Name, default and type of each filter."""
+    return tuple((field.name, field.default, field.type) for field in msgspec.structs.fields(DeviceFilter))
+
+
+def _value(name: str, given: object, kind: object) -> object:
+    """The value of a field: lists become the tuples that they stand for. Raises :class:`InputError`."""
+    try:
+        if isinstance(given, str):
+            given.encode()  # What a shell gives that is no UTF-8 can be looked for in no database.
+        return msgspec.convert(given, kind)
+    except (msgspec.ValidationError, UnicodeEncodeError) as error:
+        raise InputError(f"{name}: {error}") from error
 
 
 def _one_of(name: str, word: str, allowed: tuple[str, ...]) -> None:

@@ -1,6 +1,6 @@
 """Single descriptions: by their identity as people write it, and where they come from."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 import sqlalchemy as sa
@@ -9,7 +9,16 @@ from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import devices, slots, vendors
 from esicatalog.errors import NotFound
 from esicatalog.identity import Identity
+from esicatalog.model.revisions import latest_revision
 
+ORDER = (
+    devices.c.vendor_id.nulls_first(),
+    devices.c.product_code.nulls_first(),
+    devices.c.revision_no.nulls_first(),
+    devices.c.type.nulls_first(),
+    devices.c.variant,
+)
+"""The order of lists, which is that of the index ``ix_devices_listed``."""
 SUMMARY = (
     sa.select(
         devices.c.id,
@@ -23,15 +32,11 @@ SUMMARY = (
         devices.c.name,
     )
     .outerjoin(vendors, vendors.c.vendor_id == devices.c.vendor_id)
-    .order_by(
-        devices.c.vendor_id.nulls_first(),
-        devices.c.product_code.nulls_first(),
-        devices.c.revision_no.nulls_first(),
-        devices.c.variant,
-        devices.c.type.nulls_first(),
-    )
+    .order_by(*ORDER)
 )
 """Descriptions as lists show them; :func:`summary` makes values of its rows."""
+_LARGEST_ROW = 2**63 - 1
+"""What databases can compare with a row number."""
 
 
 def summary(row: Any, evidence: Iterable[str] = ()) -> FoundDevice:
@@ -59,8 +64,8 @@ def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, Fou
     rows = connection.execute(SUMMARY.where(*condition)).all()
     if not rows:
         raise NotFound(f"{identity} is not in the catalog", f"esicatalog identify {identity_words(identity)}")
-    wanted = identity.variant or 1
-    chosen = identity.revision_no if identity.revision_no is not None else _latest(rows)
+    wanted = identity.variant if identity.variant is not None else 1
+    chosen = latest_revision((row.revision_no, row.hidden) for row in rows)
     variants = [row for row in rows if row.revision_no == chosen]
     for row in variants:
         if row.variant == wanted:
@@ -85,7 +90,8 @@ def variants_with_slots(connection: sa.Connection, found: FoundDevice, variant_c
 
 def device_of_row(connection: sa.Connection, number: int) -> FoundDevice:
     """Summary of the description with a row number of this catalog. Raises :class:`NotFound`."""
-    row = connection.execute(SUMMARY.where(devices.c.id == number)).first()
+    is_possible = 0 < number <= _LARGEST_ROW
+    row = connection.execute(SUMMARY.where(devices.c.id == number)).first() if is_possible else None
     if row is None:
         raise NotFound(f"the catalog has no device row {number}")
     return summary(row)
@@ -95,12 +101,6 @@ def devices_of_vendor(connection: sa.Connection, vendor_id: int) -> list[tuple[i
     """Row numbers and summaries of the preferred descriptions of all devices of a vendor, hidden ones too."""
     query = SUMMARY.where(devices.c.vendor_id == vendor_id, devices.c.variant == 1)
     return [(row.id, summary(row)) for row in connection.execute(query).all()]
-
-
-def _latest(rows: Sequence[Any]) -> int | None:
-    """The highest revision that no other description of the vendor hides; the highest when all are hidden."""
-    revisions: list[int | None] = [row.revision_no for row in rows if not row.hidden] or [rows[-1].revision_no]
-    return revisions[-1]
 
 
 def identity_words(identity: Identity) -> str:

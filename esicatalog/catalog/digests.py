@@ -18,7 +18,8 @@ from esicatalog.esi.records.module import Module
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.resolver import Resolver, TypeSet
 
-_encode = msgspec.msgpack.Encoder().encode
+_encode = msgspec.msgpack.Encoder(order="deterministic").encode
+"""Whatever the order of attributes, which spellings have too: it means nothing in XML."""
 _MEMO_LIMIT = 200_000
 _MAX_DICTIONARIES = 2_000
 

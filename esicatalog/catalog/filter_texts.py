@@ -1,12 +1,13 @@
 """Filters as texts: the parameters of the web pages and of devices.json, named like the options of the command."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from esicatalog.catalog.device_filter import IDENTIFICATIONS, MODES, PROTOCOLS, SYNC_SIGNALS, DeviceFilter
 from esicatalog.errors import InputError
 from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_modes, parse_number
+from esicatalog.parameters import given_texts
 
 TRUE_WORDS, FALSE_WORDS = ("1", "true", "yes", "on"), ("0", "false", "no", "off")
 _MEANT_AS_NUMBER = re.compile(r"(?:0x|#).*|[0-9]+", re.IGNORECASE | re.DOTALL)
@@ -72,10 +73,12 @@ PARAMETERS: dict[str, Parameter] = {
     "limit": Parameter("limit", parse_number),
 }
 """All filters but ``vendor``, which is an id or a part of a name."""
+_VENDOR = "vendor"
 _BY_FIELD = {
     "vendor_id": Parameter("vendor_id", parse_number),
     **{parameter.field: parameter for parameter in PARAMETERS.values()},
 }
+_REPEATED = tuple(name for name, parameter in PARAMETERS.items() if parameter.repeated)
 SHARPENS = {"strict": "mode", "bits": "maps"}
 """Filters that only say more about another one, and are refused without it."""
 
@@ -83,49 +86,75 @@ SHARPENS = {"strict": "mode", "bits": "maps"}
 def filter_of_fields(fields: Mapping[str, Any]) -> DeviceFilter:
     """The filter with these fields; a value may be given as its text, one of several also without a list around it.
 
-    Raises :class:`InputError` for a text that means no value, and as :class:`DeviceFilter` does.
+    A number stands for its text: ``bytes_in=8`` means ``"8"``. Raises :class:`InputError` for a text that means no
+    value, and as :class:`DeviceFilter` does.
     """
-    return DeviceFilter(**{name: _field_value(name, value) for name, value in fields.items()})
+    values = {name: _field_value(name, value) for name, value in fields.items()}
+    vendor = _text(values.get(_VENDOR))
+    if isinstance(vendor, str):
+        vendor_id, values[_VENDOR] = parse_vendor(vendor)
+        if vendor_id is not None:
+            if values.get("vendor_id") not in (None, vendor_id):
+                raise InputError("vendor and vendor_id are two numbers; give one of both")
+            values["vendor_id"] = vendor_id
+    return DeviceFilter(**values)
 
 
 def _field_value(name: str, given: Any) -> Any:
     parameter = _BY_FIELD.get(name)
     if parameter is None:
         return given
-
-    def value_of(item: Any) -> Any:
-        return parameter.parse(item) if isinstance(item, str) else item
-
     if parameter.repeated:
-        # An index and a subindex are one object, two such pairs or texts are two.
-        is_one = isinstance(given, str) or any(isinstance(item, int) for item in given)
-        return tuple(value_of(item) for item in ([given] if is_one else given))
-    return tuple(given) if isinstance(given, list) else value_of(given)
+        return tuple(_object(name, parameter, item) for item in _objects(name, given))
+    if parameter.parse is parse_modes and not isinstance(given, str) and isinstance(given, Iterable):
+        return tuple(mode for item in given for mode in (parse_modes(item) if isinstance(item, str) else (item,)))
+    text = given if parameter.parse is str else _text(given)
+    return _parsed(name, parameter, text) if isinstance(text, str) else given
+
+
+def _objects(name: str, given: Any) -> Iterable[Any]:
+    """Objects, of which a single one may stand without a list: as its text, its index or index and subindex."""
+    if isinstance(given, tuple) and any(isinstance(item, int) for item in given):
+        return (given,)
+    given = _text(given)
+    if isinstance(given, str):
+        return (given,)
+    if not isinstance(given, Iterable):
+        raise InputError(f"{name}: {str(given)[:40]!r} is no object; give texts or pairs of index and subindex")
+    return given
+
+
+def _object(name: str, parameter: Parameter, item: Any) -> Any:
+    if isinstance(item, int):
+        raise InputError(
+            f"{name}: {item} in a list may be an index or a subindex; "
+            "give texts, or pairs such as (0x60FF, None) and (0x6041, 0)"
+        )
+    return _parsed(name, parameter, item) if isinstance(item, str) else item
+
+
+def _text(given: Any) -> Any:
+    """The text that a number stands for; other values as they are."""
+    return str(given) if isinstance(given, int) and not isinstance(given, bool) else given
 
 
 def filter_of_texts(texts: Mapping[str, Sequence[str]]) -> DeviceFilter:
     """The filter that parameters mean; empty texts count as not given. Raises :class:`InputError`."""
     fields: dict[str, Any] = {}
-    for name, values in texts.items():
-        given = [value for value in values if value]
-        if name != "vendor" and name not in PARAMETERS:
-            raise InputError(f"unknown filter {name[:40]!r}; there are vendor, {', '.join(PARAMETERS)}")
-        if not given:
-            continue
-        if len(given) > 1 and not (name in PARAMETERS and PARAMETERS[name].repeated):
-            raise InputError(f"{name} is given more than once")
-        if name == "vendor":
-            fields["vendor_id"], fields["vendor"] = parse_vendor(given[0])
+    for name, given in given_texts(texts, (_VENDOR, *PARAMETERS), _REPEATED, "filter").items():
+        if name == _VENDOR:
+            fields["vendor_id"], fields[_VENDOR] = parse_vendor(given[0])
             continue
         parameter = PARAMETERS[name]
+        padded = [value for value in given if parameter.parse is not str and value != value.strip()]
+        if padded:
+            raise InputError(f"{name}: {padded[0][:40]!r} has blanks around it")
         parsed = [_parsed(name, parameter, value) for value in given]
         fields[parameter.field] = tuple(parsed) if parameter.repeated else parsed[0]
     return DeviceFilter(**fields)
 
 
 def _parsed(name: str, parameter: Parameter, text: str) -> Any:
-    if parameter.parse is not str and text != text.strip():
-        raise InputError(f"{name}: {text[:40]!r} has blanks around it")
     try:
         return parameter.parse(text)
     except InputError as error:

@@ -35,8 +35,9 @@ _SOURCES = (
 _LAYOUT = (
     "SELECT p.image_sm, e.image_bit_offset, e.entry_index, coalesce(e.subindex, 0), e.bit_length FROM pdos p "
     "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND e.image_bit_offset IS NOT NULL "
-    "ORDER BY p.image_sm, e.image_bit_offset"
+    "AND (e.entry_index IS NULL OR e.entry_index <> 0)"
 )
+"""What :func:`~esicatalog.model.image_layout.entries_with_place` gives: padding is no place of its own."""
 _WITHOUT_PLACE = (
     "SELECT p.image_sm, p.pdo_index, e.entry_index, coalesce(e.subindex, 0), e.bit_length FROM pdos p "
     "LEFT JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND p.image_sm IS NOT NULL "
@@ -51,6 +52,12 @@ _BY_ROLE, _BY_PDO = (
     for known in ({usage: role.transfer_direction for usage, role in SM_ROLES.items()}, TRANSFER_DIRECTIONS)
 )
 _BESIDE_LAYOUT = (
+    (
+        "described bits are {} here, {} there",
+        "SELECT 'SM' || p.image_sm, max(e.image_bit_offset + e.bit_length) FROM pdos p "
+        "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND e.image_bit_offset IS NOT NULL "
+        "AND e.bit_length > 0 GROUP BY p.image_sm ORDER BY p.image_sm",
+    ),
     (
         "SyncManagers with PDOs are {} here, {} there",
         f"SELECT 'SM' || s.position, coalesce(s.transfer_direction, CASE s.usage {_BY_ROLE} END, "
@@ -249,16 +256,11 @@ class IdentityLookup:
         return "in the samples of oversampled PDOs, or in PDOs that are too long for a SyncManager"
 
     def _layout(self, device_id: int) -> dict[tuple[int, int], str]:
-        """What begins where, in words; gaps that follow each other are one."""
-        found = {}
-        gap = (-1, 0, 0)  # SyncManager, begin and end of the last one
-        for sm, offset, index, subindex, bits in self._query(_LAYOUT, (device_id,)):
-            if index != 0:
-                found[sm, offset] = mapped_words(index, subindex, bits)
-            elif bits is not None and bits > 0:
-                gap = (sm, gap[1] if (sm, offset) == (gap[0], gap[2]) else offset, offset + bits)
-                found[sm, gap[1]] = mapped_words(0, 0, gap[2] - gap[1])
-        return found
+        """What begins where, in words."""
+        return {
+            (sm, offset): mapped_words(index, subindex, bits)
+            for sm, offset, index, subindex, bits in self._query(_LAYOUT, (device_id,))
+        }
 
 
 def _device(row: tuple[Any, ...]) -> FoundDevice:

@@ -156,7 +156,8 @@ TABLE_RECORDS: dict[str, type[Record]] = {
 _KINDS = {int: "int", bool: "bool", float: "float", str: "text"}
 _EXTENSION_OWNERS = (Device, Module, Profile, Mailbox, OpMode, Eeprom)
 
-_encode_json = msgspec.json.Encoder().encode
+_encode_json = msgspec.json.Encoder(order="deterministic").encode
+"""Spellings by name in one order: that of attributes means nothing, and what is stored once is of any who had it."""
 
 
 def to_json(value: Any) -> str:

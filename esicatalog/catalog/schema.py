@@ -306,7 +306,7 @@ initcmds = _owned(
     "Start-up commands (InitCmd) of all mailbox protocols; one row may serve several transitions.",
     _text("protocol", "CoE, SoE, EoE or AoE", nullable=False),
 )
-dc_modes = _owned("dc_modes", "OpModes of the distributed clocks with the SYNC signals that AssignActivate means.")
+dc_modes = _owned("dc_modes", "OpModes of the distributed clocks with the SYNC signals that AssignActivate asks for.")
 slots = _owned("slots", "Slot elements; with max_instances above 1 one stands for several slots.")
 slot_modules = _part("slot_modules", "slots", "Modules that fit a slot, by ModuleIdent.")
 slot_module_classes = _part("slot_module_classes", "slots", "Modules that fit a slot, by ModuleClass.")

@@ -10,8 +10,8 @@ from esicatalog.catalog import content_conditions as content
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.conditions import Condition, among
-from esicatalog.catalog.device_filter import DeviceFilter
-from esicatalog.catalog.devices import find_device, summary
+from esicatalog.catalog.device_filter import AMOUNTS, DeviceFilter
+from esicatalog.catalog.devices import ORDER, SUMMARY, find_device, summary
 from esicatalog.catalog.full_text import text_condition
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import devices, vendors
@@ -19,14 +19,6 @@ from esicatalog.errors import InputError
 from esicatalog.identity import Identity
 
 _FLAGS = ("complete_access", "pdo_assign", "pdo_config", "bootstrap", "needs_dc", "no_lrw")
-_AMOUNTS = ("bytes_in", "bytes_out", "min_cycle_ns", "e_bus_ma", "axes")
-_ORDER = (
-    devices.c.vendor_id.nulls_first(),
-    devices.c.product_code.nulls_first(),
-    devices.c.revision_no.nulls_first(),
-    devices.c.type.nulls_first(),
-    devices.c.variant,
-)
 ADDRESSED = Condition(sa.and_(devices.c.vendor_id.is_not(None), devices.c.product_code.is_not(None)), indexed=True)
 NOT_ADDRESSED = Condition(sa.or_(devices.c.vendor_id.is_(None), devices.c.product_code.is_(None)), indexed=True)
 """Whether a description has the codes by which a bus and the address of a page name it; end caps have none."""
@@ -35,7 +27,7 @@ _ASKED = 300
 
 
 def find_devices(connection: sa.Connection, wanted: DeviceFilter) -> list[FoundDevice]:
-    """Devices that fulfil the filter, by vendor, product, revision and variant.
+    """Devices that fulfil the filter, by vendor, product, revision, type and variant.
 
     Raises :class:`InputError`, and :class:`NotFound` when the device to compare with is not there.
     """
@@ -59,27 +51,9 @@ def found_devices(
 
 def device_query(found: Sequence[Condition], wanted: DeviceFilter, offset: int = 0) -> sa.Select[Any]:
     """The one SELECT of a filter; ``offset`` skips the first devices."""
-    columns = devices.c
     limit = wanted.limit
     fulfil = fulfilled(found, wanted) if limit is None else _on_page(found, wanted, limit + offset)
-    return (
-        sa.select(
-            columns.id,
-            columns.vendor_id,
-            columns.product_code,
-            columns.revision_no,
-            columns.variant,
-            columns.hidden,
-            vendors.c.name.label("vendor"),
-            columns.type,
-            columns.name,
-        )
-        .outerjoin(vendors, vendors.c.vendor_id == columns.vendor_id)
-        .where(*fulfil)
-        .order_by(*_ORDER)
-        .limit(limit)
-        .offset(offset or None)
-    )
+    return SUMMARY.where(*fulfil).limit(limit).offset(offset or None)
 
 
 def matching_ids(found: Sequence[Condition], wanted: DeviceFilter) -> sa.Select[Any]:
@@ -117,7 +91,7 @@ def _on_page(found: Sequence[Condition], wanted: DeviceFilter, size: int) -> lis
         return fulfilled(found, wanted)
     number = devices.c.id
     indexed = sa.select(number).where(*fulfilled([c for c in plain if c.indexed], wanted))
-    asked = indexed.order_by(*_ORDER).limit(_ASKED).cte("asked")
+    asked = indexed.order_by(*ORDER).limit(_ASKED).cte("asked")
     own = [*(c.sql for c in plain if not c.indexed), *(c.of_one for c in listed)]
     fit = sa.select(number).where(number.in_(sa.select(asked.c.id)), *own).cte("fit")
     all_asked = sa.select(sa.func.count() < _ASKED).select_from(asked).scalar_subquery()
@@ -154,7 +128,7 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
         yield capability.identification(wanted.identification)
     if wanted.physics is not None:
         yield capability.physics(wanted.physics)
-    for name in _AMOUNTS:
+    for name in AMOUNTS:
         bounds = getattr(wanted, name)
         if bounds is not None:
             yield capability.amount(name, bounds)

@@ -158,9 +158,10 @@ def _owner_views(kind: str, dialect: str) -> list[View]:
         found.append(
             View(
                 "device_dc_modes",
-                "One row per OpMode element of a device, with the SYNC signals that AssignActivate means.",
+                "One row per OpMode element of a device, with the SYNC signals that AssignActivate asks for; a device "
+                "with dc_time_loop_control_only generates none of them.",
                 f"SELECT {identity}, {hex_text('c.assign_activate', 4, dialect)} AS assign_activate_hex, "
-                f"{_columns('dc_modes', 'c')}, "
+                f"{_columns('dc_modes', 'c')}, d.dc_time_loop_control_only, "
                 f"{_flag('c.position = d.default_op_mode')} AS is_default, "
                 f"c.id AS dc_mode_id, c.position {source} JOIN dc_modes c ON c.device_id = d.id",
             )

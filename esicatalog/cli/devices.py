@@ -5,7 +5,6 @@ from typing import Any
 import click
 
 from esicatalog.catalog.device_filter import IDENTIFICATIONS, PROTOCOLS, SYNC_SIGNALS
-from esicatalog.catalog.filter_texts import parse_vendor
 from esicatalog.cli.common import (
     BOUNDS,
     IDENTITY,
@@ -64,10 +63,10 @@ _CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant
 @click.option("--like", metavar="IDENTITY", type=IDENTITY, help="Same process-image layout as this device.")
 @click.option("--all-variants", is_flag=True, help="Also the descriptions that are not preferred.")
 @click.option("--include-hidden", is_flag=True, help="Also revisions that their vendor hides (HideType).")
-@click.option("--limit", metavar="N", type=click.IntRange(0), help="At most so many.")
+@click.option("--limit", metavar="N", type=NUMBER, help="At most so many.")
 @format_option("table", "json", "csv")
 @reporting_errors
-def command(db: str, vendor: str | None, output_format: str, **filters: Any) -> None:
+def command(db: str, output_format: str, **filters: Any) -> None:
     """List the devices that fulfil all conditions, each with its evidence.
 
     Numbers are written 0x1097, #x1097 or 4247, subindices also with two hex digits as evidence shows them (0x6000:0A);
@@ -76,9 +75,8 @@ def command(db: str, vendor: str | None, output_format: str, **filters: Any) -> 
     """
     from esicatalog.api import Catalog
 
-    vendor_id, vendor_name = parse_vendor(vendor) if vendor is not None else (None, None)
     with Catalog.open(db) as catalog:
-        found = catalog.devices(vendor_id=vendor_id, vendor=vendor_name, **filters)
+        found = catalog.devices(**filters)
     if output_format == "table":
         print_table(
             [(d.identity_text, d.type or "", d.name or "", "; ".join(d.shown_evidence)) for d in found],

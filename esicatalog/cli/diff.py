@@ -19,7 +19,7 @@ from esicatalog.identity import Identity
 from esicatalog.model.compare import compare_devices, summary_words
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.model.compare_documents import DescribedDevice, described_devices, paired_devices
-from esicatalog.model.compare_facts import ADDED, CHANGED, REMOVED, Difference
+from esicatalog.model.compare_facts import ADDED, CHANGED, REMOVED, Difference, excerpts
 from esicatalog.model.compare_words import counted
 
 _TOLD = ("L01", "L60")
@@ -170,7 +170,8 @@ def _pair_lines(pair: _Pair) -> Iterator[str]:
         yield f"{module}: {area}" if module else area[:1].upper() + area[1:]
         width = min(max(len(item.place) for item in items), _WIDEST_PLACE)
         for item in items:
-            shown = _WORDS[item.kind].format(left=_short(item.left), right=_short(item.right))
+            left, right = excerpts(item.left, item.right, _WIDEST_VALUE)
+            shown = _WORDS[item.kind].format(left=left, right=right)
             yield f"  {'!' if item.counts else ' '} {item.place.ljust(width)}  {shown}"
 
 
@@ -185,11 +186,6 @@ def _summary(comparison: _Comparison) -> str:
         *([f"{len(comparison.only_right)} only in the right file"] if comparison.only_right else []),
     ]
     return ", ".join(parts) + (f": {words}" if comparison.pairs else "")
-
-
-def _short(value: str | None) -> str:
-    words = " ".join((value or "").split())
-    return words if len(words) <= _WIDEST_VALUE else words[: _WIDEST_VALUE - 1] + "…"
 
 
 def _title(side: _Side) -> str:

@@ -14,7 +14,7 @@ import click
 from esicatalog.cli.common import IDENTITY, NUMBER, PLUGGED, Group, db_option, read_as, reporting_errors
 from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subjects_of_vendor
 from esicatalog.errors import InputError
-from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, parse_pdo_choice
+from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, check_numbers, parse_pdo_choice
 from esicatalog.export.soem import VERSIONS
 from esicatalog.identity import Identity, modules_by_slot
 
@@ -47,13 +47,13 @@ _CHOICE: tuple[Option, ...] = (
     click.option(
         "--cycle-ns",
         metavar="N",
-        type=int,
+        type=NUMBER,
         help=f"Bus cycle in ns; else {DEFAULT_CYCLE_NS}, or what the OpMode fixes where that does not fit.",
     ),
     click.option("--name", metavar="PREFIX", help="Begin all generated names so; else the device's type."),
-    click.option("--alias", metavar="N", type=int, default=0, show_default=True, help="Configured station alias."),
+    click.option("--alias", metavar="N", type=NUMBER, default=0, show_default=True, help="Configured station alias."),
     click.option(
-        "--position", metavar="N", type=int, default=0, show_default=True, help="Ring position, or behind the alias."
+        "--position", metavar="N", type=NUMBER, default=0, show_default=True, help="Ring position, or behind the alias."
     ),
 )
 
@@ -132,6 +132,7 @@ def cstruct(inputs: Inputs, sii: str | None) -> bytes:
     if sii is None:
         return cstruct_of_configuration(inputs.configuration()).encode()
     inputs.check_no_device("--sii")
+    check_numbers(inputs.choice)
     image = read_as(Path(sii), read_sii)
     return cstruct_of_image(image, inputs.choice.position).encode("utf-8", "surrogateescape")
 
@@ -188,29 +189,29 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     stay, and what would change is told. It ends where that image ends, unless it needs more: what was not read is
     not written. Words about the image go to stderr.
     """
-    from esicatalog.export.sii import sii_image
-    from esicatalog.export.sii_header import configuration_bytes
+    from esicatalog.export.sii import described_image
+    from esicatalog.export.sii_header import configuration_bytes, eeprom_bytes
     from esicatalog.export.sii_limits import check_image, fit_image
     from esicatalog.export.sii_merge import merge_image
-    from esicatalog.export.sii_remarks import image_text
+    from esicatalog.export.sii_summary import image_text
     from esicatalog.sii.encode import encode_sii
     from esicatalog.sii.files import read_sii
 
     subject = inputs.subject()
     subject.required_codes()
-    image = sii_image(subject.vendor_id, subject.group, subject.device, language=language)
+    image = described_image(subject, language=language)
     dropped: tuple[str, ...] = ()
-    merged = None
-    byte_size = filled_to = image.header.byte_size
+    merged = dump = None
+    byte_size = eeprom_bytes(image.header, subject.device)
     if merge is not None:
         dump = read_as(Path(merge), read_sii)
         merged = merge_image(image, dump, configuration_bytes(subject.device))
-        image, byte_size, filled_to = merged.image, merged.byte_size, merged.dump_bytes
+        image, byte_size = merged.image, merged.byte_size
     if fit:
-        image, dropped = fit_image(image, byte_size, filled_to)
+        image, dropped = fit_image(image, byte_size, dump)
     else:
-        image = check_image(image, byte_size, filled_to)
-    click.echo(image_text(subject.device, image, merged=merged, dropped=dropped), err=True)
+        image = check_image(image, byte_size, dump)
+    click.echo(image_text(subject, image, merged=merged, dropped=dropped), err=True)
     return encode_sii(image)
 
 

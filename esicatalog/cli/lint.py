@@ -36,10 +36,12 @@ def command(
     list_rules: bool,
     output_format: str,
 ) -> None:
-    """Check ESI files, folders (recursively) and zip archives by the rules L01 to L68.
+    """Check ESI files, folders (recursively) and zip archives by the rules that --list shows.
 
     Files that are no ESI are skipped unless they are named themselves. Exit code 1 when there are errors, or
-    documents that could not be checked: these are told whatever rules are chosen.
+    documents that could not be checked: these are told whatever rules are chosen. Modules that an InfoReference pulls
+    in are checked in their own document: whether they fit a device (SyncManagers of PDOs, objects of InitCmds) is told
+    for modules of the device's document alone.
     """
     from esicatalog.ingest.lint_files import FilesRun
     from esicatalog.lint.registry import chosen_rules

@@ -19,7 +19,7 @@ COMMANDS = {
     "show": "Print the sheet of one device.",
     "diff": "Compare two devices or two ESI files.",
     "export": "Generate configuration for a master, an EEPROM image or ESI XML.",
-    "lint": "Check ESI files by the rules L01 to L68.",
+    "lint": "Check ESI files by documented rules.",
     "serve": "Browse the catalog in Datasette.",
     "snapshot": "Copy a catalog into one read-only file.",
     "check": "Verify the catalog and print its content hash.",

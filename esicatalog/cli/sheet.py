@@ -15,7 +15,7 @@ from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels
-from esicatalog.model.pdo_facts import object_words, pdo_bits, pdos_by_direction
+from esicatalog.model.pdo_facts import object_words, pdo_bits, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
@@ -27,7 +27,7 @@ from esicatalog.model.words import (
     fsoe_words,
     init_cmd_target,
     mailbox_protocols,
-    profile_numbers,
+    profile_words,
 )
 
 _MOST_ALIKE = 10
@@ -127,7 +127,7 @@ def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[st
         ("group", device.group_type),
         ("physics", device.physics),
         ("E-bus", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
-        ("profiles", ", ".join(profile_numbers(device)) or None),
+        ("profiles", ", ".join(profile_words(device)) or None),
         ("clocks", clock_words(device, facts)),
         ("cycle", f"{facts.min_cycle_ns} ns at least" if facts.min_cycle_ns is not None else None),
         ("FSoE", fsoe_words(facts)),
@@ -190,6 +190,7 @@ def _process_image(images: list[SmImage], heading: str) -> Iterator[str]:
 def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str) -> Iterator[str]:
     """``sms`` are the SyncManagers of those that are assigned."""
     rows = []
+    exclusions = symmetric_exclusions((*owner.rx_pdos, *owner.tx_pdos))
     for direction, pdos in pdos_by_direction(owner):
         for position, pdo in enumerate(pdos):
             sm = sms.get((direction, position))
@@ -203,7 +204,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
                     str(len(pdo.entries)),
                     str(bits),
                     " ".join(flags),
-                    " ".join(_hex(item.pdo_index) for item in pdo.excludes),
+                    " ".join(map(_hex, exclusions.get(pdo.pdo_index, ()))),
                     display_text(pdo.names) or "",
                 ]
             )

@@ -23,8 +23,8 @@ from esicatalog.esi.notes import Notes
 from esicatalog.esi.numbers import TEXT, Remark
 from esicatalog.esi.repeats import MARK
 
-_TAGS = re.compile(r"(<[^!][^>]*+>(?:\s*+<[^!][^>]*+>)*+)")
-_COMMENTS = re.compile(r">(?:\s*<!--(?:[\t\n\r -,.-~]|-[\t\n\r -,.-~])*-->)+")
+_TAGS = re.compile(r"(<[^!][^>]*+>(?:[ \t\r\n]*+<[^!][^>]*+>)*+)")
+_COMMENTS = re.compile(r">(?:[ \t\r\n]*<!--(?:[\t\n\r -,.-~]|-[\t\n\r -,.-~])*-->)+")
 _WORTH_LEARNING = 4
 """How often a layout has to be met: learning it takes as long as parsing some parts."""
 _LONGEST_WORDS = 50_000
@@ -36,7 +36,7 @@ _LONGEST_KNOWN = 200
 """Characters of the texts of such a record."""
 _NUMBER = "0100000"
 """Begins the numbers of a specimen: read by all scalars but booleans, and no canonical spelling of a number."""
-_NUMBERS = re.compile(rf"0?{int(_NUMBER)}(\d{{3}})")
+_NUMBERS = re.compile(rf"(?<!\d)0?{int(_NUMBER)}(\d{{3}})(?!\d)")
 _MAX_TEXTS = 1_000
 _NESTS_DEEP = etree.XPath(f"boolean(/*{'/*' * 50})")
 """The parser allows 256 elements within each other, among them those around a part."""
@@ -94,7 +94,7 @@ class Layouts:
 
     def _learn(self, record_type: Any, tags: tuple[str, ...]) -> "_Layout | None":
         together = "".join(tags)
-        if len(tags) > _MAX_TEXTS or _NUMBER in together or ":" in together or "xmlns" in together:
+        if len(tags) > _MAX_TEXTS or str(int(_NUMBER)) in together or ":" in together or "xmlns" in together:
             return None
         numbers = [f"{_NUMBER}{place:03}" for place in range(len(tags) - 1)]
         places: dict[Any, int] = {int(number): place for place, number in enumerate(numbers)}

@@ -111,7 +111,10 @@ class Reader:
             parsed = parse_as_it_is(cut.content) if cut is not None else None
         if cut is not None and parsed is not None:
             lines = Lines(cut.content)
-            read = self._read(parsed, lines, cut, member, container, with_modules)
+            try:
+                read = self._read(parsed, lines, cut, member, container, with_modules)
+            finally:
+                cut.settle()
             if cut.is_complete:
                 return read, DocumentTree(parsed.root, lines, cut).itself
         with self._stages("parse"):

@@ -31,10 +31,11 @@ MARK = f"repeated-{secrets.token_hex(8)}"
 _MARK_BYTES = MARK.encode()
 
 _ASCII = b"us-ascii"
+_UTF_8 = (b"", b"utf-8", b"utf8")
 _ASCII_BASED = re.compile(rb"(us-ascii|utf-?8|iso-?8859-\d+|windows-125\d)?")
 _LONGEST_HEAD = 10_000
 _SECTIONS = ((b"<!--", b"-->"), (b"<![CDATA[", b"]]>"))
-_LEADING = re.compile(rb"(?:\s+|<!--.{0,1000}?-->)*", re.DOTALL)
+_LEADING = re.compile(rb"(?:[ \t\r\n]+|<!--.{0,1000}?-->)*", re.DOTALL)
 """Comments have a bounded length: none is sought for to the end of the document again and again."""
 _PREFIX = re.compile(rb"xmlns:([^\s=]+)")
 
@@ -48,7 +49,7 @@ class _Kind:
         self.start = f"<{tag}".encode()
         self.openings = (self.start + b">", self.start + b" ")
         self.closing = f"</{tag}>".encode()
-        self.end = re.compile(self.closing + rb"\s*")
+        self.end = re.compile(self.closing + rb"[ \t\r\n]*")
         self.inner = inner
         self.run = f'<{tag} {MARK}="{record_name}">.</{tag}>'.encode()
         """Stands for a run where numbers do not matter."""
@@ -101,6 +102,7 @@ class Cut:
         self._memory = memory
         self._marks: list[_Marked] = []
         self._met = 0
+        self._learned: list[Part] = []
         self._alone: dict[bytes, Located] = {}
         self._unclosed: set[_Kind] = set()
         """Kinds of which a start tag without an end tag was met: looking for more might take forever."""
@@ -261,6 +263,17 @@ class Cut:
             if prefix in part.words:
                 return
         part.record = record
+        self._learned.append(part)
+
+    def settle(self) -> None:
+        """The document was read: unless it is complete, forget what it taught.
+
+        What stands in a comment or a CDATA section was taken for parts; then a record may hold a mark, or lack what a
+        part of it stands for.
+        """
+        if not self.is_complete:
+            for part in self._learned:
+                part.record = None
 
     def count(self, element: etree._Element) -> int:
         """How many elements of the document an element of the cut one stands for."""
@@ -370,6 +383,8 @@ def _encoding(content: bytes) -> bytes | None:
         return None
     head = content[:begins].removeprefix(codecs.BOM_UTF8)
     encoding = declared_encoding(head) or b""
+    if content.startswith(codecs.BOM_UTF8) and encoding not in _UTF_8:
+        return None  # To the parser the byte order mark counts, not the declaration.
     return encoding if b"<!DOCTYPE" not in head and _ASCII_BASED.fullmatch(encoding) else None
 
 

@@ -1,5 +1,6 @@
 """Values that stand in a document and could not be read: their record has None and keeps the text in its spelling.
 
+Of bytes in hex the record has the text itself, readable or not.
 Whoever uses the record takes them as absent, and has to say so. An empty text says nothing: it is absent.
 """
 
@@ -7,7 +8,7 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from esicatalog.esi.binding import Field, Record, fields_of, is_record
-from esicatalog.esi.numbers import KEPT_AS_TEXT
+from esicatalog.esi.numbers import HEX_BINARY, KEPT_AS_TEXT
 
 
 class Unreadable(NamedTuple):
@@ -47,7 +48,10 @@ def unreadable_values(
 
 
 def unreadable(record: Record, name: str) -> str | None:
-    """What stands where a field has its value, and why it is none; None for one that was read or is absent."""
+    """What stands where a field has its value, and why it is none; None for one that was read or is absent.
+
+    Not for bytes in hex, which a record without any spelling can have.
+    """
     if not record.spelling:
         return None
     return next((_problem(record, field, None) for field in fields_of(type(record)) if field.name == name), None)
@@ -63,8 +67,8 @@ def _problem(record: Record, field: Field, position: int | None) -> str | None:
     value, name = getattr(record, field.name), field.name
     if position is not None:
         value, name = value[position], f"{name}.{position}"
-    text = (record.spelling or {}).get(name)
-    if value is not None or not text:
+    text = value if field.xml.kind is HEX_BINARY else (record.spelling or {}).get(name)
+    if not text or (value is not None and value is not text):
         return None
     remark = field.xml.kind.read(text).remark
     return remark.message.removesuffix(KEPT_AS_TEXT) if remark is not None else None

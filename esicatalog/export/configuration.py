@@ -31,6 +31,7 @@ from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
 from esicatalog.model.process_image import SmImage, process_image
 from esicatalog.model.slots import PluggedModule, expand_module
+from esicatalog.model.sync import op_mode_at
 from esicatalog.model.sync_parameters import min_cycle_ns, sync_parameters
 
 
@@ -68,7 +69,7 @@ class Configuration(NamedTuple):
     @property
     def op_mode(self) -> OpMode | None:
         """The chosen OpMode."""
-        return self.subject.device.op_modes[self.op_mode_position] if self.op_mode_position is not None else None
+        return op_mode_at(self.subject.device.op_modes, self.op_mode_position)
 
     @property
     def uses_dc_time(self) -> bool:
@@ -93,7 +94,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     plugged = chosen_modules(device, subject.modules, choice.modules, subject.variants_with_slots)
     expanded = [expand_module(device, item) for item in plugged]
     position, op_mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
-    op_mode = device.op_modes[position] if position is not None else None
+    op_mode = op_mode_at(device.op_modes, position)
     objects = ObjectTable(device, expanded)
     default = process_image(device, plugged, op_mode)
     chosen = apply_choice(device, plugged, choice.pdos, objects, default)

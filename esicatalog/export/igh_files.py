@@ -11,9 +11,10 @@ from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.igh_limits import check_limits, master_written
 from esicatalog.export.image_remarks import MAP_ONCE, mapped_again
-from esicatalog.export.init_cmds import BEFORE_SAFE_OP, StartCommand
+from esicatalog.export.init_cmds import StartCommand
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
 from esicatalog.model.sm_facts import OUTPUT
+from esicatalog.model.start_up import BEFORE_SAFE_OP
 
 
 class Listed(NamedTuple):

@@ -17,10 +17,13 @@ from esicatalog.export.esc_registers import (
     settable,
 )
 from esicatalog.export.igh_limits import master_written
-from esicatalog.export.init_cmds import BEFORE_SAFE_OP, LaterCommands, StartCommand, by_transition
+from esicatalog.export.init_cmds import LaterCommands, StartCommand, by_transition
 from esicatalog.export.unread_remarks import unread_remark
+from esicatalog.model.access import PREOP, SAFEOP
+from esicatalog.model.start_up import BEFORE_SAFE_OP, SENT_IN
 
-_IDN_STATES = {"IP": "EC_AL_STATE_PREOP", "PS": "EC_AL_STATE_PREOP", "SO": "EC_AL_STATE_SAFEOP"}
+_AL_STATES = {PREOP: "EC_AL_STATE_PREOP", SAFEOP: "EC_AL_STATE_SAFEOP"}
+_IDN_STATES = {transition: _AL_STATES[state] for transition, state in SENT_IN.items()}
 """At which transitions the master writes IDNs itself, and the state in which it does. SDOs it writes in PREOP only."""
 _TIMEOUTS = (
     ("preop_timeout_ms", (("INIT", "PREOP"),)),

@@ -28,8 +28,6 @@ _INTERPOLATION_TIME_PERIOD = 0x60C2
 _USUAL_EXPONENT, _EXPONENT_OF_NS = -3, -9
 _MAX_TIME_BYTES = 8
 _WITHOUT_GENERATOR = ("AoE", "EoE")
-BEFORE_SAFE_OP = ("IP", "PS")
-"""Transitions whose commands masters send in PRE-OP, where the PDO configuration can be written."""
 
 
 class StartCommand(NamedTuple):

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
-from esicatalog.export.naming import may_drive
+from esicatalog.model.axes import may_move
 from esicatalog.model.module_choice import fitting_choices
 from esicatalog.model.slots import PluggedModule, fitting_modules, numbered_slots
 
@@ -37,8 +37,8 @@ def missing_modules(
     lacking = required or ([] if plugged else empty)
     if not lacking:
         return None
-    may_move = any(any(map(may_drive, fitting)) for _, fitting in lacking)
-    return MissingModules(_words([slot for slot, _ in lacking], modules, bool(required)), may_move)
+    words = _words([slot for slot, _ in lacking], modules, bool(required))
+    return MissingModules(words, any(any(map(may_move, fitting)) for _, fitting in lacking))
 
 
 def _words(lacking: Sequence[tuple[int, Slot, int]], modules: Sequence[Module], are_required: bool) -> str:

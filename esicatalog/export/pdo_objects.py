@@ -7,8 +7,9 @@ bits; subindex 0 counts them (ETG.1000.6). Complete access from subindex 0 has a
 from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from esicatalog.export.init_cmds import BEFORE_SAFE_OP, StartCommand
+from esicatalog.export.init_cmds import StartCommand
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS
+from esicatalog.model.start_up import BEFORE_SAFE_OP
 
 _MAX_COUNT = 254
 """Subindices of an assignment or a mapping."""

@@ -7,7 +7,6 @@ not part of an image: which modules are plugged is told to the device at start-u
 
 from collections.abc import Iterable, Iterator
 
-from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.device import SyncManager as EsiSyncManager
@@ -15,12 +14,14 @@ from esicatalog.esi.records.document import Group
 from esicatalog.esi.records.mailbox import Mailbox
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.esi.records.pdo import Pdo as EsiPdo
-from esicatalog.export.sii_header import computed_header, declared_categories, flags_of
+from esicatalog.export.sii_header import computed_header, declared_categories, flags_of, whole_image
 from esicatalog.export.sii_texts import Texts
+from esicatalog.export.subject import Subject
 from esicatalog.model.base_types import BASE_TYPES, base_type
 from esicatalog.model.pdo_facts import entry_facts
 from esicatalog.model.sync import is_superseded
 from esicatalog.sii.decode import decode_sii
+from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.image import (
     Category,
     DistributedClocks,
@@ -75,6 +76,18 @@ _WRITTEN_AS = {"BYTE": "USINT", "WORD": "UINT", "DWORD": "UDINT"}
 """Bit strings of PDO entries, which vendor tools store under the codes of the integers."""
 
 
+def described_image(subject: Subject, *, language: int | None = None) -> SiiImage:
+    """The image of a description, as :func:`sii_image` makes it; an Eeprom/Data that is none is named with its file.
+
+    Raises :class:`SiiImageError`.
+    """
+    try:
+        return sii_image(subject.vendor_id, subject.group, subject.device, language=language)
+    except SiiImageError as error:
+        where = ", ".join(subject.origin) or subject.identity_text
+        raise SiiImageError(f"Eeprom/Data of {subject.device.type or 'the device'} ({where}): {error}") from error
+
+
 def sii_image(vendor_id: int | None, group: Group | None, device: Device, *, language: int | None = None) -> SiiImage:
     """The image that the description implies, of any size; the bytes end with the end mark.
 
@@ -85,7 +98,7 @@ def sii_image(vendor_id: int | None, group: Group | None, device: Device, *, lan
 
     Raises :class:`SiiImageError` when Eeprom/Data is no image.
     """
-    whole = decode_hex_binary(device.eeprom.data) if device.eeprom is not None else None
+    whole = whole_image(device)
     if whole is not None:
         return decode_sii(whole)
     texts = Texts(language)

@@ -10,6 +10,7 @@ from esicatalog.export.sii import NOT_ASSIGNED
 from esicatalog.sii.encode import category_body
 from esicatalog.sii.files import FILLER
 from esicatalog.sii.image import (
+    PADDING_BYTES,
     DistributedClocks,
     Fmmus,
     General,
@@ -291,12 +292,20 @@ def _raw_categories(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
     for category_type in dict.fromkeys(item.category_type for item in (*before, *after)):
         data = (b"".join(item.data for item in part if item.category_type == category_type) for part in (before, after))
         yield from _differing(category_title(category_type), *(part.hex(" ") or None for part in data))
-    yield from _differing("bytes of no whole record", *(_of_no_record(image).hex(" ") or None for image in (old, new)))
+    for label, bytes_of in (("bytes of no whole record", _of_no_record), ("further General categories", _generals)):
+        yield from _differing(label, *(bytes_of(image).hex(" ") or None for image in (old, new)))
 
 
 def _of_no_record(image: SiiImage) -> bytes:
     kinds = (SyncManagers, TxPdos, RxPdos, DistributedClocks)
-    return b"".join(category.rest for category in image.categories if isinstance(category, kinds))
+    behind_texts = (table.rest for table in image.of_type(Strings) if len(table.rest) > PADDING_BYTES)
+    rests = (category.rest for category in image.categories if isinstance(category, kinds))
+    return b"".join((*behind_texts, *rests))
+
+
+def _generals(image: SiiImage) -> bytes:
+    """The data of all but the first General category, which is the one that counts."""
+    return b"".join(map(category_body, image.of_type(General)[1:]))
 
 
 def _texts(old: SiiImage, new: SiiImage) -> Iterator[Differing]:

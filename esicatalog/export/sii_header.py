@@ -10,6 +10,7 @@ from esicatalog.esi.binding import Record
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device, Eeprom, EepromCategory, SyncManager
 from esicatalog.esi.records.mailbox import Mailbox
+from esicatalog.esi.unreadable import unreadable
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
 from esicatalog.sii.image import (
     END_TYPE,
@@ -27,6 +28,7 @@ from esicatalog.sii.words import CoeDetails, GeneralFlags, MailboxProtocols, Pdo
 
 ASSUMED_BYTE_SIZE = 2048
 """Size of the EEPROM where the description gives no ByteSize: that of 94 % of all descriptions."""
+_MAX_SIZE_WORD = 0xFFFF
 COMPUTED_TYPES = {
     kind.category_type for kind in (Strings, General, Fmmus, SyncManagers, TxPdos, RxPdos, DistributedClocks)
 }
@@ -46,6 +48,7 @@ _BOOTSTRAP_WORDS = (
     "bootstrap_send_mailbox_offset",
     "bootstrap_send_mailbox_size",
 )
+_NUMBER_BYTES = {"data_uint": 2, "data_udint": 4}
 BOOTSTRAP_BYTES = 2 * len(_BOOTSTRAP_WORDS)
 _PROTOCOLS = {protocol.name.lower(): protocol for protocol in MailboxProtocols if protocol.name}
 
@@ -57,12 +60,29 @@ def flags_of(none: F, flags: Mapping[str, F], record: Record) -> F:
     return reduce(or_, (flag for field, flag in flags.items() if getattr(record, field)), none)
 
 
+def whole_image(device: Device) -> bytes | None:
+    """The bytes of Eeprom/Data, which is the whole image; None without one, or with one that cannot be read."""
+    return decode_hex_binary(device.eeprom.data) if device.eeprom is not None else None
+
+
+def eeprom_bytes(header: Header, device: Device) -> int:
+    """Size of the EEPROM by the description: ByteSize; with Eeprom/Data by its size word, or its bytes if more."""
+    whole = whole_image(device)
+    return max(header.byte_size, len(whole)) if whole is not None else byte_size_in_units(device.eeprom)
+
+
+def byte_size_in_units(eeprom: Eeprom | None) -> int:
+    """ByteSize as a size word can say it: down to a whole unit of 128 bytes, at least one."""
+    given = eeprom.byte_size if eeprom is not None else None
+    return max((ASSUMED_BYTE_SIZE if given is None else given) // SIZE_UNIT_BYTES, 1) * SIZE_UNIT_BYTES
+
+
 def configuration_bytes(device: Device) -> int:
     """How many bytes of the words 0 to 6 the description gives: as many as ConfigData has, all by a whole image."""
-    eeprom = device.eeprom or Eeprom()
-    if decode_hex_binary(eeprom.data) is not None:
+    if whole_image(device) is not None:
         return CHECKSUM_OFFSET
-    return min(len(decode_hex_binary(eeprom.config_data) or b""), CHECKSUM_OFFSET)
+    config_data = device.eeprom.config_data if device.eeprom is not None else None
+    return min(len(decode_hex_binary(config_data) or b""), CHECKSUM_OFFSET)
 
 
 def computed_header(vendor_id: int | None, device: Device) -> Header:
@@ -74,7 +94,6 @@ def computed_header(vendor_id: int | None, device: Device) -> Header:
     if len(boot_strap) >= BOOTSTRAP_BYTES:
         words |= zip(_BOOTSTRAP_WORDS, struct.unpack_from("<4H", boot_strap), strict=True)
     receive, send = (_mailbox_area(device, usage) for usage in ("MBoxOut", "MBoxIn"))
-    byte_size = ASSUMED_BYTE_SIZE if eeprom.byte_size is None else eeprom.byte_size
     return with_checksum(
         Header(
             **words,
@@ -87,7 +106,7 @@ def computed_header(vendor_id: int | None, device: Device) -> Header:
             standard_send_mailbox_offset=send.start_address or 0,
             standard_send_mailbox_size=send.default_size or 0,
             mailbox_protocols=flags_of(MailboxProtocols(0), _PROTOCOLS, device.mailbox or Mailbox()),
-            size_word=max(byte_size // SIZE_UNIT_BYTES - 1, 0),
+            size_word=min(byte_size_in_units(eeprom) // SIZE_UNIT_BYTES - 1, _MAX_SIZE_WORD),
         )
     )
 
@@ -99,21 +118,26 @@ def _mailbox_area(device: Device, usage: str) -> SyncManager:
 def declared_categories(device: Device) -> Iterator[RawCategory]:
     """The categories of Eeprom/Category; an odd length is padded with 0xFF, as string tables are."""
     for category in device.eeprom.categories if device.eeprom is not None else ():
-        if is_declarable(category):
-            data = _category_data(category)
+        data = category_data(category)
+        if has_category_number(category) and data is not None:
             yield RawCategory(category_type=category.cat_no or 0, data=data + b"\xff" * (len(data) % 2))
 
 
-def is_declarable(category: EepromCategory) -> bool:
-    """Whether an Eeprom/Category can go into an image: its number is one, and none of :data:`COMPUTED_TYPES`."""
+def has_category_number(category: EepromCategory) -> bool:
+    """Whether the number of an Eeprom/Category is one, and none of :data:`COMPUTED_TYPES`."""
     number = category.cat_no
     return number is not None and 0 <= number < END_TYPE and number not in COMPUTED_TYPES
 
 
-def _category_data(category: EepromCategory) -> bytes:
+def category_data(category: EepromCategory) -> bytes | None:
+    """The data of an Eeprom/Category; None when they cannot be read or are a number that its bits cannot hold."""
     if category.data_string is not None:
         return category.data_string.encode() + b"\0"
-    for value, size in ((category.data_uint, 2), (category.data_udint, 4)):
-        if value is not None:
-            return (value % (1 << 8 * size)).to_bytes(size, "little")
-    return decode_hex_binary(category.data) or b""
+    for field, size in _NUMBER_BYTES.items():
+        if (value := getattr(category, field)) is not None:
+            # A negative number is meant as its bits are.
+            fits = -(1 << 8 * size - 1) <= value < 1 << 8 * size
+            return (value % (1 << 8 * size)).to_bytes(size, "little") if fits else None
+        if unreadable(category, field) is not None:
+            return None
+    return decode_hex_binary(category.data) if category.data else b""

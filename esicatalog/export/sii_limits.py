@@ -1,17 +1,19 @@
 """What an EEPROM holds of an SII image: the limits of the format, the size, and what can be left out to fit."""
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any, NamedTuple, TypeVar
 
 import msgspec
 
 from esicatalog.errors import InputError
 from esicatalog.export.sii import NOT_ASSIGNED
-from esicatalog.sii.encode import MAX_STRINGS, category_offsets, string_table
+from esicatalog.sii.encode import MAX_STRINGS, category_offsets, encode_sii, string_table
 from esicatalog.sii.files import FILLER
 from esicatalog.sii.findings import STRING_NUMBER
 from esicatalog.sii.image import (
     END_MARK,
+    MAX_IMAGE_BYTES,
     DistributedClocks,
     Fmmus,
     General,
@@ -28,10 +30,14 @@ from esicatalog.sii.words import category_title
 MAX_ENTRY_BITS = 255
 MAX_PDO_ENTRIES = 255
 _FREE = bytes([FILLER])
+_ERASED = b"\0" + _FREE
+"""What bytes behind the end mark are that hold nothing."""
 
 R = TypeVar("R", bound=SiiRecord)
 Reduction = Callable[[Any], Any]
 """Gives a record with less in it, or the record itself."""
+Write = Callable[[SiiImage], SiiImage]
+"""Gives an image as it is written to a certain EEPROM; raises :class:`SiiLimitError` when it is too much for that."""
 
 
 class SiiLimitError(InputError):
@@ -49,64 +55,83 @@ class FittedImage(NamedTuple):
     dropped: tuple[str, ...]
 
 
-def check_image(image: SiiImage, byte_size: int, filled_to: int | None = None) -> SiiImage:
+def check_image(image: SiiImage, byte_size: int, dump: SiiImage | None = None) -> SiiImage:
     """The image as it is written to an EEPROM of ``byte_size`` bytes; 128 bytes have no room for an end mark.
 
-    Free bytes are 0xFF up to ``filled_to``, where a dump ends whose device has more; without it, up to the end.
+    What is behind the end mark of ``dump``, the device's own image, keeps its address; without a dump, what is behind
+    that of the image itself. Free bytes are 0xFF up to where the dump ends, since the device may have more than was
+    read; without it, up to the end.
 
     Raises :class:`SiiLimitError` naming what is too much: bytes, strings, entries of a PDO, bits of an entry; and
     :class:`SiiEncodeError` for another value that its field cannot hold.
     """
-    beyond = list(_beyond_the_format(image))
-    if beyond:
-        raise SiiLimitError(
-            f"no image can hold this, unless it is left out (esicatalog export sii --fit): {'; '.join(beyond)}"
-        )
-    end_mark = bool(image.categories) or byte_size > HEADER.size
-    image = msgspec.structs.replace(image, end_mark=end_mark)
-    used, behind = used_bytes(image), behind_end_mark(image)
-    excess = used + len(behind) - byte_size
-    if excess > 0:
-        raise SiiLimitError(
-            f"the image takes {used + len(behind)} bytes, {excess} more than the {byte_size} of the EEPROM; "
-            "to fit, names and then more can be left out (esicatalog export sii --fit)",
-            excess,
-        )
-    free = (byte_size if filled_to is None else filled_to) - used - len(behind)
-    return msgspec.structs.replace(image, trailing=behind + _FREE * free)
+    return _writer(image, byte_size, dump)(image)
 
 
-def fit_image(image: SiiImage, byte_size: int, filled_to: int | None = None) -> FittedImage:
+def fit_image(image: SiiImage, byte_size: int, dump: SiiImage | None = None) -> FittedImage:
     """The image with as little left out as an EEPROM of ``byte_size`` bytes and the format's limits demand.
 
     A PDO that no image can hold is left out, and where a SyncManager is assigned it all PDOs, because the others alone
     would make it too short. Then, step by step until the rest fits: names of the entries of PDOs that no SyncManager is
     assigned, of all entries, of PDOs, of OpModes, of the group and image; these PDOs themselves, all PDOs, the OpModes,
     and at last every computed category, which leaves the header as devices with an EEPROM of 128 bytes have it. Other
-    categories stay: they may hold what the device's maker stored. ``filled_to`` is that of :func:`check_image`; the
-    EEPROM is what has to suffice, since a dump that ends at its end mark would have no room for anything more.
+    categories stay: they may hold what the device's maker stored. ``dump`` is that of :func:`check_image`; the EEPROM
+    is what has to suffice, since a dump that ends at its end mark would have no room for anything more.
 
     Raises :class:`SiiLimitError` when even that is too much.
     """
+    write = _writer(image, byte_size, dump)
     dropped: list[str] = []
     for words, reduce, is_needed in _STEPS:
-        if is_needed(image, byte_size):
+        if is_needed(image, write):
             reduced = _renumbered(_reduced(image, reduce))
             if reduced != image:
                 dropped.append(f"{words}: {_difference(image, reduced)}")
-                image = with_bytes_behind(image, reduced)
-    return FittedImage(check_image(image, byte_size, filled_to), tuple(dropped))
+                image = reduced
+    return FittedImage(write(image), tuple(dropped))
 
 
-def _holds_too_much(image: SiiImage, byte_size: int) -> bool:
+def _writer(image: SiiImage, byte_size: int, dump: SiiImage | None) -> Write:
+    if dump is None:
+        return partial(_written, byte_size=byte_size, own=image, filled_to=byte_size)
+    return partial(_written, byte_size=byte_size, own=dump, filled_to=len(encode_sii(dump)))
+
+
+def _written(image: SiiImage, byte_size: int, own: SiiImage, filled_to: int) -> SiiImage:
+    """The image with the bytes behind the end mark of ``own`` and with free ones, at least ``filled_to`` in all."""
+    beyond = list(_beyond_the_format(image))
+    if beyond:
+        raise SiiLimitError(
+            f"no image can hold this, unless it is left out (esicatalog export sii --fit): {'; '.join(beyond)}"
+        )
+    end_mark = bool(image.categories) or byte_size > HEADER.size
+    image = _with_bytes_behind(own, msgspec.structs.replace(image, end_mark=end_mark))
+    used = used_bytes(image)
+    needed = used + len(behind_end_mark(image))
+    excess = needed - byte_size
+    if excess > 0:
+        raise SiiLimitError(
+            f"the image takes {needed} bytes, {excess} more than the {byte_size} of the EEPROM; "
+            "to fit, names and then more can be left out (esicatalog export sii --fit)",
+            excess,
+        )
+    size = max(filled_to, needed)
+    if size > MAX_IMAGE_BYTES:
+        raise SiiLimitError(
+            f"the description says an EEPROM of {size} bytes (Eeprom/ByteSize); the largest has {MAX_IMAGE_BYTES}"
+        )
+    return msgspec.structs.replace(image, trailing=image.trailing[: size - used].ljust(size - used, _FREE))
+
+
+def _holds_too_much(image: SiiImage, write: Write) -> bool:
     try:
-        check_image(image, byte_size)
+        write(image)
     except SiiLimitError:
         return True
     return False
 
 
-def _has_impossible_pdos(image: SiiImage, byte_size: int) -> bool:
+def _has_impossible_pdos(image: SiiImage, write: Write) -> bool:
     return any(map(_is_impossible, (*image.tx_pdos, *image.rx_pdos)))
 
 
@@ -117,25 +142,26 @@ def used_bytes(image: SiiImage) -> int:
 
 def behind_end_mark(image: SiiImage) -> bytes:
     """What follows the end mark up to the free bytes at the end; nothing when all of it is 0x00 or 0xFF."""
-    return image.trailing.rstrip(_FREE) if image.trailing.strip(b"\0") else b""
+    return image.trailing.rstrip(_FREE) if image.trailing.strip(_ERASED) else b""
 
 
-def with_bytes_behind(before: SiiImage, after: SiiImage) -> SiiImage:
+def _with_bytes_behind(before: SiiImage, after: SiiImage) -> SiiImage:
     """``after`` with the bytes behind the end mark of ``before``, at the addresses that they have there.
 
-    Raises :class:`SiiLimitError` when the categories of ``after`` reach into them.
+    Raises :class:`SiiLimitError` when the categories of ``after`` reach into what :func:`behind_end_mark` finds there.
     """
-    behind = behind_end_mark(before)
-    if not behind:
+    if not before.trailing:
         return msgspec.structs.replace(after, trailing=b"")
     grown = used_bytes(after) - used_bytes(before)
+    behind = behind_end_mark(before)
     excess = grown - (len(behind) - len(behind.lstrip(_FREE)))
-    if excess > 0:
+    if behind and excess > 0:
         raise SiiLimitError(
-            f"the image is {excess} bytes too long: it would overwrite the device's own bytes behind the end mark",
+            f"the image is {excess} bytes too long: it would overwrite the device's own bytes behind the end mark; "
+            "to fit, names and then more can be left out (esicatalog export sii --fit)",
             excess,
         )
-    return msgspec.structs.replace(after, trailing=_FREE * -grown + behind[max(grown, 0) :])
+    return msgspec.structs.replace(after, trailing=_FREE * -grown + before.trailing[max(grown, 0) :])
 
 
 def _beyond_the_format(image: SiiImage) -> Iterator[str]:
@@ -221,7 +247,7 @@ def _without_categories(*kinds: type[SiiRecord]) -> Reduction:
 
 _OPTIONAL_PDOS = "PDOs that no SyncManager is assigned"
 _ALL_PDOS = "all PDOs, which a master then has to know from elsewhere"
-_STEPS: tuple[tuple[str, Reduction, Callable[[SiiImage, int], bool]], ...] = (
+_STEPS: tuple[tuple[str, Reduction, Callable[[SiiImage, Write], bool]], ...] = (
     (_OPTIONAL_PDOS, _without_optional_pdos(_is_impossible), _has_impossible_pdos),
     (_ALL_PDOS, _without_categories(TxPdos, RxPdos), _has_impossible_pdos),
     (f"names of entries of {_OPTIONAL_PDOS}", _without_optional_entry_names, _holds_too_much),

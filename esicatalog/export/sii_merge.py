@@ -7,7 +7,7 @@ from typing import NamedTuple
 import msgspec
 
 from esicatalog.export.sii_changes import Change, image_changes
-from esicatalog.export.sii_limits import behind_end_mark, with_bytes_behind
+from esicatalog.export.sii_limits import behind_end_mark
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import Category, General, RawCategory, SiiImage
@@ -45,7 +45,11 @@ _RESERVED_IN_GENERAL = ("legacy_ports", "sysman_class", "reserved_15", "reserved
 
 
 class MergedImage(NamedTuple):
-    """An image for one device, the device's own that it is made from, and what of it is kept, in words."""
+    """An image for one device, the device's own that it is made from, and what of it is kept, in words.
+
+    The bytes behind the end mark are added when it is written: :func:`esicatalog.export.sii_limits.check_image` with
+    the ``dump``.
+    """
 
     image: SiiImage
     dump: SiiImage
@@ -75,17 +79,14 @@ def merge_image(computed: SiiImage, dump: SiiImage, config_bytes: int = CHECKSUM
     description declares one of the same number. PDI words and bootstrap mailbox stay as they are where the
     description says nothing: also behind the ``config_bytes`` bytes of a shorter ConfigData
     (:func:`esicatalog.export.sii_header.configuration_bytes`). The order is that of the dump.
-
-    Raises :class:`SiiLimitError` when the computed categories reach into the bytes behind the end mark, and
-    :class:`SiiEncodeError` for a computed image that cannot be encoded when there are such bytes.
     """
-    header = _header(computed.header, dump.header, config_bytes)
+    header = merged_header(computed.header, dump.header, config_bytes)
     image = SiiImage(header=header, categories=_categories(computed, dump))
-    image = with_bytes_behind(dump, image)
     return MergedImage(image, dump, tuple(_kept(computed, dump, config_bytes)))
 
 
-def _header(computed: Header, dump: Header, config_bytes: int) -> Header:
+def merged_header(computed: Header, dump: Header, config_bytes: int) -> Header:
+    """The computed header with the words of the device's own that no description, or not this one, says."""
     fields = (*_DEVICE_WORDS, *chain.from_iterable(_unsaid(computed).values()))
     said, own = HEADER.write(computed), HEADER.write(dump)
     header = HEADER.read(said[:config_bytes] + own[config_bytes:CHECKSUM_OFFSET] + said[CHECKSUM_OFFSET:])
@@ -105,7 +106,7 @@ def _categories(computed: SiiImage, dump: SiiImage) -> tuple[Category, ...]:
     for own in dump.categories:
         replacement = waiting.pop(own.category_type, None)
         if isinstance(replacement, General) and isinstance(own, General):
-            replacement = _general(replacement, own)
+            replacement = merged_general(replacement, own)
         if replacement is not None:
             merged.append(replacement)
         elif isinstance(own, RawCategory):
@@ -115,7 +116,8 @@ def _categories(computed: SiiImage, dump: SiiImage) -> tuple[Category, ...]:
     return (*merged, *waiting.values(), *declared)
 
 
-def _general(computed: General, own: General) -> General:
+def merged_general(computed: General, own: General) -> General:
+    """The computed category with the reserved bytes of the device's own."""
     return msgspec.structs.replace(computed, **{field: getattr(own, field) for field in _RESERVED_IN_GENERAL})
 
 

@@ -1,6 +1,6 @@
-"""What a person is told with an exported SII image: what it cannot hold, what was assumed, what would change."""
+"""What the SII image of a description does not hold, and what was assumed for it."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.dc import OpMode
@@ -10,112 +10,63 @@ from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.unreadable import unreadable_values
 from esicatalog.export.esc_registers import esc_registers
 from esicatalog.export.sii import FMMU_USAGE_CODES, PORT_CODES, SM_USAGE_CODES, data_type_code, op_modes_of_image
-from esicatalog.export.sii_changes import stored_otherwise
-from esicatalog.export.sii_header import ASSUMED_BYTE_SIZE, BOOTSTRAP_BYTES, is_declarable
-from esicatalog.export.sii_limits import used_bytes
-from esicatalog.export.sii_merge import PDI_BYTES, MergedImage
+from esicatalog.export.sii_header import (
+    ASSUMED_BYTE_SIZE,
+    BOOTSTRAP_BYTES,
+    byte_size_in_units,
+    category_data,
+    has_category_number,
+    whole_image,
+)
+from esicatalog.export.sii_merge import PDI_BYTES
 from esicatalog.export.sii_texts import storable
+from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
 from esicatalog.model.pdo_facts import entry_facts, has_length, has_object, object_words
 from esicatalog.model.sm_facts import sm_facts, sm_role
-from esicatalog.sii.checksum import CHECKSUM_OFFSET, header_checksum
-from esicatalog.sii.encode import encode_sii
-from esicatalog.sii.image import SiiImage
+from esicatalog.sii.checksum import CHECKSUM_OFFSET
+from esicatalog.sii.decode import decode_sii
+from esicatalog.sii.errors import SiiImageError
+from esicatalog.sii.records import SIZE_UNIT_BYTES
 
-WHY_MERGE = (
-    "For a device in the field, merge this image into the device's own (--merge DUMP): wrong PDI words make a device "
-    "unreachable for every master, and alias, serial number and factory data, calibration for instance, exist nowhere "
-    "else and are lost when they are overwritten."
-)
-"""Why an image should not be written as computed."""
 _STORED = (Eeprom, EepromCategory, Mailbox, SyncManager, Pdo, Entry, OpMode)
 """Parts of a device whose values an image stores."""
-_MAILBOX_ATTRIBUTES = {
-    "start_address": "StartAddress",
-    "default_size": "DefaultSize",
-    "control_byte": "ControlByte",
-    "enable": "Enable",
-}
-_CHECK_PDI = (
-    "PDI words would change: wrong ones make the device unreachable. Write only when you know them to be right."
-)
-_WRONG_CHECK_SUM = (
-    "The check sum in the dump is wrong, with which a slave controller does not load the words 0 to 6; with that of "
-    "this image it would load them."
-)
-_CHECK_IDENTITY = "The identity would change: the dump may be that of another device or revision."
+_SM_ATTRIBUTES = {"start_address": "StartAddress", "control_byte": "ControlByte", "enable": "Enable"}
+_MAILBOX_ATTRIBUTES = {**_SM_ATTRIBUTES, "default_size": "DefaultSize"}
+_SHIFT_ATTRIBUTES = [
+    f"shift_time_{signal}_{attribute}"
+    for signal in ("sync0", "sync1")
+    for attribute in ("factor", "input", "output_delay_ns", "input_delay_ns")
+]
 
 
-def image_text(
-    device: Device, image: SiiImage, *, merged: MergedImage | None = None, dropped: Iterable[str] = ()
-) -> str:
-    """What a person is told about an image that is written to a file: lines of text, the most important first.
-
-    ``image`` is what is written, ``merged`` the merge it comes from, ``dropped`` what was left out to fit.
-    """
-    return "\n".join(_lines(device, image, merged, tuple(dropped)))
-
-
-def image_remarks(device: Device) -> tuple[str, ...]:
-    """Sentences about what the image of a description does not hold, and what was assumed for it."""
-    if device.eeprom is not None and decode_hex_binary(device.eeprom.data) is not None:
-        return ("The description holds the whole image (Eeprom/Data); it is written as it stands.",)
-    found = ((sentence, tuple(dict.fromkeys(look(device)))) for look, sentence in _REMARKS)
-    return tuple(sentence.format(", ".join(map(str, what))) for sentence, what in found if what)
+def image_remarks(subject: Subject) -> tuple[str, ...]:
+    """Sentences about what the image of a description does not hold, what was assumed for it, and what is odd in it."""
+    whole = whole_image(subject.device)
+    if whole is not None:
+        return tuple(_whole_image_remarks(subject, whole))
+    found = [(sentence, look(subject.device)) for look, sentence in _REMARKS]
+    found.append(("Texts cut to 255 bytes: {}.", _long_texts(subject)))
+    listed = ((sentence, ", ".join(dict.fromkeys(map(str, what)))) for sentence, what in found)
+    return tuple(sentence.format(what) for sentence, what in listed if what)
 
 
-def _lines(device: Device, image: SiiImage, merged: MergedImage | None, dropped: tuple[str, ...]) -> Iterator[str]:
-    header, used = image.header, used_bytes(image)
-    identity = Identity(header.vendor_id, header.product_code, header.revision_no)
-    yield f"SII image of {device.type or 'a device'} ({identity}): {used + len(image.trailing)} bytes, {used} used."
-    if merged is None:
-        yield WHY_MERGE
-    else:
-        yield from _merge_lines(image, merged)
-    yield from _listed("Left out to fit the EEPROM:", dropped)
-    yield from _listed("About this image:", image_remarks(device))
-
-
-def _merge_lines(image: SiiImage, merged: MergedImage) -> Iterator[str]:
-    yield from _unread_lines(used_bytes(image) + len(image.trailing), merged)
-    changes = merged._replace(image=image).changes
-    parts = {change.part for change in changes}
-    if encode_sii(image) == encode_sii(merged.dump):
-        yield "The device's image would not change."
-    elif not changes:
-        yield f"No value would change, only how it is stored: {', '.join(stored_otherwise(merged.dump, image))}."
-    if merged.dump.header.checksum != header_checksum(merged.dump.header):
-        yield _WRONG_CHECK_SUM
-    if "PDI words" in parts:
-        yield _CHECK_PDI
-    if "identity" in parts:
-        yield _CHECK_IDENTITY
-    yield from _listed("Writing it would change, worst first:", (f"{item.part}: {item.text}" for item in changes))
-    yield from _listed("Kept as the device has it:", merged.kept)
-
-
-def _unread_lines(size: int, merged: MergedImage) -> Iterator[str]:
-    """What of the EEPROM the dump does not hold, and what becomes of it when ``size`` bytes are written."""
-    unread = merged.byte_size - merged.dump_bytes
-    if unread <= 0:
+def _whole_image_remarks(subject: Subject, whole: bytes) -> Iterator[str]:
+    yield "The description holds the whole image (Eeprom/Data), which is taken in place of a computed one."
+    try:
+        image = decode_sii(whole)
+    except SiiImageError as error:
+        yield f"Eeprom/Data cannot be read: {error}."
         return
-    yield f"The dump holds {merged.dump_bytes} of the EEPROM's {merged.byte_size} bytes; {unread} were not in it."
-    if size > merged.dump_bytes:
+    header = image.header
+    stored = (header.vendor_id, header.product_code, header.revision_no)
+    described = (subject.vendor_id, subject.product_code, subject.revision_no)
+    if any(code not in (None, other) for code, other in zip(described, stored, strict=True)):
         yield (
-            f"Writing this image overwrites the first {size - merged.dump_bytes} of them, whatever they hold: better "
-            "read the whole EEPROM and merge into that."
+            f"The identity in Eeprom/Data is {Identity(*stored)}, that of the description {subject.identity_text}; do "
+            "not write this image, the device would be taken for another."
         )
-    if size < merged.byte_size:
-        yield (
-            f"{merged.byte_size - size} bytes behind this image are no part of it and stay as they are, if the tool "
-            "that writes it leaves alone what the file does not hold."
-        )
-
-
-def _listed(title: str, lines: Iterable[str]) -> Iterator[str]:
-    listed = [f"  {line}" for line in lines]
-    if listed:
-        yield from (title, *listed)
+    yield from (f"Eeprom/Data: {finding}." for finding in image.findings)
 
 
 def _pdos(device: Device) -> tuple[Pdo, ...]:
@@ -131,7 +82,8 @@ def _bytes_of(text: str | None) -> int:
 
 
 def _config_data_missing(device: Device) -> list[str]:
-    return [] if _bytes_of(_eeprom(device).config_data) else ["ConfigData"]
+    text = _eeprom(device).config_data
+    return [] if _bytes_of(text) else ["usable ConfigData" if text else "ConfigData"]
 
 
 def _config_data_too_short(device: Device) -> list[int]:
@@ -146,11 +98,21 @@ def _config_data_too_long(device: Device) -> list[int]:
 
 def _boot_strap_broken(device: Device) -> list[str]:
     text = _eeprom(device).boot_strap
-    return [text] if text and _bytes_of(text) < BOOTSTRAP_BYTES else []
+    return [text] if text and 0 < _bytes_of(text) < BOOTSTRAP_BYTES else []
 
 
 def _byte_size_missing(device: Device) -> list[int]:
     return [ASSUMED_BYTE_SIZE] if _eeprom(device).byte_size is None else []
+
+
+def _byte_size_rounded(device: Device) -> list[str]:
+    given, stored = _eeprom(device).byte_size, byte_size_in_units(device.eeprom)
+    return [f"{given} as {stored}"] if given not in (None, stored) else []
+
+
+def _categories_unusable(device: Device) -> list[str]:
+    unusable = (item for item in _eeprom(device).categories if category_data(item) is None)
+    return [f"{item.cat_no}" for item in unusable if has_category_number(item)]
 
 
 def _codes_missing(device: Device) -> list[str]:
@@ -158,11 +120,14 @@ def _codes_missing(device: Device) -> list[str]:
     return [name for name, code in codes.items() if code is None]
 
 
-def _long_names(device: Device) -> list[str]:
-    pdos = _pdos(device)
-    named = (device.names, *(pdo.names for pdo in pdos), *(entry.names for pdo in pdos for entry in pdo.entries))
-    texts = (name.text for names in named for name in names)
-    return [f"{text[:40]!r}…" for text in texts if storable(text) != text]
+def _long_texts(subject: Subject) -> list[str]:
+    device, pdos = subject.device, _pdos(subject.device)
+    named = [device.names, *(pdo.names for pdo in pdos), *(entry.names for pdo in pdos for entry in pdo.entries)]
+    if subject.group is not None:
+        named.append(subject.group.names)
+    texts = [device.type, device.group_type, device.image_symbol, *(mode.name for mode in op_modes_of_image(device))]
+    texts += [name.text for names in named for name in names]
+    return [f"{text[:40]!r}…" for text in texts if text and storable(text) != text]
 
 
 def _unknown_types(device: Device) -> list[str]:
@@ -188,15 +153,24 @@ def _unread(device: Device) -> list[str]:
     return [" ".join(item) for item in unreadable_values(device, lambda part: isinstance(part, _STORED))]
 
 
-def _mailboxes_incomplete(device: Device) -> list[str]:
-    roles = ((number, sm, sm_role(sm)) for number, sm in enumerate(device.sync_managers))
-    return [
-        f"{name} of SM{number}"
-        for number, sm, role in roles
-        if role is not None and role.is_mailbox
-        for field, name in _MAILBOX_ATTRIBUTES.items()
-        if getattr(sm, field) is None
-    ]
+def _sync_managers_without(
+    attributes: Mapping[str, str], is_meant: Callable[[SyncManager], bool]
+) -> Callable[[Device], list[str]]:
+    def look(device: Device) -> list[str]:
+        return [
+            f"{name} of SM{number}"
+            for number, sm in enumerate(device.sync_managers)
+            if is_meant(sm)
+            for field, name in attributes.items()
+            if getattr(sm, field) is None
+        ]
+
+    return look
+
+
+def _is_mailbox(sm: SyncManager) -> bool:
+    role = sm_role(sm)
+    return role is not None and role.is_mailbox
 
 
 def _watchdog_by_attribute(device: Device) -> list[str]:
@@ -218,6 +192,9 @@ def _elsewhere(device: Device) -> list[str]:
         "SwapData": any(entry.swap_data for pdo in _pdos(device) for entry in pdo.entries),
         "values of ESC registers": any(esc_registers(device)),
         "PDO lists of OpModes": any(mode.sm_assignments for mode in device.op_modes),
+        "attributes of ShiftTimeSync0 and ShiftTimeSync1": any(
+            getattr(mode, field) for mode in device.op_modes for field in _SHIFT_ATTRIBUTES
+        ),
         "CycleTimeSync1 in ns": any(mode.cycle_time_sync1_ns for mode in device.op_modes),
         "SYNC2 and SYNC3": any(mode.activate_additional is not None for mode in device.op_modes),
         "descriptions of OpModes": any(mode.description for mode in device.op_modes),
@@ -245,10 +222,16 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
     (_codes_missing, "Not given, so 0: {}."),
     (_unread, "Values that cannot be read, stored as if they were absent; correct the file: {}."),
     (
-        _mailboxes_incomplete,
+        _sync_managers_without(_MAILBOX_ATTRIBUTES, _is_mailbox),
         "Mailboxes without a usable attribute, stored as 0; do not write this image, no master reaches them: {}.",
     ),
+    (
+        _sync_managers_without(_SM_ATTRIBUTES, lambda sm: not sm.virtual and not _is_mailbox(sm)),
+        "SyncManagers of process data without a usable attribute, stored as 0; do not write this image before you know "
+        "better: without Enable they are disabled, without ControlByte inputs: {}.",
+    ),
     (_byte_size_missing, "No usable ByteSize is given; {} bytes are assumed."),
+    (_byte_size_rounded, f"ByteSize is stored in units of {SIZE_UNIT_BYTES} bytes: {{}}."),
     (
         _config_data_too_short,
         f"ConfigData has {{}} of the {PDI_BYTES} bytes of the PDI words; the others are zero, in a merged image those "
@@ -292,11 +275,14 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
         "data are wrong: {}.",
     ),
     (_unknown_types, "Data types without a code, stored as 0: {}."),
-    (_long_names, "Texts cut to 255 bytes: {}."),
     (_superseded, "OpModes superseded for newer tools (IgnoreFromBuildNo), left out: {}."),
     (
-        lambda device: [item.cat_no for item in _eeprom(device).categories if not is_declarable(item)],
+        lambda device: [item.cat_no for item in _eeprom(device).categories if not has_category_number(item)],
         "Eeprom/Category with a number that is computed from the description, or none, left out: {}.",
+    ),
+    (
+        _categories_unusable,
+        "Eeprom/Category whose data cannot be read or do not fit into their type, left out; correct the file: {}.",
     ),
     (_not_computed, "Not computed, because the layout is not published: {}."),
     (_elsewhere, "An image has no place for: {}."),

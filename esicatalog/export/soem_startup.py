@@ -13,8 +13,9 @@ from esicatalog.export.esc_registers import (
     left_out,
     settable,
 )
-from esicatalog.export.init_cmds import BEFORE_SAFE_OP, StartCommand
+from esicatalog.export.init_cmds import StartCommand
 from esicatalog.export.pdo_objects import PdoObject
+from esicatalog.model.start_up import BEFORE_SAFE_OP
 
 _SYNC0_ACTIVE, _SYNC01_ACTIVE = 0x03, 0x07
 """What SOEM writes to register 0x0981 for SYNC0 alone and for both; to 0x0980 it writes 0."""

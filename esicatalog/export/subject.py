@@ -11,6 +11,7 @@ from esicatalog.esi.records.document import Document, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import NO_REVISION, Identity
 from esicatalog.model.module_offer import module_offers
+from esicatalog.model.revisions import latest_revision
 
 
 class Subject(NamedTuple):
@@ -117,8 +118,8 @@ def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_
     else:
         fitting = [subject for subject in subjects if _fits(subject, identity)]
     if identity is not None and identity.revision_no is None and fitting:
-        revisions = [subject.revision_no for subject in _visible(fitting) or fitting]
-        latest = max((number for number in revisions if number is not None), default=None)
+        hidden = _hidden_revisions(fitting)
+        latest = latest_revision((subject.revision_no, subject.revision_no in hidden) for subject in fitting)
         fitting = [subject for subject in fitting if subject.revision_no == latest]
     if identity is not None and identity.variant is not None:
         with_slots = tuple(number for number, subject in enumerate(fitting, 1) if subject.device.slots)
@@ -151,13 +152,11 @@ def _fits(subject: Subject, identity: Identity) -> bool:
     )
 
 
-def _visible(subjects: Iterable[Subject]) -> list[Subject]:
-    """Those of one product that none of them hides (HideType)."""
-    given = list(subjects)
-    hidden = {
+def _hidden_revisions(subjects: Sequence[Subject]) -> set[int | None]:
+    """The revisions of one product that another one of it hides (HideType)."""
+    return {
         item.revision_no
-        for subject in given
+        for subject in subjects
         for item in subject.device.hide_types
         if item.product_code in (None, subject.product_code) and item.revision_no != subject.revision_no
     }
-    return [subject for subject in given if subject.revision_no not in hidden]

@@ -103,15 +103,27 @@ class Linter:
         hits: list[_Hit] = []
         if document.dictionary is not None:
             hits += _below(("dictionary",), self._dictionary(document.dictionary))
-        external = {reference.text for reference in document.references if reference.sha256 is not None}
+        references = document.references
+        external = {reference.text for reference in references if reference.sha256 is not None}
+        missing = [item.text for item in references if item.sha256 is None and item.kind == "InfoReference"]
         for number, (info, offer) in enumerate(zip(document.infos, module_offers(document), strict=True)):
-            found = self._info(info, offer, external, find_file)
+            found = self._info(info, offer, external, missing, find_file)
             hits += _below(("infos", number), found)
         return hits
 
-    def _info(self, info: EsiInfo, offer: ModuleOffer, external: set[str], find_file: FileFinder | None) -> list[_Hit]:
+    def _info(
+        self,
+        info: EsiInfo,
+        offer: ModuleOffer,
+        external: set[str],
+        missing: Sequence[str],
+        find_file: FileFinder | None,
+    ) -> list[_Hit]:
+        """Modules that an InfoReference pulls in are checked in their own document, which does not know the devices:
+        so what a module has to have in common with its device is told for modules of the document alone.
+        """
         modules = [ModuleSubject(module, info, self._views.of(module.profiles)) for module in offer.modules]
-        devices = [self._device(device, info, offer, modules) for device in info.devices]
+        devices = [self._device(device, info, offer, modules, missing) for device in info.devices]
         for device in devices:
             for module in device.modules:
                 module.hosts.append(device)
@@ -129,11 +141,16 @@ class Linter:
         return hits
 
     def _device(
-        self, device: Device, info: EsiInfo, offer: ModuleOffer, modules: Iterable[ModuleSubject]
+        self,
+        device: Device,
+        info: EsiInfo,
+        offer: ModuleOffer,
+        modules: Iterable[ModuleSubject],
+        missing: Sequence[str],
     ) -> DeviceSubject:
         reachable = list(compress(modules, offer.reached_by(device))) if device.slots else []
         derivation = self._deriver.derive(device, [item.module for item in reachable])
-        return DeviceSubject(device, info, self._views.of(device.profiles), reachable, derivation)
+        return DeviceSubject(device, info, self._views.of(device.profiles), reachable, derivation, missing)
 
     def _owner(self, owner: Owner, kind: type[Owner], external: set[str]) -> list[_Hit]:
         hits = self._check(owner, kind)

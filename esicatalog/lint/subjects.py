@@ -139,10 +139,13 @@ class DeviceSubject(Owner):
         views: Sequence[DictionaryView],
         modules: Sequence["ModuleSubject"],
         derivation: Derivation,
+        missing: Sequence[str] = (),
     ) -> None:
         super().__init__(device, info, views)
         self.device = device
         self.modules = modules
+        self.missing = missing
+        """Documents that an InfoReference names and that were not found: they may have further modules."""
         self.derivation = derivation
 
     @property

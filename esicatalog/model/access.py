@@ -1,4 +1,4 @@
-"""Access rights of object entries: words of the ESI file to the CoE access word (ETG.1000.6, ETG.2000)."""
+"""Access rights of object entries: words of the ESI file to the CoE access word and back (ETG.1000.6, ETG.2000)."""
 
 import functools
 import re
@@ -7,6 +7,13 @@ from esicatalog.esi.records.dictionary import Flags
 
 PREOP, SAFEOP, OP = 1, 2, 4
 ALL_STATES = PREOP | SAFEOP | OP
+STATE_WORDS = "PREOP, SAFEOP, OP"
+"""In the order of :func:`access_text`."""
+
+_WRITE_SHIFT = 3
+"""The access word has a bit a state for reading, and above them one a state for writing."""
+READ, WRITE = ALL_STATES, ALL_STATES << _WRITE_SHIFT
+"""In all states, as bits of an access word."""
 
 _STATES = {
     "preop": PREOP,
@@ -55,7 +62,7 @@ def _states(access_text: str | None, restrictions: str | None, digit: int) -> in
 
 def access_word(flags: Flags, pdo_mapping: str | None) -> int:
     """The CoE access word of an entry with these flags."""
-    word = readable_states(flags) | writable_states(flags) << 3
+    word = readable_states(flags) | writable_states(flags) << _WRITE_SHIFT
     if pdo_mapping and "R" in pdo_mapping:
         word |= RX_MAPPABLE
     if pdo_mapping and "T" in pdo_mapping:
@@ -65,3 +72,21 @@ def access_word(flags: Flags, pdo_mapping: str | None) -> int:
     if flags.setting == 1:
         word |= SETTING
     return word
+
+
+def rights(word: int) -> int:
+    """The bits of an access word that say in which states an entry is read and written."""
+    return word & (READ | WRITE)
+
+
+def states_to_write(word: int) -> int:
+    """The states in which an access word lets an entry be written: bit 0 PreOP, 1 SafeOP, 2 OP."""
+    return (word & WRITE) >> _WRITE_SHIFT
+
+
+def access_text(word: int) -> str:
+    """An access word as masters print it: read and write in PREOP, SAFEOP and OP, ``rwrwr-``."""
+    return "".join(
+        ("r" if word & state else "-") + ("w" if states_to_write(word) & state else "-")
+        for state in (PREOP, SAFEOP, OP)
+    )

@@ -20,6 +20,11 @@ class BaseType(NamedTuple):
         return self.kind == "int"
 
     @property
+    def of_any_width(self) -> bool:
+        """Whether a declaration gives the width, as of texts: values may be shorter, what is left is filled up."""
+        return self.kind in ("string", "octets", "unicode", "domain")
+
+    @property
     def integral(self) -> bool:
         """Whether values are whole numbers."""
         return self.kind in ("bool", "int", "uint", "bits")

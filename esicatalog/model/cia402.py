@@ -17,10 +17,8 @@ SUPPORTED_DRIVE_MODES = 0x6502
 MAX_AXES = 8
 MODES_OF_OPERATION_OF_AXES = range(MODES_OF_OPERATION, MODES_OF_OPERATION + MAX_AXES * AXIS_STEP, AXIS_STEP)
 """Where 0x6060 lies, axis by axis."""
-PROFILE_CIA402 = 402
 CIA402 = "CiA 402"
 """The drive system in words, apart from others that have modes of their own."""
-PROFILE_MODULAR = 5001
 
 
 class DriveMode(NamedTuple):

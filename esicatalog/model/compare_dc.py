@@ -27,10 +27,11 @@ from esicatalog.model.compare_words import (
     ns,
     supported,
     text,
+    value_of,
     yes_no,
 )
 from esicatalog.model.pdo_facts import index_words
-from esicatalog.model.sync import default_position, sync_signals
+from esicatalog.model.sync import default_position, op_mode_at, sync_signals
 
 _SIGNALS = {
     "dc_active": "sync unit active",
@@ -132,8 +133,8 @@ def compare_clocks(left: Device, right: Device) -> Iterator[Difference]:
             continue
         place = f"OpMode {ours.name if ours.name == theirs.name else _assign_activate(ours.assign_activate)}"
         yield from compare_facts(DC, place, ours, theirs, _OP_MODE + _OP_MODE_TEXTS)
-        for own, other in matched(ours.sm_assignments, theirs.sm_assignments, lambda item: item.no):
-            yield from compare_whole(DC, f"{place} SM{either(own, other).no}", own, other, _OP_MODE_SM)
+        for own, other in matched(ours.sm_assignments, theirs.sm_assignments, lambda item: value_of(item, "no")):
+            yield from compare_whole(DC, f"{place} SM{value_of(either(own, other), 'no')}", own, other, _OP_MODE_SM)
 
 
 def _matched_modes(left: tuple[OpMode, ...], right: tuple[OpMode, ...]) -> list[tuple[OpMode | None, OpMode | None]]:
@@ -144,7 +145,7 @@ def _matched_modes(left: tuple[OpMode, ...], right: tuple[OpMode, ...]) -> list[
 
 
 def _content(mode: OpMode) -> tuple[str, ...]:
-    return fact_words(mode, _OP_MODE), *(f"SM{item.no} {fact_words(item, _OP_MODE_SM)}" for item in mode.sm_assignments)
+    return fact_words(mode, _OP_MODE), *(f"SM{value_of(item, 'no')} {fact_words(item, _OP_MODE_SM)}" for item in mode.sm_assignments)
 
 
 def _compare_order(
@@ -163,10 +164,7 @@ def _compare_default(
 ) -> Iterator[Difference]:
     """The default OpMode; it counts where the clocks are in use on a side."""
     ours, theirs = (default_position(device.op_modes) for device in (left, right))
-    mode, other = (
-        device.op_modes[position] if position is not None else None
-        for device, position in ((left, ours), (right, theirs))
-    )
+    mode, other = (op_mode_at(device.op_modes, position) for device, position in ((left, ours), (right, theirs)))
     if any(item is mode and counterpart is other for item, counterpart in pairs):
         return
     said, also = (

@@ -1,9 +1,11 @@
 """Comparison of what a Device element says itself: identity, checks, times, ESC, SyncManagers, FMMUs, EEPROM."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from typing import Any
 
 from esicatalog.esi.records.device import Device, HideType, SyncManager
-from esicatalog.esi.records.diagnostics import DiagMessage, Diagnostics
+from esicatalog.esi.records.diagnostics import CauseRemedy, Diagnostics
+from esicatalog.esi.records.dictionary import EnumInfo
 from esicatalog.esi.records.profile import ChannelInfo, Profile
 from esicatalog.model.compare_facts import (
     EEPROM,
@@ -13,6 +15,7 @@ from esicatalog.model.compare_facts import (
     SYNC_MANAGER,
     Difference,
     Fact,
+    Rule,
     always,
     compare_by_position,
     compare_facts,
@@ -37,7 +40,10 @@ from esicatalog.model.compare_words import (
     ms,
     records,
     shown_text,
+    text,
     unit,
+    unread_words,
+    value_of,
     yes_no,
 )
 from esicatalog.model.revision_check import accepts, is_known
@@ -144,14 +150,19 @@ def _control_byte(value: int | str | None) -> str | None:
     return f"{h2(value)} ({', '.join(word or 'reserved' for word in words)})"
 
 
-def _profile_number(item: Profile | ChannelInfo) -> str:
+def _number_words(item: Profile | ChannelInfo) -> str:
     """ProfileNo, AddInfo and SubAddInfo, e.g. ``5001/742``."""
     return "/".join(str(part) for part in (item.profile_no, item.add_info, item.sub_add_info) if part is not None)
 
 
+def _profile_number(item: Profile) -> str:
+    unread = unread_words(item, ("profile_no", "add_info", "sub_add_info"))
+    return " ".join(filter(None, (_number_words(item), unread)))
+
+
 def _channel(item: ChannelInfo) -> str:
     group = f" in group {item.channel_group}" if item.channel_group is not None else ""
-    return _profile_number(item) + group + (" (replaced by a module's)" if item.overwritten_by_module else "")
+    return _number_words(item) + group + (" (replaced by a module's)" if item.overwritten_by_module else "")
 
 
 _SYNC_MANAGER = (
@@ -175,15 +186,37 @@ _PROFILE = (
     Fact("channel_count", "channel count", always),
     Fact("channel_infos", "channels", always, listed(_channel)),
     Fact("dictionary_file", "dictionary file", never),
+    Fact("diag_files", "diagnosis files", never, listed(text)),
     Fact("vendor_specific", "VendorSpecific", never),
 )
+
+
+def _cause_remedy(item: CauseRemedy) -> str:
+    return ": ".join(filter(None, (item.idx, shown_text(item.causes), shown_text(item.remedies))))
+
+
+def _named_value(item: EnumInfo) -> str:
+    return " ".join(filter(None, (text(item.value), shown_text(item.texts))))
+
+
 _MESSAGE = (
     Fact("diag_class", "class", never),
     Fact("message_texts", "text", never, shown_text),
+    Fact("descriptions", "description", never, shown_text),
     Fact("diag_reset", "reset", never),
     Fact("diag_reaction", "reaction", never),
     Fact("diag_type", "type", never),
+    Fact("cause_remedies", "causes and remedies", never, listed(_cause_remedy)),
+    Fact("infos", "information", never, shown_text),
+    Fact("hints", "hint", never, shown_text),
+    Fact("urls", "link", never, shown_text),
 )
+_DIAGNOSTICS = (
+    Fact("diag_resets", "resets", never, listed(_named_value)),
+    Fact("diag_reactions", "reactions", never, listed(_named_value)),
+    Fact("diag_types", "types", never, listed(_named_value)),
+)
+"""What the numbers in the messages mean."""
 
 
 def compare_identity(
@@ -196,10 +229,17 @@ def compare_identity(
     if left_vendor_id != right_vendor_id:
         yield difference(IDENTITY, "vendor", h8(left_vendor_id), h8(right_vendor_id), True)
     yield from compare_facts(IDENTITY, "", left, right, _CODES)
-    ours, theirs = left.revision_no, right.revision_no
-    if ours != theirs:
-        accepted = ours is not None and theirs is not None and accepts(left.check_revision_no, theirs, ours)
-        yield difference(IDENTITY, "revision", h8(ours), h8(theirs), not accepted)
+    yield from compare_facts(IDENTITY, "", left, right, (Fact("revision_no", "revision", _refused(left), h8),))
+
+
+def _refused(left: Device) -> Rule:
+    """A revision counts unless the left CheckRevisionNo accepts it."""
+
+    def counts(ours: Any, theirs: Any) -> bool:
+        are_numbers = isinstance(ours, int) and isinstance(theirs, int)
+        return not (are_numbers and accepts(left.check_revision_no, theirs, ours))
+
+    return counts
 
 
 def revision_verdict(left: Device, right: Device) -> str | None:
@@ -246,21 +286,37 @@ def compare_eeprom(left: Device, right: Device) -> Iterator[Difference]:
 def compare_profiles(left: tuple[Profile, ...], right: tuple[Profile, ...]) -> Iterator[Difference]:
     """Profile numbers, channels, diagnosis texts; the dictionaries are compared as objects."""
     yield from compare_by_position(GENERAL, "profile ", left, right, _PROFILE)
-    ours, theirs = (listed_messages(*(profile.diag_messages for profile in profiles)) for profiles in (left, right))
-    yield from compare_messages(GENERAL, "diagnosis text", ours, theirs)
+    yield from compare_diagnostics(
+        GENERAL,
+        "diagnosis text",
+        [profile.diag_messages for profile in left],
+        [profile.diag_messages for profile in right],
+    )
 
 
-def listed_messages(*diagnostics: Diagnostics | None) -> list[DiagMessage]:
-    """All messages of some diagnosis texts."""
-    return [message for item in diagnostics if item is not None for message in item.diag_messages]
-
-
-def compare_messages(area: str, name: str, left: list[DiagMessage], right: list[DiagMessage]) -> Iterator[Difference]:
+def compare_diagnostics(
+    area: str, name: str, left: Iterable[Diagnostics | None], right: Iterable[Diagnostics | None]
+) -> Iterator[Difference]:
     """Diagnosis texts by text id; one difference when a side has none at all. They never count."""
-    if not left or not right:
-        count, other_count = (counted(len(messages), "text") if messages else None for messages in (left, right))
+    ours, theirs = _joined(left), _joined(right)
+    messages, others = ours.diag_messages, theirs.diag_messages
+    if not messages or not others:
+        count, other_count = (counted(len(known), "text") if known else None for known in (messages, others))
         if count != other_count:
             yield difference(area, f"{name}s", count, other_count, False)
-        return
-    for ours, theirs in matched(left, right, lambda message: message.text_id):
-        yield from compare_whole(area, f"{name} {h4(either(ours, theirs).text_id)}", ours, theirs, _MESSAGE, never)
+    else:
+        for message, other in matched(messages, others, lambda item: value_of(item, "text_id")):
+            place = f"{name} {h4(value_of(either(message, other), 'text_id'))}"
+            yield from compare_whole(area, place, message, other, _MESSAGE, never)
+    yield from compare_facts(area, f"{name}s", ours, theirs, _DIAGNOSTICS)
+
+
+def _joined(diagnostics: Iterable[Diagnostics | None]) -> Diagnostics:
+    """Several diagnosis texts as one."""
+    known = [item for item in diagnostics if item is not None]
+    return Diagnostics(
+        diag_resets=tuple(value for item in known for value in item.diag_resets),
+        diag_reactions=tuple(value for item in known for value in item.diag_reactions),
+        diag_types=tuple(value for item in known for value in item.diag_types),
+        diag_messages=tuple(message for item in known for message in item.diag_messages),
+    )

@@ -8,6 +8,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Document
 from esicatalog.esi.records.module import Module
 from esicatalog.model.compare_facts import either, matched_in_steps
+from esicatalog.model.compare_words import value_of
 from esicatalog.model.module_offer import module_offers
 
 
@@ -61,9 +62,9 @@ def paired_devices(left: Sequence[DescribedDevice], right: Sequence[DescribedDev
 
 
 def _identity(item: DescribedDevice) -> tuple[Hashable, ...]:
-    return *_product(item), item.device.revision_no
+    return *_product(item), value_of(item.device, "revision_no")
 
 
 def _product(item: DescribedDevice) -> tuple[Hashable, ...]:
-    code = item.device.product_code
+    code = value_of(item.device, "product_code")
     return item.vendor_id, code if code is not None else item.device.type

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, TypeVar
 import msgspec
 
 from esicatalog.esi.binding import Record
-from esicatalog.model.compare_words import Show, text
+from esicatalog.model.compare_words import Show, text, value_of
 
 IDENTITY, GENERAL, SYNC_MANAGER, FMMU = "identity", "general", "SyncManager", "Fmmu"
 PDO, PROCESS_IMAGE, MAILBOX, INIT_CMD = "PDO", "process image", "Mailbox", "InitCmd"
@@ -37,8 +37,9 @@ AREAS = (
 ADDED, REMOVED, CHANGED = "added", "removed", "changed"
 
 _LONGEST = 160
-_BEFORE, _AFTER = 20, 120
-"""Characters shown before and from the first difference of texts that are longer."""
+"""Characters of a value; of a longer one a part is told."""
+_BEFORE = 20
+"""Characters that a part of a text has in front of the first difference."""
 
 Item = TypeVar("Item")
 
@@ -127,11 +128,15 @@ class Fact(NamedTuple):
 def difference(area: str, place: str, left: str | None, right: str | None, counts: bool) -> Difference:
     """A difference of two values in words, None where there is none; of long texts what surrounds the first change."""
     kind = CHANGED if left is not None and right is not None else ADDED if left is None else REMOVED
-    return Difference(area, place, kind, *_excerpts(left, right), counts)
+    return Difference(area, place, kind, *excerpts(left, right, _LONGEST), counts)
 
 
-def _excerpts(left: str | None, right: str | None) -> tuple[str | None, str | None]:
-    if max(len(left or ""), len(right or "")) <= _LONGEST:
+def excerpts(left: str | None, right: str | None, longest: int) -> tuple[str | None, str | None]:
+    """Two different texts in at most so many characters each: the part where they first differ, else their beginning.
+
+    So the two parts are different, too. Dots stand for what is left out.
+    """
+    if max(len(left or ""), len(right or "")) <= longest:
         return left, right
     start = 0
     if left is not None and right is not None:
@@ -141,7 +146,7 @@ def _excerpts(left: str | None, right: str | None) -> tuple[str | None, str | No
     def excerpt(whole: str | None) -> str | None:
         if whole is None:
             return None
-        end = start + _BEFORE + _AFTER
+        end = start + longest - (2 if start else 1)
         return ("…" if start else "") + whole[start:end] + ("…" if len(whole) > end else "")
 
     return excerpt(left), excerpt(right)
@@ -158,14 +163,6 @@ def compare_facts(area: str, place: str, left: Record, right: Record, facts: Ite
         shown, other = fact.show(ours), fact.show(theirs)
         if shown != other:
             yield difference(area, f"{place} {fact.words}".strip(), shown, other, fact.counts(ours, theirs))
-
-
-def value_of(record: Any, field: str | Callable[[Any], Any]) -> Any:
-    """The value of a field; the vendor's text where it could not be read."""
-    if not isinstance(field, str):
-        return field(record)
-    value = getattr(record, field)
-    return (record.spelling or {}).get(field) if value is None else value
 
 
 def fact_words(record: Record, facts: Iterable[Fact]) -> str:

@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
-from esicatalog.model.compare_device import compare_messages, listed_messages
+from esicatalog.model.compare_device import compare_diagnostics
 from esicatalog.model.compare_facts import (
     INIT_CMD,
     MAILBOX,
@@ -20,14 +20,16 @@ from esicatalog.model.compare_facts import (
     never,
 )
 from esicatalog.model.compare_words import (
+    h2,
+    h4,
     hex_data,
     listed,
     records,
     supported,
     text,
+    value_of,
     yes_no,
 )
-from esicatalog.model.pdo_facts import index_words
 
 _MAILBOX = (
     Fact("data_link_layer", "DataLinkLayer", lost, yes_no),
@@ -84,8 +86,7 @@ def compare_mailboxes(left: Mailbox | None, right: Mailbox | None) -> Iterator[D
         yield difference(MAILBOX, "mailbox", said, also, lost(left, right))
     ours, theirs = left or _WITHOUT, right or _WITHOUT
     yield from compare_facts(MAILBOX, "", ours, theirs, _MAILBOX)
-    messages, others = listed_messages(ours.soe_diag_messages), listed_messages(theirs.soe_diag_messages)
-    yield from compare_messages(MAILBOX, "SoE diagnosis text", messages, others)
+    yield from compare_diagnostics(MAILBOX, "SoE diagnosis text", [ours.soe_diag_messages], [theirs.soe_diag_messages])
 
 
 def compare_init_cmds(left: Mailbox | None, right: Mailbox | None) -> Iterator[Difference]:
@@ -133,18 +134,25 @@ def _order_words(commands: Sequence[InitCmd]) -> str:
     """Targets of commands in their order, with the data where a target alone does not tell one from another."""
     counts = Counter(map(_target, commands))
     return ", ".join(
-        _target(command) + (f" = {hex_data(command.data)}" if counts[_target(command)] > 1 else "")
+        _target(command) + (f" = {hex_data(value_of(command, 'data'))}" if counts[_target(command)] > 1 else "")
         for command in commands
     )
 
 
 def _sent(command: InitCmd) -> tuple[str, str | None, tuple[str, ...]]:
-    return _target(command), hex_data(command.data), command.transitions
+    return _target(command), hex_data(value_of(command, "data")), command.transitions
 
 
 def _target(command: InitCmd) -> str:
-    if command.idn is not None:
-        return f"IDN {command.idn}" + (f" channel {command.channel}" if command.channel is not None else "")
-    if command.object_index is not None:
-        return f"{index_words(command.object_index)}:{command.subindex or 0:02X}"
-    return f"type {command.eoe_type}" if command.eoe_type is not None else ""
+    """What a command is for, by the fields of its protocol."""
+    idn, channel, index, subindex, eoe_type = (
+        value_of(command, field) for field in ("idn", "channel", "object_index", "subindex", "eoe_type")
+    )
+    words = [f"IDN {idn}" if idn is not None else None, f"channel {channel}" if channel is not None else None]
+    if index is not None:
+        words.append(f"{h4(index)}:{(h2(subindex or 0) or '').removeprefix('0x')}")
+    elif subindex is not None:
+        words.append(f"subindex {subindex}")
+    if eoe_type is not None:
+        words.append(f"type {eoe_type}")
+    return " ".join(filter(None, words))

@@ -3,10 +3,10 @@
 from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
-from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Flags, Object
 from esicatalog.esi.records.profile import Profile
-from esicatalog.model.access import ALL_STATES, BACKUP, SETTING
+from esicatalog.esi.unreadable import unreadable_values
+from esicatalog.model.access import BACKUP, READ, SETTING, STATE_WORDS, WRITE, access_text, rights
 from esicatalog.model.cia402 import AXIS_STEP, SUPPORTED_DRIVE_MODES
 from esicatalog.model.compare_facts import (
     OBJECTS,
@@ -26,12 +26,15 @@ from esicatalog.model.compare_facts import (
 )
 from esicatalog.model.compare_words import (
     counted,
+    h4,
     h8,
     listed,
+    literal,
     records,
     shown_text,
     text,
     unit,
+    value_of,
     yes_no,
 )
 from esicatalog.model.dictionary import (
@@ -42,11 +45,8 @@ from esicatalog.model.dictionary import (
     type_table,
     used_types,
 )
-from esicatalog.model.pdo_facts import index_words
-from esicatalog.model.scan_compare import access_text
 
-_READ, _WRITE = ALL_STATES, ALL_STATES << 3
-_ACCESS_WORDS = {_READ: "ro", _WRITE: "wo", _READ | _WRITE: "rw"}
+_ACCESS_WORDS = {READ: "ro", WRITE: "wo", READ | WRITE: "rw"}
 _MAPPING_WORDS = {"R": "RxPDO", "T": "TxPDO", "RT": "RxPDO and TxPDO"}
 _CODE_WORDS = {code: words for words, code in OBJECT_CODES.items()}
 
@@ -61,7 +61,7 @@ def _default(entry: ObjectEntry) -> str | None:
     if number is not None:
         return _number(number)
     if entry.default_text is not None:
-        return f'"{entry.default_text}"'
+        return literal(entry.default_text)
     return entry.default_raw.upper() if entry.default_raw else None
 
 
@@ -74,12 +74,12 @@ def _maximum(entry: ObjectEntry) -> int | float | None:
 
 
 def _access(entry: ObjectEntry) -> int:
-    return entry.access_word & (_READ | _WRITE)
+    return rights(entry.access_word)
 
 
-def _access_words(rights: int) -> str:
+def _access_words(word: int) -> str:
     """``ro``, ``rw``, ``wo``; ``rwrwr-`` where it depends on the state: read and write in PREOP, SAFEOP, OP."""
-    return _ACCESS_WORDS.get(rights) or f"{access_text(rights)} (PREOP, SAFEOP, OP)"
+    return _ACCESS_WORDS.get(word) or f"{access_text(word)} ({STATE_WORDS})"
 
 
 def _fewer_rights(left: int, right: int) -> bool:
@@ -104,7 +104,7 @@ _ENTRY = (
 )
 _NAME = (Fact("name", "name", never),)
 _PARAMETER_VALUES = (
-    Fact(_default, "default", contradicted),
+    Fact(_default, "default", contradicted, lambda words: words),
     Fact(_minimum, "minimum", raised, _number),
     Fact(_maximum, "maximum", lowered, _number),
 )
@@ -123,7 +123,7 @@ _OBJECT = (
 _WHOLE_VALUES = (
     Fact("default_data", "default data", contradicted),
     Fact("default_value", "default value", contradicted),
-    Fact("default_string", "default text", contradicted),
+    Fact("default_string", "default text", contradicted, literal),
     Fact("min_data", "minimum data", always),
     Fact("min_value", "minimum", raised, _number),
     Fact("max_data", "maximum data", always),
@@ -165,7 +165,7 @@ def compare_objects(left: Iterable[Profile], right: Iterable[Profile]) -> Iterat
     if units != other_units:
         yield difference(OBJECTS, "unit types", units, other_units, False)
     same_types = _type_comparison()
-    pairs = matched(objects, other_objects, lambda item: item.object.object_index)
+    pairs = matched(objects, other_objects, lambda item: value_of(item.object, "object_index"))
     for ours, theirs in sorted(pairs, key=lambda pair: either(*pair).object.object_index or 0):
         if ours is None or theirs is None:
             yield from _one_sided(ours, theirs)
@@ -200,8 +200,12 @@ def _resolved(declared: _Declared) -> ResolvedObject:
     return resolve_object(declared.object, declared.types)
 
 
+def _place(declared: _Declared) -> str:
+    return h4(value_of(declared.object, "object_index")) or "without index"
+
+
 def _one_sided(left: _Declared | None, right: _Declared | None) -> Iterator[Difference]:
-    place = index_words(either(left, right).object.object_index)
+    place = _place(either(left, right))
     said, also = (_object_words(_resolved(item)) if item is not None else None for item in (left, right))
     yield difference(OBJECTS, place, said, also, lost(left, right))
 
@@ -220,7 +224,7 @@ def _entry_words(entry: ObjectEntry) -> str:
 
 
 def _compare_object(left: _Declared, right: _Declared) -> Iterator[Difference]:
-    place = index_words(left.object.object_index)
+    place = _place(left)
     yield from compare_facts(OBJECTS, place, left.object, right.object, _OBJECT)
     yield from compare_facts(OBJECTS, place, left.object.flags or Flags(), right.object.flags or Flags(), _OBJECT_FLAGS)
     ours, theirs = _resolved(left), _resolved(right)
@@ -239,6 +243,21 @@ def _compare_object(left: _Declared, right: _Declared) -> Iterator[Difference]:
         yield from compare_facts(OBJECTS, place, left.object, right.object, _WHOLE_VALUES)
     yield from inside
     yield from _compare_places(place, pairs)
+    yield from _compare_unreadable(place, left, right)
+
+
+def _compare_unreadable(place: str, left: _Declared, right: _Declared) -> Iterator[Difference]:
+    """Values of an object and of its types that could not be read: what is resolved does not have them."""
+    said, also = (listed(text)(_unreadable(item)) for item in (left, right))
+    if said != also:
+        yield difference(OBJECTS, f"{place} values that cannot be read", said, also, True)
+
+
+def _unreadable(declared: _Declared) -> Iterator[str]:
+    for record in (declared.object, *used_types(declared.object.type, declared.types)):
+        of_type = f"DataType {record.name} " if isinstance(record, DataType) else ""
+        for value in unreadable_values(record, lambda part: True):
+            yield f"{of_type}{value.place}: {value.problem}"
 
 
 def _compare_entry(
@@ -254,7 +273,7 @@ def _compare_entry(
         yield difference(OBJECTS, place, said, also, lost(entry, other))
         return
     declares_modes = ((left.object.object_index or 0) - SUPPORTED_DRIVE_MODES) % AXIS_STEP == 0
-    values = _PARAMETER_VALUES if _access(entry) & _WRITE or declares_modes else _OTHER_VALUES
+    values = _PARAMETER_VALUES if _access(entry) & WRITE or declares_modes else _OTHER_VALUES
     yield from compare_facts(OBJECTS, place, entry, other, (_NAME if composite else ()) + _ENTRY + values)
     yield from _compare_enumerations(place, left.types, entry, right.types, other)
 
@@ -287,10 +306,10 @@ def _compare_enumerations(
 
 def _only(values: dict[int | None, str | None], others: dict[int | None, str | None]) -> str | None:
     return listed(text)(
-        f"{number} {words}" for number, words in values.items() if (number, words) not in others.items()
+        f"{number} {words or ''}" for number, words in values.items() if (number, words) not in others.items()
     )
 
 
 def _enumeration(name: str | None, types: dict[str, DataType]) -> dict[int | None, str | None]:
     infos: list[EnumInfo] = [info for known in used_types(name, types) for info in known.enum_infos]
-    return {info.value: display_text(info.texts) for info in infos}
+    return {info.value: shown_text(info.texts) for info in infos}

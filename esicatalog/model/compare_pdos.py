@@ -21,8 +21,26 @@ from esicatalog.model.compare_facts import (
     matched,
     never,
 )
-from esicatalog.model.compare_words import counted, listed, shown_text, sync_manager, text, yes_no
-from esicatalog.model.pdo_facts import entry_facts, index_words, mapped, mapped_words, pdo_bits, symmetric_exclusions
+from esicatalog.model.compare_words import (
+    counted,
+    h4,
+    listed,
+    shown_text,
+    sync_manager,
+    text,
+    unread_words,
+    value_of,
+    yes_no,
+)
+from esicatalog.model.pdo_facts import (
+    Mapped,
+    entry_facts,
+    index_words,
+    mapped,
+    mapped_words,
+    pdo_bits,
+    symmetric_exclusions,
+)
 from esicatalog.model.process_image import NamedAssignment, alternative_assignments
 
 
@@ -30,6 +48,10 @@ def type_words(name: str | None) -> str | None:
     """A data type by its base type where the name tells it: ``UINT16`` is ``UINT``."""
     known = base_type(name)
     return known.name if known is not None else text(name)
+
+
+def _index(pdo: Pdo) -> str:
+    return h4(value_of(pdo, "pdo_index")) or "without index"
 
 
 def _of_slot(item: Exclude) -> str | None:
@@ -45,7 +67,7 @@ _PDO = (
     Fact("mandatory", "Mandatory", gained, yes_no),
     Fact("virtual", "Virtual", always, yes_no),
     Fact("excluded_sms", "excluded SyncManagers", gained_items, listed(sync_manager)),
-    Fact("excludes", "exclusions that depend on the slot", always, listed(_of_slot)),
+    Fact("excludes", "exclusions by slot or not readable", always, listed(_of_slot)),
     Fact("su", "sync unit", always),
     Fact("os_fac", "OSFac", always),
     Fact("os_min", "OSMin", always),
@@ -89,13 +111,14 @@ def compare_pdos(left: Device | Module, right: Device | Module) -> Iterator[Diff
 
 
 def _pdo_key(pdo: Pdo) -> Hashable:
-    return pdo.pdo_index if pdo.pdo_index is not None else (pdo.ref, pdo.channel)
+    index = value_of(pdo, "pdo_index")
+    return index if index is not None else (pdo.ref, pdo.channel)
 
 
 def _place(name: str, pdo: Pdo) -> str:
     """A PDO by its index; those of files before schema 1.2 by the shared PDO that they refer to."""
     shared = " ".join(filter(None, (pdo.ref, pdo.channel)))
-    return f"{name} {shared if pdo.pdo_index is None and shared else index_words(pdo.pdo_index)}"
+    return f"{name} {shared if shared and value_of(pdo, 'pdo_index') is None else _index(pdo)}"
 
 
 def _compare_pdo(name: str, left: Pdo | None, right: Pdo | None) -> Iterator[Difference]:
@@ -114,25 +137,30 @@ def _compare_pdo(name: str, left: Pdo | None, right: Pdo | None) -> Iterator[Dif
 def _pdo_words(pdo: Pdo) -> str:
     size = f"{counted(len(pdo.entries), 'entry', 'entries')}, {pdo_bits(pdo)} bit"
     flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
-    return ", ".join(filter(None, (sync_manager(pdo.sm), size, *flags, shown_text(pdo.names))))
+    return ", ".join(filter(None, (sync_manager(value_of(pdo, "sm")), size, *flags, shown_text(pdo.names))))
 
 
 def _compare_entries(place: str, left: Sequence[Entry], right: Sequence[Entry]) -> Iterator[Difference]:
     """Entries by what they map: one that is put in or taken out does not change those behind it."""
-    for number, other_number in aligned([mapped(entry) for entry in left], [mapped(entry) for entry in right]):
+    for number, other_number in aligned(list(map(_mapped, left)), list(map(_mapped, right))):
         ours = left[number] if number is not None else None
         theirs = right[other_number] if other_number is not None else None
         where = f"{place} entry {_number(number, other_number, ours)}"
-        if ours is None or theirs is None or mapped(ours) != mapped(theirs):
+        if ours is None or theirs is None or _mapped(ours) != _mapped(theirs):
             yield difference(PDO, where, _entry_words(ours), _entry_words(theirs), True)
         elif not entry_facts(ours).is_padding:
             yield from compare_facts(PDO, where, ours, theirs, _ENTRY)
 
 
+def _mapped(entry: Entry) -> tuple[Mapped, str | None]:
+    """What an entry maps, as far as it could be read, and the rest as the vendor wrote it."""
+    return mapped(entry), unread_words(entry, ("entry_index", "subindex", "bit_length"))
+
+
 def _number(number: int | None, other: int | None, entry: Entry | None) -> str:
     """The number of an entry, counted from 1; its object when the numbers differ."""
     if number is not None and other is not None and number != other and entry is not None:
-        return mapped_words(*mapped(entry))
+        return _mapped_words(entry)
     known = number if number is not None else other
     return str(known + 1) if known is not None else ""
 
@@ -140,10 +168,15 @@ def _number(number: int | None, other: int | None, entry: Entry | None) -> str:
 def _entry_words(entry: Entry | None) -> str | None:
     if entry is None:
         return None
-    words = mapped_words(*mapped(entry))
+    words = _mapped_words(entry)
     if entry_facts(entry).is_padding:
         return words
     return " ".join(filter(None, (words, type_words(entry.data_type), shown_text(entry.names))))
+
+
+def _mapped_words(entry: Entry) -> str:
+    known, unread = _mapped(entry)
+    return mapped_words(*known) + (f" ({unread})" if unread is not None else "")
 
 
 def aligned(left: Sequence[Hashable], right: Sequence[Hashable]) -> list[tuple[int | None, int | None]]:

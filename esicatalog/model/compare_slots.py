@@ -12,6 +12,7 @@ from esicatalog.model.compare_facts import (
     SLOTS,
     Difference,
     Fact,
+    Rule,
     always,
     compare_by_position,
     compare_facts,
@@ -26,6 +27,7 @@ from esicatalog.model.compare_mailbox import compare_init_cmds, compare_mailboxe
 from esicatalog.model.compare_objects import compare_objects
 from esicatalog.model.compare_pdos import compare_pdos
 from esicatalog.model.compare_words import (
+    Show,
     h4,
     h8,
     listed,
@@ -33,6 +35,7 @@ from esicatalog.model.compare_words import (
     shown_text,
     supported,
     text,
+    value_of,
     yes_no,
 )
 
@@ -54,12 +57,11 @@ _SLOTS = (
 )
 
 
-def _idents(idents: Sequence[SlotModuleIdent]) -> str | None:
-    return listed(h8)(item.module_ident for item in idents)
+def _ident(module: Module) -> str | None:
+    return h8(value_of(module, "module_ident"))
 
 
-def _lost_idents(left: Sequence[SlotModuleIdent], right: Sequence[SlotModuleIdent]) -> bool:
-    return lost_items([item.module_ident for item in left], [item.module_ident for item in right])
+_idents = listed(lambda item: h8(item.module_ident))
 
 
 def _default_idents(slot: Slot) -> tuple[SlotModuleIdent, ...]:
@@ -71,8 +73,12 @@ def _class(item: SlotModuleClass) -> str | None:
     return f"{item.module_class}{vendor}"
 
 
-def _lost_classes(left: Sequence[SlotModuleClass], right: Sequence[SlotModuleClass]) -> bool:
-    return lost_items(map(_class, left), map(_class, right))
+_classes = listed(_class)
+
+
+def _lost(show: Show) -> Rule:
+    """What fits a slot counts when something of it is missing."""
+    return lambda left, right: lost_items([show((item,)) for item in left], [show((item,)) for item in right])
 
 
 _SLOT = (
@@ -84,11 +90,11 @@ _SLOT = (
     Fact("slot_group_pdo_increment", "SlotGroupPdoIncrement", always),
     Fact("slot_index_increment", "SlotIndexIncrement", always, h4),
     Fact("slot_group_index_increment", "SlotGroupIndexIncrement", always, h4),
-    Fact("module_idents", "modules", _lost_idents, _idents),
+    Fact("module_idents", "modules", _lost(_idents), _idents),
     Fact(_default_idents, "default module", always, _idents),
     Fact("default_ident", "Default", always, h8),
     Fact("fallback_ident", "Fallback", always, h8),
-    Fact("module_classes", "module classes", _lost_classes, listed(_class)),
+    Fact("module_classes", "module classes", _lost(_classes), _classes),
     Fact("tree_view", "TreeView", never),
 )
 _MODULE = (
@@ -112,13 +118,13 @@ def compare_slots(
     """
     yield from compare_facts(SLOTS, "", left, right, _SLOTS)
     yield from compare_by_position(SLOTS, "slot ", left.slots, right.slots, _SLOT, lost)
-    for module, other in matched(left_modules, right_modules, lambda item: item.module_ident):
+    for module, other in matched(left_modules, right_modules, _ident):
         if module != other:
             yield from _compare_module(module, other)
 
 
 def _compare_module(left: Module | None, right: Module | None) -> Iterator[Difference]:
-    name = f"module {h8(either(left, right).module_ident) or 'without ident'}"
+    name = f"module {_ident(either(left, right)) or 'without ident'}"
     if left is None or right is None:
         said, also = (_module_words(item) for item in (left, right))
         yield difference(SLOTS, name, said, also, lost(left, right))

@@ -1,19 +1,56 @@
-"""Values in words, for comparisons: values with equal words are equal."""
+"""Values in words, for comparisons: values with equal words are equal.
 
-from collections.abc import Callable
+A value that could not be read is what the vendor wrote: two such texts are two values, and neither is an absent one.
+"""
+
+import json
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import msgspec
 
+from esicatalog.esi.binding import Record
 from esicatalog.esi.records.common import Name, display_text
 
 Show = Callable[[Any], str | None]
 """A value in words, None where it is not there. So ``#x10`` and ``16`` are equal, and an absent flag and ``0``."""
 
 
+def value_of(record: Any, field: str | Callable[[Any], Any]) -> Any:
+    """The value of a field, by its name or computed; the vendor's text where it could not be read."""
+    if not isinstance(field, str):
+        return field(record)
+    value, spelling = getattr(record, field), getattr(record, "spelling", None)
+    if not spelling:
+        return value
+    if isinstance(value, tuple) and None in value:
+        return tuple(spelling.get(f"{field}.{at}") if item is None else item for at, item in enumerate(value))
+    return spelling.get(field) if value is None else value
+
+
+def unread_words(record: Record, fields: Iterable[str] | None = None) -> str | None:
+    """What the vendor wrote in fields (all by default) that could not be read; None where all were."""
+    if not record.spelling:
+        return None
+    names = record.__struct_fields__ if fields is None else fields
+    return (
+        ", ".join(
+            f"{name} {words}"
+            for name in names
+            if getattr(record, name) is None and (words := text(record.spelling.get(name))) is not None
+        )
+        or None
+    )
+
+
 def text(value: Any) -> str | None:
-    """The value as it is; an empty text is none."""
-    return None if value is None else str(value) or None
+    """The value in one line, blanks as one; an empty text is none."""
+    return None if value is None else " ".join(str(value).split()) or None
+
+
+def literal(value: str | None) -> str | None:
+    """A text whose blanks count, in quotation marks."""
+    return json.dumps(value, ensure_ascii=False) if value else None
 
 
 def hexadecimal(digits: int) -> Show:
@@ -39,7 +76,7 @@ def byte_count(value: Any) -> str | None:
 
 def yes_no(value: Any) -> str | None:
     """A flag; an absent one is off."""
-    return value if isinstance(value, str) else "yes" if value else "no"
+    return text(value) if isinstance(value, str) and value else "yes" if value else "no"
 
 
 def supported(value: Any) -> str | None:
@@ -54,17 +91,23 @@ def sync_manager(value: Any) -> str | None:
 
 def shown_text(names: tuple[Name, ...]) -> str | None:
     """Names, comments and links in the language in which they are shown."""
-    return text(" ".join((display_text(names) or "").split()))
+    return text(display_text(names))
 
 
 def hex_data(value: str | None) -> str | None:
     """Bytes in hex, in any case of letters."""
-    return value.upper() if value else None
+    return text(value.upper()) if value else None
 
 
 def listed(show: Show) -> Show:
-    """Several values, one behind the other."""
-    return lambda values: ", ".join(word for value in values if (word := show(value)) is not None) or None
+    """Several values, one behind the other; records with what could not be read of them."""
+    return lambda values: ", ".join(filter(None, (_item_words(value, show) for value in values))) or None
+
+
+def _item_words(value: Any, show: Show) -> str | None:
+    words = show(value)
+    unread = unread_words(value) if isinstance(value, Record) else None
+    return words if unread is None else " ".join(filter(None, (words, f"({unread})")))
 
 
 def record_words(record: Any) -> str:
@@ -73,7 +116,7 @@ def record_words(record: Any) -> str:
         return "; ".join(map(record_words, record))
     if not isinstance(record, msgspec.Struct):
         return str(record)
-    said = [(name, getattr(record, name)) for name in record.__struct_fields__ if name != "spelling"]
+    said = [(name, value_of(record, name)) for name in record.__struct_fields__ if name != "spelling"]
     return ", ".join(
         f"{name} ({record_words(value)})" if isinstance(value, tuple | msgspec.Struct) else f"{name} {value}"
         for name, value in said

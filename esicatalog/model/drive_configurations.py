@@ -6,10 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
+from esicatalog.model.axes import further_axes
 from esicatalog.model.cia402 import AXIS_STEP, PROFILE_AREA
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.drive_evidence import module_names
-from esicatalog.model.drive_parts import Part, SlotsDeclaring, assigned_rx_pdos, axes_of, beside_modules, yielding
+from esicatalog.model.drive_parts import Part, SlotsDeclaring, assigned_rx_pdos, beside_modules, yielding
 from esicatalog.model.pdo_facts import pdo_yields
 from esicatalog.model.process_image import SmImage, plugged_process_image
 from esicatalog.model.slots import (
@@ -42,7 +43,7 @@ def device_parts(device: Device, known: DictionaryViews, images: Sequence[SmImag
             profiles=device.profiles if axis == 0 else (),
             sync0=sync0,
         )
-        for axis in (0, *axes_of(views, device.rx_pdos))
+        for axis in (0, *further_axes(views, device.rx_pdos))
     ]
 
 
@@ -65,7 +66,7 @@ def module_parts(device: Device, modules: Sequence[Module], known: DictionaryVie
 
 def _declared_axes(module: Module, known: DictionaryViews) -> list[tuple[int, list[SlotDependence]]]:
     """Where axes of a module begin outside of any slot, and how their objects follow it."""
-    begins = [axis * AXIS_STEP for axis in (0, *axes_of(known.of(module.profiles), module.rx_pdos))]
+    begins = [axis * AXIS_STEP for axis in (0, *further_axes(known.of(module.profiles), module.rx_pdos))]
     return [
         (begin, slot_dependences(module, range(PROFILE_AREA + begin, PROFILE_AREA + begin + AXIS_STEP)))
         for begin in begins

@@ -4,7 +4,7 @@ Ranks, scores and traps of ESI-FACTS section 16. Nothing here decides; :mod:`esi
 """
 
 from collections.abc import Iterable, Iterator
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import msgspec
 
@@ -125,18 +125,10 @@ def _supported_modes(part: Part) -> Iterator[ModeEvidence]:
     """Default of 0x6502: bit b declares mode b + 1. Absent and zero say nothing."""
     index = part.at(SUPPORTED_DRIVE_MODES)
     entry = single_value(part, index)
-    if entry is None or not (value := _bits(entry)):
+    modes = supported_modes(entry) if entry is not None else None
+    if entry is None or modes is None:
         return
-    rank, doubt = "A+", ""
-    data = decode_hex_binary(entry.default_raw) if entry.default_kind == "data" else None
-    width = (entry.bit_size or 32) // 8
-    if data is not None and len(data) < width:
-        rank, doubt = "A+ short", f" (only {len(data)} of {width} bytes are given)"
-    elif data is not None and not value & STANDARD_BITS:
-        swapped = int.from_bytes(data, "big")
-        if not swapped or swapped & ~STANDARD_BITS:
-            return
-        value, rank, doubt = swapped, "A+ swapped", " (bytes look swapped)"
+    value, rank, doubt = modes
     for mode in DRIVE_MODES.values():
         is_set = bool(value >> mode.bit & 1)
         text = f"0x{index:04X} default {entry.default_raw}{doubt} has bit {mode.bit} ({mode.name})"
@@ -146,6 +138,34 @@ def _supported_modes(part: Part) -> Iterator[ModeEvidence]:
         elif rank == "A+":
             text = f"declared in ESI: {text} clear; read 0x{index:04X} on the drive"
             yield _finding(part, mode, "A-", text, polarity=NO, object_index=index)
+
+
+class SupportedModes(NamedTuple):
+    """What the default of 0x6502 says."""
+
+    bits: int
+    """Bit b stands for the mode of the number b + 1."""
+    rank: str
+    """``A+``, or what speaks against it: ``A+ swapped``, ``A+ short``."""
+    doubt: str
+    """The same in words, empty where nothing does."""
+
+
+def supported_modes(entry: ObjectEntry) -> SupportedModes | None:
+    """The modes that the default of 0x6502 declares, None where it says nothing: without one, with 0, or nonsense."""
+    value = _bits(entry)
+    if not value:
+        return None
+    data = decode_hex_binary(entry.default_raw) if entry.default_kind == "data" else None
+    width = (entry.bit_size or 32) // 8
+    if data is not None and len(data) < width:
+        return SupportedModes(value, "A+ short", f" (only {len(data)} of {width} bytes are given)")
+    if data is not None and not value & STANDARD_BITS:
+        swapped = int.from_bytes(data, "big")
+        if not swapped or swapped & ~STANDARD_BITS:
+            return None
+        return SupportedModes(swapped, "A+ swapped", " (bytes look swapped)")
+    return SupportedModes(value, "A+", "")
 
 
 def _bits(entry: ObjectEntry) -> int:

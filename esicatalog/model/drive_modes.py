@@ -14,15 +14,17 @@ from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
+from esicatalog.model.axes import may_be_commanded
 from esicatalog.model.cia402 import CIA402, DRIVE_MODES, DriveMode, denies, named_modes
 from esicatalog.model.dictionary import enum_values
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.drive_configurations import configurations, device_parts, module_parts, slots_declaring
 from esicatalog.model.drive_evidence import NO, RANKS, YES, ModeEvidence, find_evidence
-from esicatalog.model.drive_parts import Part, has_cia402, mapping_pdos, marked_objects, may_be_drive, yielding
+from esicatalog.model.drive_parts import Part, is_drive, mapping_pdos, marked_objects, yielding
 from esicatalog.model.drive_recipe import mode_recipe
 from esicatalog.model.drive_setup import ConfiguredDrive
 from esicatalog.model.process_image import SmImage, default_process_image
+from esicatalog.model.profile_facts import is_motion_terminal
 from esicatalog.model.slots import default_modules
 
 YES_FROM, LIKELY_FROM, POSSIBLE_FROM = 0.8, 0.5, 0.2
@@ -67,13 +69,13 @@ def drive_modes(
     ``views`` knows dictionaries that were looked at before, ``images`` is the default process image where it is known.
     """
     views = views or DictionaryViews()
-    drives = [module for module in modules if may_be_drive(module, views)]
-    if not drives and not may_be_drive(device, views):
+    drives = [module for module in modules if may_be_commanded(module, views)]
+    if not drives and not may_be_commanded(device, views):
         return DriveModes(verdicts=tuple(_other_systems(device, views)))
     there = default_modules(device, modules)
     images = default_process_image(device, modules) if images is None else images
     own = device_parts(device, views, images)
-    own_axes = {part.axis for part in own if has_cia402(part)}
+    own_axes = {part.axis for part in own if is_drive(part)}
     marked = {index for part in own for index in marked_objects(part)}
     declaring = slots_declaring(device, modules, marked) if marked else {}
     own = [yielding(part, declaring) for part in own]
@@ -101,7 +103,7 @@ def drive_modes(
 def _findings(parts: Iterable[Part], own_axes: Container[int]) -> dict[int, list[ModeEvidence]]:
     """Findings of the parts that are drives, by the part's identity."""
     return {
-        number: list(find_evidence(part)) if part.axis in own_axes or has_cia402(part) else []
+        number: list(find_evidence(part)) if part.axis in own_axes or is_drive(part) else []
         for number, part in {id(part): part for part in parts}.items()
     }
 
@@ -220,11 +222,7 @@ def _other_systems(device: Device, views: DictionaryViews) -> list[DriveModeVerd
 
 
 def _motion_terminal_modes(device: Device, views: DictionaryViews) -> list[tuple[int, str, str]]:
-    if not any(
-        _is_motion_terminal(p.profile_no, p.add_info)
-        or any(_is_motion_terminal(c.profile_no, c.add_info) for c in p.channel_infos)
-        for p in device.profiles
-    ):
+    if not is_motion_terminal(device.profiles):
         return []
     found: dict[str, tuple[int, str, str]] = {}
     for view in views.of(device.profiles):
@@ -252,7 +250,3 @@ def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
             for mode, text in named.get(sub_item.type or "", ()):
                 found.setdefault(mode, (declared.object_index or 0, mode, text))
     return found
-
-
-def _is_motion_terminal(profile_no: int | None, add_info: int | None) -> bool:
-    return profile_no == 5001 and add_info is not None and 700 <= add_info <= 799

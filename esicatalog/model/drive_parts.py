@@ -1,39 +1,32 @@
 """What is looked at together for drive modes: a device's own description or a module, for one axis.
 
-Rules of ESI-FACTS sections 12 and 16: axes by their controlword, objects that yield to those of modules, and the
-RxPDOs that map a mode's setpoint.
+Rules of ESI-FACTS sections 12 and 16: objects that yield to those of modules, and RxPDOs that map a mode's setpoint.
 """
 
 from collections.abc import Collection, Container, Iterable, Mapping, Sequence
 from itertools import combinations, product
 from typing import NamedTuple
 
-from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import Profile
+from esicatalog.model.axes import is_commanded_axis
 from esicatalog.model.cia402 import (
     AXIS_STEP,
-    CONTROLWORD,
-    MAX_AXES,
     MODES_OF_OPERATION,
     PROFILE_AND_CYCLIC,
-    PROFILE_CIA402,
     SINGLE_SETPOINTS,
     SUPPORTED_DRIVE_MODES,
     DriveMode,
 )
 from esicatalog.model.dictionary import ObjectEntry
-from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
+from esicatalog.model.dictionary_views import DictionaryView
 from esicatalog.model.pdo_facts import has_length, has_object, pdo_yields, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import is_mappable
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.start_up import written_places, yields
-
-_CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES)}
-"""Axes by their controlword."""
 
 
 class Part(NamedTuple):
@@ -80,38 +73,9 @@ class Part(NamedTuple):
         return index + self.axis_shift
 
 
-def has_cia402(part: Part) -> bool:
-    """Whether the part is a CiA 402 axis: profile number 402, or a 16 bit controlword of this axis.
-
-    On modular I/O 0x6040 is just an input channel, so the controlword has to look like one.
-    """
-    if any(_is_cia402(profile) for profile in part.profiles):
-        return True
-    control = part.at(CONTROLWORD)
-    mapped = any(
-        entry.entry_index == control and (entry.subindex or 0) == 0 and entry.bit_length == 16
-        for pdo in part.rx_pdos
-        for entry in pdo.entries
-    )
-    return mapped or any(control in view.once(_words) for view in part.views)
-
-
-def _words(view: DictionaryView) -> frozenset[int | None]:
-    """Indices of the objects of 16 bits."""
-    return frozenset([declared.object_index for declared in view.dictionary.objects if declared.bit_size == 16])
-
-
-def may_be_drive(owner: Device | Module, views: DictionaryViews) -> bool:
-    """Whether a device or module can be a CiA 402 drive: a cheap look before a close one."""
-    return (
-        any(map(_is_cia402, owner.profiles))
-        or any(not view.by_index.keys().isdisjoint(_CONTROLWORDS) for view in views.of(owner.profiles))
-        or any(entry.entry_index in _CONTROLWORDS for pdo in owner.rx_pdos for entry in pdo.entries)
-    )
-
-
-def _is_cia402(profile: Profile) -> bool:
-    return PROFILE_CIA402 in (profile.profile_no, *(channel.profile_no for channel in profile.channel_infos))
+def is_drive(part: Part) -> bool:
+    """Whether the part is a CiA 402 axis that a master can command."""
+    return is_commanded_axis(part.axis, part.profiles, part.rx_pdos, part.views)
 
 
 def declaring_view(part: Part, index: int) -> DictionaryView | None:
@@ -264,11 +228,3 @@ def pdo_words(pdo: Pdo) -> str:
 def mapping_words(pdos: Sequence[Pdo]) -> str:
     """PDOs in words, as what maps something."""
     return " and ".join(map(pdo_words, pdos)) + (" maps" if len(pdos) == 1 else " map")
-
-
-def axes_of(views: Sequence[DictionaryView], rx_pdos: Iterable[Pdo]) -> list[int]:
-    """Axes above the first whose controlword stands literally in a description."""
-    mapped = {entry.entry_index for pdo in rx_pdos for entry in pdo.entries}
-    return [
-        axis for control, axis in _CONTROLWORDS.items() if axis and (control in mapped or _declares(views, control))
-    ]

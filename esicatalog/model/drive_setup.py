@@ -4,7 +4,6 @@ from collections.abc import Collection, Sequence
 from functools import cached_property
 from itertools import chain
 
-from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
@@ -22,7 +21,7 @@ from esicatalog.model.pdo_facts import mapped_entries, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, process_image
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.start_up import written_places, yields
-from esicatalog.model.sync import asked_op_modes, default_position, op_mode_choice, positions_with_sync0
+from esicatalog.model.sync import asked_op_modes, default_position, op_mode_at, op_mode_choice, positions_with_sync0
 
 
 class DriveSetup:
@@ -41,7 +40,7 @@ class DriveSetup:
         """Its process image."""
         if self._images is not None:
             return self._images
-        return process_image(self.device, self._plugged, _op_mode(self.device, self._position))
+        return process_image(self.device, self._plugged, op_mode_at(self.device.op_modes, self._position))
 
     @cached_property
     def exclusions(self) -> dict[int | None, tuple[int, ...]]:
@@ -65,7 +64,7 @@ class DriveSetup:
     @property
     def op_mode_words(self) -> str | None:
         """Its OpMode in words, with what chooses it first."""
-        op_mode = _op_mode(self.device, self._position)
+        op_mode = op_mode_at(self.device.op_modes, self._position)
         if op_mode is None:
             return None
         if not op_mode.name:
@@ -142,13 +141,9 @@ class ConfiguredDrive:
         return default_position(self.device.op_modes, modules)
 
 
-def _op_mode(device: Device, position: int | None) -> OpMode | None:
-    return device.op_modes[position] if position is not None else None
-
-
 def _assigns_alike(device: Device, one: int | None, other: int | None) -> bool:
     """Whether two OpModes make the same process image of the same modules: neither lists PDOs, or they are the same."""
     if one == other:
         return True
-    both = (_op_mode(device, one), _op_mode(device, other))
+    both = (op_mode_at(device.op_modes, one), op_mode_at(device.op_modes, other))
     return not any(op_mode.sm_assignments for op_mode in both if op_mode is not None)

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, lru_cache
 from operator import attrgetter
 from typing import NamedTuple
 
@@ -15,7 +15,7 @@ from esicatalog.model.memo import IdentityMemo
 MAX_ELEMENTS = 4096
 """Longer arrays stay one entry: no CoE array has more than 255 elements, the longest SoE list seen has 761."""
 
-_NUMBERED = re.compile(r"sub\s*index\s*0*(\d+)", re.IGNORECASE)
+_NUMBERED = re.compile(r"sub\s*index\s*0*(\d{1,9})", re.IGNORECASE)
 
 
 class Member(NamedTuple):
@@ -81,15 +81,18 @@ class Members:
     def pair(self, infos: tuple[InfoSubItem, ...], remarks: list[tuple[str, str]]) -> Sequence[DeclaredValues | None]:
         """Declared values of each member; never shifted to a neighbour.
 
-        Names come first (ESI-FACTS section 7.2). Position counts in an array with a value for each member, and in a
+        Names come first (ESI-FACTS section 7.2). Position counts in an array with a value for each member, unless their
+        names number all of its subindices, and in a
         record with as many values as members for what no name matches, if no name claims a member at such a position:
         a list that lacks one member and has one value too many is as long as the type, too.
         """
         if not infos:
             return [None] * len(self._members)
         is_complete = len(infos) == len(self._members)
-        if is_complete and (self.is_array or [info.name for info in infos] == self._names):
+        if is_complete and [info.name for info in infos] == self._names:
             return infos
+        if is_complete and self.is_array:
+            return self._in_order(infos)
         paired: dict[int, InfoSubItem] = {}
         if is_complete:  # real lists repeat a name that the type has once, in the place of another one
             named = enumerate(zip(infos, self._names, strict=True))
@@ -118,16 +121,22 @@ class Members:
                 remarks.append(("L46", f"Info sub-items {', '.join(names[:3])} {problem}; {outcome}"))
         return [paired.get(position) for position in range(len(self._members))]
 
+    def _in_order(self, infos: Sequence[InfoSubItem]) -> Sequence[InfoSubItem]:
+        """A value for each member of an array: by the numbers in the names if these are all subindices, else as is."""
+        by_number = {_number(info.name): info for info in infos}
+        found = [by_number.get(member.subindex) for member in self._members]
+        return [info for info in found if info is not None] if None not in found else infos
+
     def _pair_leftovers(self, unmatched: Iterable[InfoSubItem], paired: dict[int, InfoSubItem]) -> None:
         """Values of an array whose names do not match: by the number in the name, else in order from the first."""
         positions = {member.subindex: position for position, member in enumerate(self._members)}
         in_order = []
         for info in unmatched:
-            numbered = _NUMBERED.fullmatch((info.name or "").strip())
-            position = positions.get(int(numbered[1])) if numbered else None
+            number = _number(info.name)
+            position = positions.get(number) if number is not None else None
             if position is not None and position not in paired:
                 paired[position] = info
-            elif numbered is None:
+            elif number is None:
                 in_order.append(info)
         if in_order and len(in_order) == len(self._members) - 1 and not paired.keys() - {0}:
             paired.update((position, info) for position, info in enumerate(in_order, start=1))
@@ -147,6 +156,13 @@ def _single(sub_item: SubItem, subindex: int, base: BaseType | None) -> tuple[Me
             _fallback(sub_item),
         ),
     )
+
+
+@lru_cache(maxsize=10_000)
+def _number(name: str | None) -> int | None:
+    """The subindex that a name like "SubIndex 001" states."""
+    numbered = _NUMBERED.fullmatch((name or "").strip())
+    return int(numbered[1]) if numbered is not None else None
 
 
 _declared = attrgetter("default_data", "default_string", "default_value", "min_value", "max_value")

@@ -20,7 +20,7 @@ from esicatalog.model.pdo_facts import mapped
 from esicatalog.model.process_image import SmImage, default_process_image
 from esicatalog.model.slot_indices import IndicesInSlots
 from esicatalog.model.slots import default_modules
-from esicatalog.model.sync import SyncSignals, default_position, generated_signals, valid_op_modes
+from esicatalog.model.sync import SyncSignals, default_position, generated_signals, op_mode_at, valid_op_modes
 
 _MAX_KNOWN = 1_000
 
@@ -53,8 +53,7 @@ class ProcessData:
     @cached_property
     def default_op_mode(self) -> OpMode | None:
         """The OpMode that counts without a choice."""
-        position = self.default_position
-        return self.op_modes[position] if position is not None else None
+        return op_mode_at(self.op_modes, self.default_position)
 
     @cached_property
     def default_position(self) -> int | None:

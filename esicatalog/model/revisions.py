@@ -1,4 +1,6 @@
-"""Revision numbers as their vendors print them."""
+"""Revision numbers: as their vendors print them, and which one is meant where none is named."""
+
+from collections.abc import Iterable
 
 BECKHOFF = 0x00000002
 
@@ -14,3 +16,13 @@ def revision_text(vendor_id: int | None, revision_no: int | None) -> str | None:
         return None
     variant, revision = revision_no & 0xFFFF, revision_no >> 16
     return (f"-{variant:04d}" if variant else "") + f"-{revision:04d}"
+
+
+def latest_revision(described: Iterable[tuple[int | None, bool]]) -> int | None:
+    """The highest of the revisions of a product that its vendor does not hide; the highest when all are hidden.
+
+    ``described`` are RevisionNo and whether another description hides it (HideType). None where no RevisionNo is given.
+    """
+    revisions = list(described)
+    visible = [number for number, is_hidden in revisions if not is_hidden] or [number for number, _ in revisions]
+    return max((number for number in visible if number is not None), default=None)

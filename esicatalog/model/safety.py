@@ -13,6 +13,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.memo import IdentityMemo
+from esicatalog.model.profile_facts import PROFILE_MODULAR, profile_numbers
 from esicatalog.model.resolver import TypeSet
 
 HIGH, MEDIUM = "high", "medium"
@@ -76,11 +77,9 @@ class FsoeSigns:
             if (words := self._pdo(pdo).medium) is not None:
                 return words
         for profile in owner.profiles:
-            numbers = [(profile.profile_no, profile.add_info)]
-            numbers += [(channel.profile_no, channel.add_info) for channel in profile.channel_infos]
-            for profile_no, add_info in numbers:
-                if profile_no == 5001 and add_info in _SAFETY_ADD_INFOS:
-                    return f"module profile 5001/{add_info}"
+            for profile_no, add_info in profile_numbers((profile,)):
+                if profile_no == PROFILE_MODULAR and add_info in _SAFETY_ADD_INFOS:
+                    return f"module profile {profile_no}/{add_info}"
             if profile.dictionary is not None and (words := self._dictionary(profile.dictionary).medium) is not None:
                 return words
         return None

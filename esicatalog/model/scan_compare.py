@@ -11,6 +11,7 @@ from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
+from esicatalog.model.access import STATE_WORDS, access_text
 from esicatalog.model.base_types import base_type
 from esicatalog.model.compare_words import counted
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
@@ -22,9 +23,6 @@ from esicatalog.scan.records import ScannedDictionary, ScannedObjectEntry, Scann
 
 _MOST_PLACES = 2_000_000
 """How much is looked at of modules in slots, each of their parts in each slot; couplers of 254 slots need a million."""
-_STATES = ("PREOP", "SAFEOP", "OP")
-_READ_BITS, _WRITE_BITS = 0, 3
-"""Lowest bits of the CoE access word for reading and writing."""
 
 _Mapping = tuple[Mapped, ...] | None
 """What the entries of a described PDO map, as far as it says; None for variable content."""
@@ -233,17 +231,8 @@ def _entry_differences(seen: ScannedObjectEntry, described: ObjectEntry) -> Iter
     if seen.access is not None:
         expected = access_text(described.access_word)
         if seen.access != expected:
-            yield f"access {seen.access} ({', '.join(_STATES)}); described is {expected}"
+            yield f"access {seen.access} ({STATE_WORDS}); described is {expected}"
 
 
 def _kind(kind: str) -> str:
     return _ALIKE.get(kind, kind)
-
-
-def access_text(access_word: int) -> str:
-    """A CoE access word as masters print it: read and write in PREOP, SAFEOP and OP, ``rwrwr-``."""
-    return "".join(
-        ("r" if access_word >> (_READ_BITS + state) & 1 else "-")
-        + ("w" if access_word >> (_WRITE_BITS + state) & 1 else "-")
-        for state in range(len(_STATES))
-    )

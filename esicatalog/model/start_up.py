@@ -10,11 +10,15 @@ from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.unreadable import unreadable
+from esicatalog.model.access import PREOP, SAFEOP
 
-START_TRANSITIONS = ("IP", "PS", "SO")
-"""In the order of a start (ESI-FACTS section 10)."""
+SENT_IN = {"IP": PREOP, "PS": PREOP, "SO": SAFEOP}
+"""State of the device when commands are sent, by the transitions of a start in their order (ESI-FACTS section 10)."""
+START_TRANSITIONS = tuple(SENT_IN)
+BEFORE_SAFE_OP = tuple([transition for transition, state in SENT_IN.items() if state == PREOP])
+"""Those at which the PDO configuration can be written."""
 TRANSITIONS = (*START_TRANSITIONS, "SP", "OP", "OS")
-"""The last three lead back."""
+"""The last three lead back: in which state commands are sent at them is not defined."""
 
 _WORDS = {"object_index": "index", "idn": "IDN"}
 _PARTS = (("subindex", "subindex"), ("channel", "channel"), ("complete_access", "CompleteAccess"))

@@ -23,11 +23,11 @@ LATCH1_PDI = 0x0020
 
 
 class SyncSignals(Record):
-    """What AssignActivate of an OpMode means."""
+    """What AssignActivate of an OpMode asks for; :func:`generated_signals` are those that a device then generates."""
 
     dc_active: Annotated[bool | None, Doc("Sync unit is active (0x0100); 0 = free run or SM synchronous")] = None
-    sync0: Annotated[bool | None, Doc("SYNC0 is generated: 0x0100 and 0x0200")] = None
-    sync1: Annotated[bool | None, Doc("SYNC1 is generated: 0x0100 and 0x0400")] = None
+    sync0: Annotated[bool | None, Doc("AssignActivate asks for SYNC0: 0x0100 and 0x0200")] = None
+    sync1: Annotated[bool | None, Doc("AssignActivate asks for SYNC1: 0x0100 and 0x0400")] = None
     time_only: Annotated[bool | None, Doc("Sync unit active without pulses: DC time or latch use")] = None
     sync_unit_pdi: Annotated[bool | None, Doc("Sync unit is controlled by the slave (0x0001)")] = None
     latch0_pdi: Annotated[bool | None, Doc("Latch 0 is controlled by the slave (0x0010)")] = None
@@ -99,7 +99,11 @@ def positions_with_sync0(device: Device) -> list[int]:
 
 def default_op_mode(op_modes: Sequence[OpMode], modules: Iterable[Module] = ()) -> OpMode | None:
     """The OpMode that counts without a choice: the one at :func:`default_position`."""
-    position = default_position(op_modes, modules)
+    return op_mode_at(op_modes, default_position(op_modes, modules))
+
+
+def op_mode_at(op_modes: Sequence[OpMode], position: int | None) -> OpMode | None:
+    """The OpMode at a position that one of the functions below gave, None where there is none."""
     return op_modes[position] if position is not None else None
 
 

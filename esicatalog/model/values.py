@@ -39,6 +39,15 @@ def number_size(given: int, base: BaseType, bit_size: int | None) -> int:
     return own if given == own or bit_size is None or bit_size <= 0 else (bit_size + 7) // 8
 
 
+def fills(given: int, base: BaseType | None, bit_size: int) -> bool:
+    """Whether so many bytes are a value of a type (None: not known): as many as it has.
+
+    Texts and domains may be shorter; those of no bits, as STRING(0), are of any length.
+    """
+    wanted = (bit_size + 7) // 8
+    return given == wanted or (base is not None and base.of_any_width and (given < wanted or not bit_size))
+
+
 def _decode_data(raw: str, base: BaseType | None, bit_size: int | None) -> Value:
     data = decode_hex_binary(raw)
     if data is None or base is None:

@@ -3,6 +3,7 @@
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.model.device_facts import DeviceFacts
+from esicatalog.model.profile_facts import profile_numbers
 
 MAILBOX_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
 INIT_CMD_PROTOCOLS = ("CoE", "SoE", "EoE", "AoE")
@@ -44,16 +45,10 @@ def init_cmd_target(command: InitCmd) -> str:
     return f"type {command.eoe_type}" if command.eoe_type is not None else ""
 
 
-def profile_numbers(device: Device) -> list[str]:
+def profile_words(device: Device) -> list[str]:
     """Profile numbers with their AddInfo, those of channels included, each once in document order."""
-    numbers: dict[str, None] = {}
-    for profile in device.profiles:
-        given = [(profile.profile_no, profile.add_info)]
-        given += [(channel.profile_no, channel.add_info) for channel in profile.channel_infos]
-        for profile_no, add_info in given:
-            if profile_no is not None:
-                numbers[f"{profile_no}" + (f"/{add_info}" if add_info is not None else "")] = None
-    return list(numbers)
+    given = (number for number in profile_numbers(device.profiles) if number.profile_no is not None)
+    return list(dict.fromkeys("/".join(str(part) for part in number if part is not None) for number in given))
 
 
 def clock_words(device: Device, facts: DeviceFacts) -> str:

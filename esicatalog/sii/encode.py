@@ -85,12 +85,12 @@ def _pieces(category: Category) -> Iterator[bytes]:
             yield GENERAL.write(category)
             yield category.rest
         case Fmmus():
-            yield from _all(FMMU, category.fmmus)
+            yield from _all(FMMU, category.fmmus, "FMMU{}", 0)
         case SyncManagers():
-            yield from _all(SYNC_MANAGER, category.sync_managers)
+            yield from _all(SYNC_MANAGER, category.sync_managers, "SM{}", 0)
             yield category.rest
         case DistributedClocks():
-            yield from _all(DC_MODE, category.modes)
+            yield from _all(DC_MODE, category.modes, "OpMode {}", 1)
             yield category.rest
         case _:
             for pdo in category.pdos:
@@ -109,9 +109,17 @@ def _strings(category: Strings) -> Iterator[bytes]:
 
 
 def _pdo(pdo: Pdo) -> Iterator[bytes]:
-    yield PDO.write(pdo)
-    yield from _all(PDO_ENTRY, pdo.entries)
+    try:
+        yield PDO.write(pdo)
+        yield from _all(PDO_ENTRY, pdo.entries, "entry {}", 1)
+    except SiiEncodeError as error:
+        raise SiiEncodeError(f"PDO 0x{pdo.pdo_index:04X}: {error}") from error
 
 
-def _all(layout: Layout[R], records: Iterable[R]) -> Iterator[bytes]:
-    return map(layout.write, records)
+def _all(layout: Layout[R], records: Iterable[R], label: str, first: int) -> Iterator[bytes]:
+    """The records one by one; ``label`` says which it is, counted from ``first``, of which a value does not fit."""
+    for number, record in enumerate(records, first):
+        try:
+            yield layout.write(record)
+        except SiiEncodeError as error:
+            raise SiiEncodeError(f"{label.format(number)}: {error}") from error

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, NOT_TESTED, header_checksum, is_loaded
 from esicatalog.sii.encode import category_offsets
-from esicatalog.sii.image import END_MARK, Fmmus, RawCategory, SiiImage, Strings
+from esicatalog.sii.image import END_MARK, PADDING_BYTES, Fmmus, RawCategory, SiiImage, Strings
 from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.words import category_title
 
@@ -49,7 +49,7 @@ def _contents(image: SiiImage, offsets: Sequence[int]) -> Iterator[str]:
     for category, (offset, end) in zip(image.categories, pairwise(offsets), strict=True):
         where = f"{category_title(category.category_type)} at byte 0x{offset:X}"
         rest = b"" if isinstance(category, RawCategory | Fmmus) else category.rest
-        padding = 1 if isinstance(category, Strings) else 0
+        padding = PADDING_BYTES if isinstance(category, Strings) else 0
         if len(rest) > padding:
             yield f"{where}: {len(rest)} bytes from byte 0x{end - len(rest):X} belong to no whole record"
         beyond = sorted({number for number in _string_numbers(category) if number > known})

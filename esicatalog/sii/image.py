@@ -14,6 +14,8 @@ END_TYPE = 0xFFFF
 END_MARK = END_TYPE.to_bytes(2, "little")
 MAX_IMAGE_BYTES = 512 * 1024
 """4 MBit, the largest EEPROM that a slave controller addresses (ESC data sheet)."""
+PADDING_BYTES = 1
+"""What the strings of a table need at most behind them to fill a whole word."""
 _NO_RESERVED_BYTES = bytes(12)
 
 

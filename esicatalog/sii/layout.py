@@ -39,12 +39,14 @@ class Layout(Generic[R]):
     def __init__(self, record_type: type[R]) -> None:
         self._record_type = record_type
         self._codes: dict[str, str] = {}
+        self._docs: dict[str, str] = {}
         self._flags: dict[str, type[IntFlag]] = {}
         for name, hint in get_type_hints(record_type, include_extras=True).items():
             if get_origin(hint) is not Annotated:
                 continue
             declared, part = get_args(hint)
             self._codes[name] = "<" + part.code
+            self._docs[name] = part.doc.partition(";")[0]
             if isinstance(declared, type) and issubclass(declared, IntFlag):
                 self._flags[name] = declared
         self._struct = struct.Struct("<" + "".join(code[1:] for code in self._codes.values()))
@@ -79,4 +81,6 @@ class Layout(Generic[R]):
         try:
             return struct.pack(code, stored)
         except struct.error as error:
-            raise SiiEncodeError(f"{record}: {name} {stored} does not fit into {8 * size} bits") from error
+            raise SiiEncodeError(
+                f"{record}: {name} {stored} does not fit into {8 * size} bits ({self._docs[name]})"
+            ) from error

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from esicatalog.sii.checksum import header_checksum
+from esicatalog.sii.checksum import header_checksum, is_loaded
 from esicatalog.sii.encode import category_offsets
 from esicatalog.sii.image import General, RawCategory, SiiImage, Strings
 from esicatalog.sii.records import DcMode, Header, Pdo
@@ -52,7 +52,10 @@ def _facts(facts: Sequence[tuple[str, str]]) -> list[str]:
 def _header(image: SiiImage) -> Iterator[str]:
     header = image.header
     needed = header_checksum(header)
-    verdict = "right" if header.checksum == needed else f"wrong, 0x{needed:02X} needed"
+    if header.checksum == needed:
+        verdict = "right"
+    else:
+        verdict = "not tested" if is_loaded(header) else f"wrong, 0x{needed:02X} needed"
     name = image.text(image.general.name_string_number) if image.general is not None else None
     yield _shown(name or "SII image")
     facts = [

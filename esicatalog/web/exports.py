@@ -2,7 +2,7 @@
 
 import asyncio
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from datasette.utils.asgi import Response
@@ -18,17 +18,19 @@ from esicatalog.export.igh import igh_header
 from esicatalog.export.linuxcnc import linuxcnc_configuration
 from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.ros2 import ros2_slave
-from esicatalog.export.sii import sii_image
+from esicatalog.export.sii import described_image
+from esicatalog.export.sii_header import eeprom_bytes
 from esicatalog.export.sii_limits import check_image
 from esicatalog.export.soem import soem_header
 from esicatalog.export.subject import Subject
 from esicatalog.identity import ModuleChoice, modules_by_slot, parse_number, parse_plugged
+from esicatalog.parameters import given_texts
 from esicatalog.sii.encode import encode_sii
-from esicatalog.web.http import check_names, refusal
+from esicatalog.web.http import refusal, texts_of
 from esicatalog.web.links import identity_of_path
 from esicatalog.web.state import catalog_for
 
-_LARGEST_CYCLE_NS = 10**10
+_REPEATABLE = ("module",)
 _CHOICE = ("pdo", "module", "op-mode", "cycle-ns", "name", "alias", "position")
 
 Generate = Callable[[Subject, Choice], str | bytes]
@@ -58,8 +60,8 @@ def _esi(subject: Subject, choice: Choice) -> bytes:
 
 def _sii(subject: Subject, choice: Choice) -> bytes:
     subject.required_codes()
-    image = sii_image(subject.vendor_id, subject.group, subject.device)
-    return encode_sii(check_image(image, image.header.byte_size))
+    image = described_image(subject)
+    return encode_sii(check_image(image, eeprom_bytes(image.header, subject.device)))
 
 
 _C = "text/x-c; charset=utf-8"
@@ -89,10 +91,10 @@ def _generated(request: Any, catalog: Catalog) -> Response:
     target = TARGETS.get(request.url_vars["target"])
     if target is None:
         raise NotFound(f"no such export; there are {', '.join(TARGETS)}")
-    check_names(request.args, target.parameters)
+    given = given_texts(texts_of(request), target.parameters, _REPEATABLE)
     identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
     subject = catalog.export_subject(identity)
-    made = target.generate(subject, _choice(request))
+    made = target.generate(subject, _choice(given))
     data = made.encode() if isinstance(made, str) else made
     stem = re.sub(r"[^A-Za-z0-9]+", "_", subject.device.type or "device").strip("_") or "device"
     headers = {
@@ -105,25 +107,26 @@ def _generated(request: Any, catalog: Catalog) -> Response:
 def asked_modules(request: Any) -> Mapping[int, ModuleChoice]:
     """The modules that a request chooses, by slot; slots for which none is named keep what they have.
 
-    Raises :class:`~esicatalog.errors.InputError` for what is no such choice and for a slot that is given twice.
+    Raises :class:`~esicatalog.errors.InputError` for what is no such choice, for a slot that is given twice and for
+    other parameters.
     """
-    texts = request.args.getlist("module")
+    return _modules(given_texts(texts_of(request), _REPEATABLE, _REPEATABLE))
+
+
+def _modules(given: Mapping[str, Sequence[str]]) -> Mapping[int, ModuleChoice]:
+    texts = given.get("module", ())
     return modules_by_slot(parse_plugged(text) for text in texts if text.partition("=")[1:] != ("=", ""))
 
 
-def _choice(request: Any) -> Choice:
-    pdo = request.args.get("pdo")
-
-    def number(name: str, limit: int) -> int | None:
-        text = request.args.get(name)
-        return parse_number(text, name, limit) if text else None
-
+def _choice(given: Mapping[str, Sequence[str]]) -> Choice:
+    texts = {name: values[0] for name, values in given.items() if name not in _REPEATABLE}
+    numbers = {name: parse_number(texts[name], name) for name in ("cycle-ns", "alias", "position") if name in texts}
     return Choice(
-        pdos=parse_pdo_choice(pdo) if pdo else (),
-        modules=asked_modules(request),
-        op_mode=request.args.get("op-mode") or None,
-        cycle_ns=number("cycle-ns", _LARGEST_CYCLE_NS),
-        name=request.args.get("name") or None,
-        alias=number("alias", 0xFFFF) or 0,
-        position=number("position", 0xFFFF) or 0,
+        pdos=parse_pdo_choice(texts["pdo"]) if "pdo" in texts else (),
+        modules=_modules(given),
+        op_mode=texts.get("op-mode"),
+        cycle_ns=numbers.get("cycle-ns"),
+        name=texts.get("name"),
+        alias=numbers.get("alias", 0),
+        position=numbers.get("position", 0),
     )

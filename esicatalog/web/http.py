@@ -1,7 +1,7 @@
 """Requests and responses: bounded bodies, errors as JSON or pages, ETag, CORS only where Datasette has it."""
 
 import asyncio
-from collections.abc import Awaitable, Callable, Iterable, Sequence
+from collections.abc import Awaitable, Callable, Iterable
 from typing import Any, NamedTuple
 
 from datasette.utils import add_cors_headers
@@ -9,7 +9,7 @@ from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.results import json_bytes
-from esicatalog.errors import EsiCatalogError, InputError, NotFound
+from esicatalog.errors import EsiCatalogError, NotFound
 from esicatalog.version import __version__
 from esicatalog.web.links import BASE
 from esicatalog.web.state import catalog_for
@@ -170,12 +170,9 @@ async def unknown_address(request: Any, datasette: Any) -> Response:
     return _json({"error": f"{words}; what there is: {BASE}openapi.json"}, 404, headers)
 
 
-def check_names(given: Iterable[str], known: Sequence[str], what: str = "parameter") -> None:
-    """Raise :class:`InputError` for a name that nothing reads: a slip would otherwise change what is asked."""
-    unknown = sorted(set(given) - set(known))
-    if unknown:
-        there_is = "there is only" if len(known) == 1 else "there are"
-        raise InputError(f"unknown {what} {unknown[0][:40]!r}; {there_is} {', '.join(known) or 'none'}")
+def texts_of(request: Any) -> dict[str, list[str]]:
+    """The parameters of an address, as they were sent."""
+    return {name: request.args.getlist(name) for name in request.args}
 
 
 def status_of(error: EsiCatalogError) -> int:

@@ -7,9 +7,10 @@ import msgspec
 
 from esicatalog.api import Catalog
 from esicatalog.errors import InputError
-from esicatalog.identity import UINT32_MAX, Identity, parse_identity, parse_number
+from esicatalog.identity import Identity, checked_number, parse_identity, parse_number
+from esicatalog.parameters import check_names, given_texts
 from esicatalog.scan.text import decode_text
-from esicatalog.web.http import HttpError, body_of, check_names
+from esicatalog.web.http import HttpError, body_of, texts_of
 from esicatalog.web.uploads import MOST_IDENTITIES, read_uploaded_scan
 
 _SHOWN = 60
@@ -20,12 +21,7 @@ _NAMES = {"vendor": "vendor_id", "product": "product_code", "revision": "revisio
 
 async def identify_one(request: Any, catalog: Catalog) -> tuple[Any, int]:
     """``?vendor=&product=&revision=``; 404 with the answer when nothing of the product is known."""
-    check_names(request.args, _PARAMETERS)
-    given = {name: request.args.getlist(name) for name in _PARAMETERS}
-    repeated = [name for name, texts in given.items() if len(texts) > 1]
-    if repeated:
-        raise HttpError(400, f"{repeated[0]} is given more than once")
-    texts = {name: texts[0] for name, texts in given.items() if texts and texts[0]}
+    texts = {name: given[0] for name, given in given_texts(texts_of(request), _PARAMETERS).items()}
     missing = [name for name in _PARAMETERS[:2] if name not in texts]
     if missing:
         raise HttpError(400, f"{missing[0]} is missing; write vendor=0x1097&product=0x2406&revision=0x8f")
@@ -94,7 +90,5 @@ def _number(value: Any, name: str) -> int | None:
         return None
     if isinstance(value, str):
         return parse_number(value, name)
-    whole = isinstance(value, int) or (isinstance(value, float) and value.is_integer())
-    if isinstance(value, bool) or not whole or not 0 <= value <= UINT32_MAX:
-        raise InputError(f"{name} {str(value)[:40]} is no number from 0 to 0x{UINT32_MAX:x}")
-    return int(value)
+    # JSON has one kind of numbers: 4247.0 is 4247.
+    return checked_number(int(value) if isinstance(value, float) and value.is_integer() else value, name)

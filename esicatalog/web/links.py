@@ -3,8 +3,7 @@
 from urllib.parse import quote, unquote, urlencode
 
 from esicatalog.catalog.results import FoundDevice
-from esicatalog.errors import InputError
-from esicatalog.identity import NO_REVISION, Identity, parse_number
+from esicatalog.identity import NO_REVISION, Identity, identity_of_parts
 
 BASE = "/-/esi/"
 
@@ -26,20 +25,12 @@ def device_row_path(number: int) -> str:
 def identity_of_path(vendor: str, product: str, revision: str) -> Identity:
     """The identity in the path of a device page, as it was sent; ``latest`` is the latest visible revision."""
     revision_text, at, variant = unquote(revision).partition("@")
-    return Identity(
-        parse_number(unquote(vendor), "vendor"),
-        parse_number(unquote(product), "product"),
-        None if revision_text in ("latest", NO_REVISION) else parse_number(revision_text, "revision"),
-        _variant(variant) if at else None,
-        revision_text == NO_REVISION,
+    return identity_of_parts(
+        unquote(vendor),
+        unquote(product),
+        revision_text if revision_text != "latest" else None,
+        variant if at else None,
     )
-
-
-def _variant(text: str) -> int:
-    number = parse_number(text, "variant")
-    if number == 0:
-        raise InputError("variants count from 1")
-    return number
 
 
 def with_query(path: str, parameters: list[tuple[str, str]]) -> str:

@@ -55,7 +55,6 @@ _IDENTITY_TEXT = {
 _OPTIONAL_NUMBER = {**_NUMBER, "pattern": f"^({_UINT32_NUMBER})?$"}
 _VENDOR_NAME = "\\s*([1-9][0-9]*)?[^0-9#\\s][\\s\\S]*"
 _VENDOR = {"type": "string", "pattern": f"^({_UINT32_NUMBER}|{_VENDOR_NAME})?$"}
-_LIMIT = {"type": "string", "pattern": "^[0-9]{0,5}$"}
 _BY_PARSER: dict[Callable[[str], Any], dict[str, Any]] = {
     parse_number: _OPTIONAL_NUMBER,
     parse_flag: _FLAG,
@@ -166,8 +165,6 @@ _ERRORS = {
 def _filter_schema(parameter: Parameter) -> dict[str, Any]:
     if parameter.choices:
         return {"type": "string", "enum": ["", *parameter.choices]}
-    if parameter.field == "limit":
-        return _LIMIT
     return _BY_PARSER[parameter.parse]
 
 
@@ -210,6 +207,77 @@ _MODULE = {
 }
 
 
+_PATHS = {
+    "/-/esi/identify.json": {
+        "get": {
+            "operationId": "identifyDevice",
+            "summary": "The description of an identity, or the nearest one with the reason",
+            "parameters": [
+                _parameter("vendor", True, "Vendor id"),
+                _parameter("product", True, "Product code"),
+                _parameter("revision", False, "Revision; without it the latest visible one is meant"),
+            ],
+            "responses": {
+                "200": _answers("The device, or one of its product", _ref("Identification")),
+                "404": _answers("Nothing of this product is known", _ref("Identification")),
+                **_ERRORS,
+            },
+        },
+        "post": {
+            "operationId": "identifyDevices",
+            "summary": "Many identities, or the slaves of a scan",
+            "requestBody": {
+                "required": True,
+                "content": {
+                    "application/json": {
+                        "schema": _list(_ref("Identity")),
+                    },
+                    "text/plain": {
+                        "schema": {"type": "string", "anyOf": [{"pattern": text} for text in _SCANS]},
+                        "example": "vendor,product,revision\n0x1097,0x2406,0x8f\n",
+                    },
+                },
+            },
+            "responses": {
+                "200": _answers("One answer an identity or slave, in order", _list(_ref("Identification"))),
+                "413": _answers("The body is too large", _ref("Error")),
+                **_ERRORS,
+            },
+        },
+    },
+    "/-/esi/devices.json": {
+        "get": {
+            "operationId": "findDevices",
+            "summary": "Devices that fulfil all filters, each with its evidence",
+            "parameters": _filters(),
+            "responses": {
+                "200": _answers("The devices", _list(_ref("Device"))),
+                "404": _answers("The device to compare with is not there", _ref("Error")),
+                **_ERRORS,
+            },
+        },
+    },
+    "/-/esi/device/{vendor}/{product}/{revision}.json": {
+        "get": {
+            "operationId": "showDevice",
+            "summary": "Everything that the catalog knows of one device",
+            "description": "Facts, drive modes and evidence are complete, null = not known or not there; the "
+            "records of the document (device, modules) leave out what has its default.",
+            "parameters": [*_IN_PATH, _MODULE],
+            "responses": {
+                "200": _answers("The device", {"type": "object", "required": ["identity", "device"]}),
+                "404": _answers(
+                    "There is no such device: what identify.json answers; where the product is described, but "
+                    "not in this variant or not without revision, an error with the descriptions there are",
+                    {"oneOf": [_ref("Identification"), _ref("OtherDescriptions")]},
+                ),
+                **_ERRORS,
+            },
+        },
+    },
+}
+
+
 def openapi_document(base_url: str) -> dict[str, Any]:
     """The document; ``base_url`` is where Datasette is mounted."""
     return {
@@ -220,74 +288,6 @@ def openapi_document(base_url: str) -> dict[str, Any]:
             "description": "Which EtherCAT device is this, by the vendors' ESI files. Answers say what files declare.",
         },
         "servers": [{"url": base_url}],
-        "paths": {
-            "/-/esi/identify.json": {
-                "get": {
-                    "operationId": "identifyDevice",
-                    "summary": "The description of an identity, or the nearest one with the reason",
-                    "parameters": [
-                        _parameter("vendor", True, "Vendor id"),
-                        _parameter("product", True, "Product code"),
-                        _parameter("revision", False, "Revision; without it the latest visible one is meant"),
-                    ],
-                    "responses": {
-                        "200": _answers("The device, or one of its product", _ref("Identification")),
-                        "404": _answers("Nothing of this product is known", _ref("Identification")),
-                        **_ERRORS,
-                    },
-                },
-                "post": {
-                    "operationId": "identifyDevices",
-                    "summary": "Many identities, or the slaves of a scan",
-                    "requestBody": {
-                        "required": True,
-                        "content": {
-                            "application/json": {
-                                "schema": _list(_ref("Identity")),
-                            },
-                            "text/plain": {
-                                "schema": {"type": "string", "anyOf": [{"pattern": text} for text in _SCANS]},
-                                "example": "vendor,product,revision\n0x1097,0x2406,0x8f\n",
-                            },
-                        },
-                    },
-                    "responses": {
-                        "200": _answers("One answer an identity or slave, in order", _list(_ref("Identification"))),
-                        "413": _answers("The body is too large", _ref("Error")),
-                        **_ERRORS,
-                    },
-                },
-            },
-            "/-/esi/devices.json": {
-                "get": {
-                    "operationId": "findDevices",
-                    "summary": "Devices that fulfil all filters, each with its evidence",
-                    "parameters": _filters(),
-                    "responses": {
-                        "200": _answers("The devices", _list(_ref("Device"))),
-                        "404": _answers("The device to compare with is not there", _ref("Error")),
-                        **_ERRORS,
-                    },
-                },
-            },
-            "/-/esi/device/{vendor}/{product}/{revision}.json": {
-                "get": {
-                    "operationId": "showDevice",
-                    "summary": "Everything that the catalog knows of one device",
-                    "description": "Facts, drive modes and evidence are complete, null = not known or not there; the "
-                    "records of the document (device, modules) leave out what has its default.",
-                    "parameters": [*_IN_PATH, _MODULE],
-                    "responses": {
-                        "200": _answers("The device", {"type": "object", "required": ["identity", "device"]}),
-                        "404": _answers(
-                            "There is no such device: what identify.json answers; where the product is described, but "
-                            "not in this variant or not without revision, an error with the descriptions there are",
-                            {"oneOf": [_ref("Identification"), _ref("OtherDescriptions")]},
-                        ),
-                        **_ERRORS,
-                    },
-                },
-            },
-        },
+        "paths": _PATHS,
         "components": {"schemas": _SCHEMAS},
     }

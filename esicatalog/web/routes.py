@@ -7,9 +7,9 @@ from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
 from esicatalog.errors import NotFound
+from esicatalog.parameters import check_names
 from esicatalog.web.exports import export_route
 from esicatalog.web.http import (
-    check_names,
     error_page,
     file_route,
     json_route,

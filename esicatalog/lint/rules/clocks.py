@@ -98,7 +98,8 @@ def _names_twice(modes: Sequence[OpMode]) -> Iterator[Found]:
         if mode.name and not is_superseded(mode):
             if mode.name in names:
                 yield Found(
-                    f"{_words(number, mode)} has the name of one before it: a choice by name means that one",
+                    f"{_words(number, mode)} has the name of one before it: a choice by name is ambiguous, and a "
+                    "module's DcOpModeName means that one; give it a name of its own",
                     _at(number),
                 )
             names.add(mode.name)

@@ -155,11 +155,11 @@ def sub_item_overlap(subject: DataTypeSubject) -> Iterator[Found]:
     sub_items = data_type.sub_items
     if not sub_items or _is_of_idn(data_type):
         return
-    first = sub_items[0]
-    if first.subindex == 0 and first.bit_offset:
+    number = next((number for number, item in enumerate(sub_items) if item.subindex == 0), None)
+    if number is not None and sub_items[number].bit_offset:
         yield Found(
-            f"SubIdx 0 of DataType {data_type.name} has BitOffs {first.bit_offset}: correct it to 0",
-            ("sub_items", 0, "bit_offset"),
+            f"SubIdx 0 of DataType {data_type.name} has BitOffs {sub_items[number].bit_offset}: correct it to 0",
+            ("sub_items", number, "bit_offset"),
         )
     areas = [
         Area(sub_item.bit_offset, sub_item.bit_offset + sub_item.bit_size, number)

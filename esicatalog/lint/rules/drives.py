@@ -3,15 +3,18 @@
 from collections.abc import Iterator
 
 from esicatalog.lint.registry import WARNING, Found, Place, rule
-from esicatalog.lint.subjects import DeviceSubject, Dictionaries, ModuleSubject
+from esicatalog.lint.subjects import DeviceSubject, Dictionaries, ModuleSubject, Owner
 from esicatalog.model.cia402 import (
+    AXIS_STEP,
     CONTROLWORD,
+    MAX_AXES,
     MODES_OF_OPERATION,
     MODES_OF_OPERATION_OF_AXES,
     STATUSWORD,
     SUPPORTED_DRIVE_MODES,
 )
-from esicatalog.model.drive_evidence import ModeEvidence, written_mode
+from esicatalog.model.drive_evidence import ModeEvidence, supported_modes, written_mode
+from esicatalog.model.profile_facts import profile_numbers
 
 _DEVICE_TYPE = 0x1000
 _NEEDED = (CONTROLWORD, STATUSWORD, MODES_OF_OPERATION, SUPPORTED_DRIVE_MODES)
@@ -52,30 +55,50 @@ def _writing(subject: ModuleSubject, item: ModeEvidence) -> int:
 
 
 @rule("L58", WARNING, "CiA 402: 0x6040, 0x6041, 0x6060 and 0x6502 are mandatory")
-def drive_objects(subject: DeviceSubject) -> Iterator[Found]:
+def drive_objects(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
     """A CiA 402 drive lacks a mandatory object, or the default of 0x6502 is 0 or looks wrong."""
-    evidence = subject.derivation.modes.evidence
-    if not evidence:
-        return
+    if isinstance(subject, DeviceSubject):
+        if subject.derivation.modes.evidence:
+            yield from _missing_objects(subject)
+            yield from _doubtful_modes(subject)
+    elif any(
+        item.module_ident == subject.module.module_ident
+        for host in subject.hosts
+        for item in host.derivation.modes.evidence
+    ):
+        yield from _doubtful_modes(subject)
+
+
+def _missing_objects(subject: DeviceSubject) -> Iterator[Found]:
     dictionaries = Dictionaries([view for owner in (subject, *subject.modules) for view in owner.own.views])
-    if not dictionaries:
-        return
     all_described = all(module.own for module in subject.modules)
     missing = [f"0x{index:04X}" for index in _NEEDED if dictionaries.entries(index) is None]
-    if missing and all_described:
+    if missing and dictionaries and all_described:
         yield Found(f"CiA 402 drive without {', '.join(missing)} in its dictionary", _dictionary_place(subject))
-    if dictionaries.default(SUPPORTED_DRIVE_MODES) == 0:
-        yield Found(
-            "0x6502 has the default 0: it says nothing about the modes; give the modes of the drive",
-            subject.object_place(SUPPORTED_DRIVE_MODES),
-        )
-    doubted = {(item.rank, item.object_index) for item in evidence if item.rank in _DOUBTS}
-    for rank, index in sorted(doubted, key=str):
-        entry = dictionaries.entry(index or 0, 0)
-        raw = entry.default_raw if entry is not None else ""
-        yield Found(
-            f"0x{index or 0:04X} has the default {raw}, which {_DOUBTS[rank]}", subject.object_place(index or 0)
-        )
+
+
+def _doubtful_modes(subject: Owner) -> Iterator[Found]:
+    """The objects 0x6502 of a device or module, of every axis that has its controlword literally.
+
+    What is marked OverwrittenByModule is a stand-in for that of a module.
+    """
+    for view in subject.own.views:
+        for shift in range(0, MAX_AXES * AXIS_STEP, AXIS_STEP):
+            index = SUPPORTED_DRIVE_MODES + shift
+            declared = view.by_index.get(index)
+            if declared is None or declared.overwritten_by_module:
+                continue
+            entry = (view.entries(index) or {}).get(0)
+            if entry is None or (shift and subject.own.entries(CONTROLWORD + shift) is None):
+                continue
+            modes = supported_modes(entry)
+            if entry.default_int == 0:
+                problem = "0: it says nothing about the modes; give the modes of the drive"
+            elif modes is not None and modes.rank in _DOUBTS:
+                problem = f"{entry.default_raw}, which {_DOUBTS[modes.rank]}"
+            else:
+                continue
+            yield Found(f"0x{index:04X} has the default {problem}", subject.object_place(index))
 
 
 def _dictionary_place(subject: DeviceSubject) -> Place:
@@ -89,8 +112,7 @@ def device_type(subject: DeviceSubject) -> Iterator[Found]:
     default = subject.own.default(_DEVICE_TYPE) or 0
     if default <= 0:
         return
-    numbers = {profile.profile_no for profile in subject.device.profiles}
-    numbers |= {channel.profile_no for profile in subject.device.profiles for channel in profile.channel_infos}
+    numbers = {number.profile_no for number in profile_numbers(subject.device.profiles)}
     declared = sorted(number for number in numbers if number)
     if declared and default & 0xFFFF not in declared:
         yield Found(

@@ -6,19 +6,21 @@ from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.lint.registry import WARNING, Found, Place, rule
 from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject
-from esicatalog.model.access import ALL_STATES, PREOP, SAFEOP
+from esicatalog.model.access import states_to_write
 from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.model.start_up import SENT_IN, TRANSITIONS, transition_of
 from esicatalog.model.sync import listed_pdos
+from esicatalog.model.values import fills
 
-_TEXTS = frozenset({"string", "octets", "unicode", "domain"})
 _LEAST_EEPROM_BYTES = 128
-_SENT_IN = {"IP": PREOP, "PS": PREOP, "SO": SAFEOP}
-"""State of the device at the transitions of a start; those that lead back are not defined so (ESI-FACTS section 10)."""
 
 
 @rule("L56", WARNING, "ETG.2000 CoE/InitCmd: the master writes Data to the object; a device refuses what does not fit")
 def init_cmd(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
-    """An InitCmd writes an object that is unknown, read-only or not writable then, or data of another length."""
+    """An InitCmd writes an object that is unknown, read-only or not writable then, or data of another length; or it is
+    never sent: without Data or a Transition that is known.
+    """
+    yield from _never_sent(subject)
     if not subject.coe_init_cmds:
         return
     others = () if isinstance(subject, DeviceSubject) else tuple(subject.hosts)
@@ -29,10 +31,25 @@ def init_cmd(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
     for number, command in enumerate(subject.coe_init_cmds):
         problem = _init_cmd_problem(command, dictionaries, is_complete)
         if problem is not None:
-            yield Found(
-                f"InitCmd for 0x{command.object_index or 0:04X}:{command.subindex or 0:02X} {problem}",
-                ("mailbox", "coe_init_cmds", number),
-            )
+            yield Found(f"{_words(command)} {problem}", ("mailbox", "coe_init_cmds", number))
+
+
+def _never_sent(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+    for number, command in enumerate(subject.coe_init_cmds):
+        unknown = [text for text in command.transitions if transition_of(text) not in TRANSITIONS]
+        if not command.transitions:
+            problem = "has no Transition, so it is never sent: give one"
+        elif unknown:
+            problem = f"has the Transition {', '.join(map(repr, unknown))}, which is none of {', '.join(TRANSITIONS)}"
+        elif not command.data and "data" not in (command.spelling or {}):
+            problem = "has no Data, so it is never sent: give them"
+        else:
+            continue
+        yield Found(f"{_words(command)} {problem}", ("mailbox", "coe_init_cmds", number))
+
+
+def _words(command: InitCmd) -> str:
+    return f"InitCmd for 0x{command.object_index or 0:04X}:{command.subindex or 0:02X}"
 
 
 def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete: bool) -> str | None:
@@ -47,20 +64,18 @@ def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete:
     entry = entries.get(command.subindex or 0)
     if entry is None:
         return "writes a subindex that the dictionary does not have: correct it"
-    writable = entry.access_word >> 3 & ALL_STATES
+    writable = states_to_write(entry.access_word)
     if not writable:
         return f"writes an object that is {entry.access}: remove it, or correct Access"
-    refused = [transition for transition in command.transitions if _SENT_IN.get(transition, writable) & ~writable]
+    refused = [text for text in command.transitions if SENT_IN.get(transition_of(text), writable) & ~writable]
     if refused:
         return f"is sent at {', '.join(refused)}, when WriteRestrictions forbid to write the object: correct Transition"
     data = decode_hex_binary(command.data)
-    if data is None or entry.bit_size is None:
+    if not data or entry.bit_size is None:
         return None
-    wanted = (entry.bit_size + 7) // 8
-    is_text = entry.base_type is not None and BASE_TYPES[entry.base_type].kind in _TEXTS
-    if len(data) == wanted or (is_text and len(data) < wanted):
+    if fills(len(data), BASE_TYPES[entry.base_type] if entry.base_type is not None else None, entry.bit_size):
         return None
-    return f"has {len(data)} bytes of Data, {entry.data_type} has {wanted}: correct Data"
+    return f"has {len(data)} bytes of Data, {entry.data_type} has {(entry.bit_size + 7) // 8}: correct Data"
 
 
 @rule("L61", WARNING, "ETG.2000 Mailbox/CoE: objects are read and written through CoE")

@@ -12,15 +12,22 @@ from esicatalog.model.slots import accepts, default_modules, expand_module, leav
 
 @rule("L53", ERROR, "ETG.2000 Slot/ModuleIdent, @Default, @MinInstances, @MaxInstances")
 def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
-    """A slot names an unknown module, presets several, or needs more than it takes (presets none: W)."""
+    """A slot names an unknown module (W where a document of modules is missing), presets several, or needs more than it
+    takes (presets none: W).
+    """
+    unknown, severity = "no module of the document has", ERROR
+    if subject.missing:
+        unknown = f"no module at hand has, but {listed([repr(name) for name in subject.missing])} is missing"
+        severity = WARNING
     idents = {module.module_ident for module in subject.module_records}
     for number, slot in enumerate(subject.device.slots):
         place: Place = ("slots", number)
         for position, item in enumerate(slot.module_idents):
             if item.module_ident is not None and item.module_ident not in idents:
                 yield Found(
-                    f"slot {number + 1} names ModuleIdent 0x{item.module_ident:X}, which no module of the document has",
+                    f"slot {number + 1} names ModuleIdent 0x{item.module_ident:X}, which {unknown}",
                     (*place, "module_idents", position),
+                    severity,
                 )
         for name, ident in (("Default", slot.default_ident), ("Fallback", slot.fallback_ident)):
             if ident is not None and not any(
@@ -82,14 +89,29 @@ def _place(subject: DeviceSubject, slot_number: int) -> Place:
 
 
 def _collisions(subject: DeviceSubject) -> Iterator[Found]:
-    """Indices of default modules that the device or a default module before has; one finding for each two of them."""
+    """Indices of default modules that the device or a default module before has; one finding for each two of them.
+
+    Of the device's objects only those count that an object moves to: real modules repeat others (0x1018, 0xF050).
+    """
     own = [placed for placed in subject.pdos if not placed.pdo.overwritten_by_module]
     taken = {(placed.direction, placed.pdo.pdo_index): "the device" for placed in own}
+    of_device = {
+        ("object", declared.object_index)
+        for view in subject.own.views
+        for declared in view.dictionary.objects
+        if not declared.overwritten_by_module
+    }
     for plugged in default_modules(subject.device, subject.module_records):
         here = f"slot {plugged.slot_number}"
         meeting: dict[str, list[str]] = defaultdict(list)
-        for what, index in _indices(expand_module(subject.device, plugged).module):
-            if index is not None and (other := taken.setdefault((what, index), here)) != here:
+        expanded = _indices(expand_module(subject.device, plugged).module)
+        for (what, index), unmoved in zip(expanded, _indices(plugged.module), strict=True):
+            if index is None:
+                continue
+            other = taken.setdefault((what, index), here)
+            if (what, index) in of_device and (what, index) != unmoved:
+                other = "the device"
+            if other != here:
                 meeting[other].append(f"{what} 0x{index:04X}")
         for other, indices in meeting.items():
             words = "meets that" if len(indices) == 1 else "meet those"

@@ -7,10 +7,9 @@ from esicatalog.lint.dictionaries import ObjectValues
 from esicatalog.lint.registry import WARNING, Found, Place, listed, rule
 from esicatalog.model.base_types import BASE_TYPES, BaseType
 from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
-from esicatalog.model.values import number_size
+from esicatalog.model.values import fills, number_size
 
 _CHARACTER_BITS = {"string": 8, "unicode": 16}
-_FIXED_WIDTH = frozenset({"bool", "int", "uint", "bits", "real", "time", "guid"})
 
 
 def _words(subject: ObjectValues, entry: ObjectEntry) -> str:
@@ -40,13 +39,10 @@ def _length_problem(entry: ObjectEntry) -> str | None:
     if entry.default_kind != "data" or entry.bit_size is None or entry.base_type is None:
         return None
     data = decode_hex_binary(entry.default_raw)
-    wanted = (entry.bit_size + 7) // 8
-    if data is None or len(data) == wanted:
-        return None
     base = BASE_TYPES[entry.base_type]
-    # Texts may be shorter than their type: the rest is filled up.
-    if len(data) < wanted and base.kind not in _FIXED_WIDTH:
+    if data is None or fills(len(data), base, entry.bit_size):
         return None
+    wanted = (entry.bit_size + 7) // 8
     return f"has DefaultData of {len(data)} bytes; {entry.data_type} has {wanted}{_reading(len(data), entry, base)}"
 
 

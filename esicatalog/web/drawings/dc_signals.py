@@ -7,7 +7,7 @@ from typing import NamedTuple
 from esicatalog.errors import InputError
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.export.clocks import Clocks, clocks
-from esicatalog.model.sync import SyncSignals, sync_signals
+from esicatalog.model.sync import SyncSignals, generated_signals
 
 _UNITS = ((1_000_000_000, 9, "s"), (1_000_000, 6, "ms"), (1_000, 3, "µs"), (1, 0, "ns"))
 """Nanoseconds of a unit, and its decimals."""
@@ -40,23 +40,30 @@ class DcTiming(NamedTuple):
     shifts: tuple[Shift, ...] = ()
 
 
-def dc_timing(op_mode: OpMode | None, cycle_ns: int) -> DcTiming:
-    """Signals, shifts and sentences for a bus cycle in ns; only what AssignActivate generates is a signal."""
-    timing = _timing(op_mode, cycle_ns)
+def dc_timing(op_mode: OpMode | None, cycle_ns: int, time_loop_control_only: bool | None) -> DcTiming:
+    """Signals, shifts and sentences for a bus cycle in ns; only what the device generates is a signal.
+
+    ``time_loop_control_only`` is the attribute of its Dc, with which it generates none.
+    """
+    timing = _timing(op_mode, cycle_ns, time_loop_control_only)
     return timing._replace(sentences=(*timing.sentences, f"Drawn for a bus cycle of {time_text(cycle_ns)}."))
 
 
-def _timing(op_mode: OpMode | None, cycle_ns: int) -> DcTiming:
+def _timing(op_mode: OpMode | None, cycle_ns: int, time_loop_control_only: bool | None) -> DcTiming:
     if op_mode is None:
         return _without_clocks("The device has no OpMode of the distributed clocks.", cycle_ns)
     if op_mode.assign_activate is None:
         said = "AssignActivate is not given: it is unknown which SYNC signals are generated"
         return DcTiming(said, (f"{said}.",))
-    generated = sync_signals(op_mode.assign_activate)
+    generated = generated_signals(op_mode, time_loop_control_only)
     word = f"AssignActivate 0x{op_mode.assign_activate:04X}"
     notes = tuple(_notes(op_mode, generated))
     if generated.time_only:
-        said = f"{word}: the SYNC unit is active and gives no pulses, the device uses the DC time or its latches"
+        said = (
+            f"TimeLoopControlOnly: the device uses the DC time and no SYNC or LATCH signal, whatever {word} asks for"
+            if time_loop_control_only
+            else f"{word}: the SYNC unit is active and gives no pulses, the device uses the DC time or its latches"
+        )
         return DcTiming("no SYNC signals", (f"{said}.", *notes))
     try:
         programmed = clocks(op_mode, cycle_ns)

@@ -21,16 +21,19 @@ _CLOSEST = Fraction(7, 2)
 _ROOM_FOR_A_TIME = 60
 
 
-def dc_timing_svg(op_mode: OpMode | None, cycle_ns: int = 1_000_000) -> str:
+def dc_timing_svg(
+    op_mode: OpMode | None, cycle_ns: int = 1_000_000, *, time_loop_control_only: bool | None = None
+) -> str:
     """Frames, SYNC0, SYNC1 and shifts of an OpMode over some bus cycles as SVG, a ``g.lane`` for each.
 
     ``cycle_ns`` is the bus cycle in ns that the drawing takes; ``op_mode`` None is a device without OpModes. Only
-    signals that AssignActivate generates are drawn; a period that the OpMode leaves open is said to be unknown. Needs
+    signals that AssignActivate generates are drawn, and none for a device with Dc/@TimeLoopControlOnly, which is
+    ``time_loop_control_only``; a period that the OpMode leaves open is said to be unknown. Needs
     ``DRAWING_CSS`` in the page. Raises :class:`InputError` when the bus cycle is not positive.
     """
     if cycle_ns <= 0:
         raise InputError(f"bus cycle of {cycle_ns} ns: give a positive number of nanoseconds")
-    timing = dc_timing(op_mode, cycle_ns)
+    timing = dc_timing(op_mode, cycle_ns, time_loop_control_only)
     scale = _Scale(_window_ns(cycle_ns, timing.signals))
     frames = Signal("Bus cycle", f"a frame every {time_text(cycle_ns)}", Fraction(cycle_ns))
     y, lanes = _TOP, []

@@ -12,16 +12,19 @@ from esicatalog.errors import EsiCatalogError, NotFound
 from esicatalog.identity import parse_identity
 from esicatalog.model.compare import compare_devices, summary_words
 from esicatalog.model.compare_device import revision_verdict
-from esicatalog.web.http import Page, status_of
+from esicatalog.parameters import given_texts
+from esicatalog.web.http import Page, status_of, texts_of
 from esicatalog.web.links import BASE, device_path, with_query
 from esicatalog.web.pages.nearest import nearest
 
 _TEMPLATE = "compare.html"
+_SIDES = ("a", "b")
 
 
 async def compare_page(request: Any, catalog: Catalog) -> Page:
     """``?a=V:P:R&b=V:P:R``; without both the form alone."""
-    texts = {name: (request.args.get(name) or "").strip() for name in ("a", "b")}
+    given = given_texts(texts_of(request), _SIDES)
+    texts = {name: given.get(name, [""])[0].strip() for name in _SIDES}
     shown = {**texts, "problem": None, "missing": (), "sides": None}
     if not all(texts.values()):
         return Page(_TEMPLATE, shown)

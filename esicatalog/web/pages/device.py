@@ -15,7 +15,9 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
-from esicatalog.export.sii_remarks import WHY_MERGE, image_remarks
+from esicatalog.export.sii_remarks import image_remarks
+from esicatalog.export.sii_summary import WHY_MERGE
+from esicatalog.export.subject import subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
@@ -33,11 +35,11 @@ from esicatalog.model.words import (
     fsoe_words,
     init_cmd_target,
     mailbox_protocols,
-    profile_numbers,
+    profile_words,
 )
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
 from esicatalog.web.exports import TARGETS, asked_modules
-from esicatalog.web.http import Page, check_names, status_of
+from esicatalog.web.http import Page, status_of
 from esicatalog.web.links import BASE, device_path, identity_of_path, with_query
 from esicatalog.web.pages.nearest import nearest, nearest_json
 
@@ -82,9 +84,18 @@ async def device_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
 
 
 def _asked(request: Any) -> tuple[Identity, Mapping[int, ModuleChoice]]:
-    check_names(request.args, ("module",))
+    choice = asked_modules(request)
     identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
-    return identity, asked_modules(request)
+    return identity, choice
+
+
+def _image_remarks(description: DeviceDescription) -> tuple[str, ...]:
+    """What is told beside the EEPROM image, of which there is one only for a device with all codes."""
+    found = description.found
+    if None in (found.vendor_id, found.product_code, found.revision_no):
+        return ()
+    subject = subject_of_description(found, description.sources, description.device, description.modules)
+    return (WHY_MERGE, *image_remarks(subject))
 
 
 def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
@@ -134,7 +145,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
                 "signals": generated_signals(mode, device.dc_time_loop_control_only),
                 "is_default": position == default,
                 "is_superseded": is_superseded(mode),
-                "drawing": dc_timing_svg(mode),
+                "drawing": dc_timing_svg(mode, time_loop_control_only=device.dc_time_loop_control_only),
             }
             for position, mode in enumerate(device.op_modes)
         ],
@@ -142,7 +153,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "evidence": derived.modes.evidence,
         "commands": _commands(device.mailbox),
         "eeprom": device.eeprom,
-        "image_remarks": (WHY_MERGE, *image_remarks(device)) if found.revision_no is not None else (),
+        "image_remarks": _image_remarks(description),
         "object_count": sum(len(p.dictionary.objects) for p in device.profiles if p.dictionary is not None),
         "revisions": [
             {
@@ -188,7 +199,7 @@ def _facts(description: DeviceDescription, facts: DeviceFacts) -> list[tuple[str
     mailbox = device.mailbox
     shown = [
         ("group", device.group_type),
-        ("profiles", ", ".join(sorted(profile_numbers(device)))),
+        ("profiles", ", ".join(sorted(profile_words(device)))),
         ("ports", device.physics),
         ("E-bus current", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
         ("mailbox", ", ".join(mailbox_protocols(mailbox)) or "none"),

@@ -12,7 +12,8 @@ from esicatalog.catalog.filter_texts import PARAMETERS, SHARPENS, TRUE_WORDS, fi
 from esicatalog.catalog.listing import Listing
 from esicatalog.errors import EsiCatalogError, InputError
 from esicatalog.identity import parse_number
-from esicatalog.web.http import Page, status_of
+from esicatalog.parameters import given_texts
+from esicatalog.web.http import Page, status_of, texts_of
 from esicatalog.web.links import BASE, device_path, with_query
 
 PAGE_LENGTH = 50
@@ -48,7 +49,7 @@ async def home_page(request: Any, catalog: Catalog) -> Page:
 
     What cannot be asked is told beside the form, so that it can be mended.
     """
-    texts = {name: request.args.getlist(name) for name in request.args}
+    texts = texts_of(request)
     pages, limits = texts.pop(_PAGE, []), texts.pop(_LIMIT, [])
     try:
         if any(limits):
@@ -79,14 +80,15 @@ def _pages(listing: Listing) -> int:
 
 async def devices_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
     """The devices that fulfil the parameters, as ``esicatalog devices --format json`` prints them."""
-    wanted: DeviceFilter = filter_of_texts({name: request.args.getlist(name) for name in request.args})
+    wanted: DeviceFilter = filter_of_texts(texts_of(request))
     found = await asyncio.to_thread(catalog.find, wanted)
     return [device.as_json() for device in found], 200
 
 
 def _page_number(texts: list[str]) -> int:
     """The page that is asked for, 1 where none is. Raises :class:`InputError`."""
-    number = parse_number(texts[0], _PAGE, _LAST_PAGE) if texts else 1
+    given = given_texts({_PAGE: texts}, (_PAGE,))
+    number = parse_number(given[_PAGE][0], _PAGE, _LAST_PAGE) if given else 1
     if number == 0:
         raise InputError("pages count from 1")
     return number

@@ -6,9 +6,10 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription
 from esicatalog.esi.records.common import display_text
+from esicatalog.model.access import access_text
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
-from esicatalog.model.scan_compare import access_text
-from esicatalog.web.http import Page, Part, check_names
+from esicatalog.parameters import check_names
+from esicatalog.web.http import Page, Part
 from esicatalog.web.links import device_path, identity_of_path
 
 PART = Part("Sec-Fetch-Dest", "empty")

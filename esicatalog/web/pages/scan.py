@@ -6,6 +6,7 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, reference_clock_words, slave_words
 from esicatalog.errors import EsiCatalogError, InputError
+from esicatalog.parameters import check_names
 from esicatalog.scan.text import decode_text, is_utf16
 from esicatalog.sii.checksum import is_loaded
 from esicatalog.sii.decode import decode_sii
@@ -14,7 +15,7 @@ from esicatalog.sii.files import image_bytes
 from esicatalog.sii.image import SiiImage
 from esicatalog.sii.records import HEADER
 from esicatalog.sii.text import sheet_lines
-from esicatalog.web.http import Page, body_of, check_names
+from esicatalog.web.http import Page, body_of
 from esicatalog.web.links import device_path
 from esicatalog.web.uploads import read_form, read_uploaded_scan
 

@@ -1,0 +1,41 @@
+"""Profile numbers: those of a profile and those of its channels say the same (ESI-FACTS section 5)."""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from esicatalog.esi.records.profile import Profile
+
+PROFILE_CIA402 = 402
+PROFILE_MODULAR = 5001
+"""The modular device profile, whose AddInfo tells what a module is."""
+_MOTION_TERMINALS = range(700, 800)
+"""AddInfo of motion terminals, drives with objects of their own in place of those of CiA 402."""
+
+
+class ProfileNumber(NamedTuple):
+    """A profile number as a profile or a channel gives it."""
+
+    profile_no: int | None
+    add_info: int | None
+
+
+def profile_numbers(profiles: Iterable[Profile]) -> list[ProfileNumber]:
+    """The numbers of profiles, those of their channels included, in document order."""
+    found: list[ProfileNumber] = []
+    for profile in profiles:
+        found.append(ProfileNumber(profile.profile_no, profile.add_info))
+        found += [ProfileNumber(channel.profile_no, channel.add_info) for channel in profile.channel_infos]
+    return found
+
+
+def has_profile_402(profiles: Iterable[Profile]) -> bool:
+    """Whether one of them is that of CiA 402 drives."""
+    return any(number.profile_no == PROFILE_CIA402 for number in profile_numbers(profiles))
+
+
+def is_motion_terminal(profiles: Iterable[Profile]) -> bool:
+    """Whether one of them is that of motion terminals."""
+    return any(
+        number.profile_no == PROFILE_MODULAR and number.add_info is not None and number.add_info in _MOTION_TERMINALS
+        for number in profile_numbers(profiles)
+    )
