@@ -125,6 +125,42 @@ async def test_commands_are_named_at_the_shell_alone(data_db):
     assert answer.json() == {"error": "0x00001097:0x00002406:0x00000090 is not in the catalog"}
 
 
+@pytest.mark.parametrize("path", [f"{EYOU}/objects", "/-/esi/scan", "/-/esi/openapi.json"])
+async def test_where_nothing_is_asked_parameters_are_refused(data_db, path):
+    refused = await (await client(data_db)).get(f"{path}?foo=1")
+    assert (refused.status_code, "unknown parameter" in refused.text, "there are none" in refused.text) == (
+        400,
+        True,
+        True,
+    )
+
+
+async def test_the_page_of_all_has_no_limit(data_db):
+    tree = await page(data_db, "/-/esi/?limit=2&text=servo", 400)
+    assert texts(tree, "[role=alert]") == ["this page shows all that is found, 50 at a time; limit is for devices.json"]
+    assert not tree.cssselect("input[name=limit]")
+    assert texts(await page(data_db, "/-/esi/?limit=&text=servo"), "h2") == ["4 devices"]
+
+
+@pytest.mark.parametrize("method", ["POST", "PUT", "DELETE", "PATCH", "OPTIONS"])
+@pytest.mark.parametrize("path", [f"{EYOU}/export/igh", SERVO, "/-/esi/row/1", f"/-/esi/image/{'0' * 64}"])
+async def test_what_is_only_read_takes_no_other_method(data_db, path, method):
+    web = await client(data_db)
+    refused = await web.request(method, path, follow_redirects=False)
+    assert (refused.status_code, refused.headers["allow"]) == (405, "GET")
+    assert (await web.request("HEAD", path, follow_redirects=False)).status_code in (200, 302, 404)
+
+
+async def test_a_page_number_that_is_left_empty_is_none(data_db):
+    assert texts(await page(data_db, "/-/esi/?page=&text=servo"), "h2") == ["4 devices"]
+
+
+@pytest.mark.parametrize("path", ["compare?a=0xe5c:1&b=0xe5c:2&c=9", "?foo=1"])
+async def test_pages_refuse_what_they_do_not_read(data_db, path):
+    tree = await page(data_db, f"/-/esi/{path}", 400)
+    assert texts(tree, "[role=alert]")[0].startswith("unknown ")
+
+
 async def test_a_single_parameter_is_told_as_one(data_db):
     tree = await page(data_db, f"{EYOU}?variant=2", 400)
     assert texts(tree, "[role=alert]") == ["unknown parameter 'variant'; there is only module"]

@@ -140,6 +140,27 @@ PROGRAM = f"{sys.executable} -m esicatalog"
 
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="no bash")
+@pytest.mark.parametrize(
+    ("words", "option"),
+    [
+        (("export", "igh", "0x4321:0xe2", "--pdo", "0x1600", "--pdo=0x1601"), "--pdo"),
+        (("export", "sii", "0x4321:0xe2", "-o", "a", "--output", "b"), "--output"),
+        (("devices", "--mode", "CSV", "--mode", "CSP"), "--mode"),
+        (("sii", "decode", "a", "--format", "json", "--format", "json"), "--format"),
+    ],
+)
+def test_what_takes_one_value_is_given_once(data_db, tmp_path, monkeypatch, words, option):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("ESICATALOG_DB", str(data_db))
+    assert f": {option} is given more than once" in one_line_error(run(*words))
+    assert not any(tmp_path.iterdir())
+
+
+def test_what_takes_several_values_and_flags_may_be_given_again(data_db):
+    twice = run("devices", "--maps", "0x60FF", "--maps", "0x6040", "--strict", "--strict", "--mode", "CSV", db=data_db)
+    assert twice.exit_code == 0
+
+
 def test_an_output_that_is_closed_early_is_no_error_message(data_db):
     code, said = piped(f"{PROGRAM} show 0x1097:0x2406 --format json --db {data_db} | head -c 10 >/dev/null")
     assert (code in (0, 1), said) == (True, "")

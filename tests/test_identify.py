@@ -4,7 +4,8 @@ import asyncio
 import json
 import re
 import socket
-from contextlib import ExitStack
+import sqlite3
+from contextlib import ExitStack, closing
 from pathlib import Path
 
 import msgspec
@@ -478,10 +479,37 @@ async def test_a_document_without_devices_makes_other_answers(tmp_path):
     assert (after.status_code, after.headers["etag"] != before.headers["etag"]) == (200, True)
 
 
+@pytest.mark.parametrize("path", [f"{ROUTE}?vendor=0xe5c&product=1", "/-/esi/devices.json", "/-/esi/"])
+async def test_nothing_is_confirmed_while_an_ingest_is_under_way(tmp_path, path):
+    """Nothing says then what the catalog holds: answers that differ would have one name."""
+    db = tmp_path / "c.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([write(tmp_path / "esi", {"a.xml": esi(device())})], jobs=1)
+    web = await client(db)
+    finished = await web.get(path)
+    with closing(sqlite3.connect(db)) as connection, connection:
+        connection.execute("DELETE FROM catalog_state WHERE key IN ('content_hash', 'state_hash')")
+    for asked in ({}, {"if-none-match": finished.headers["etag"]}, {"if-none-match": '"0-changing-unknown"'}):
+        answer = await web.get(path, headers=asked)
+        assert (answer.status_code, "etag" in answer.headers) == (200, False)
+        assert answer.headers["cache-control"] == "no-store"
+
+
 async def test_cors_only_where_datasette_has_it(data_db):
     web = await new_client(data_db, cors=True)
     response = await web.get(f"{ROUTE}?vendor=1&product=1")
     assert response.headers["access-control-allow-origin"] == "*"
+    exported = await web.get("/-/esi/device/0x1097/0x2406/0x8f/export/igh")
+    assert (exported.status_code, exported.headers["access-control-allow-origin"]) == (200, "*")
+    # What a browser asks before a script of another site posts JSON.
+    asked = {"access-control-request-method": "POST", "access-control-request-headers": "content-type"}
+    allowed = await web.request("OPTIONS", ROUTE, headers={"origin": "https://example.com", **asked})
+    assert allowed.status_code == 204
+    assert "POST" in allowed.headers["access-control-allow-methods"].split(", ")
+    assert "content-type" in allowed.headers["access-control-allow-headers"].lower().split(", ")
+    plain = await client(data_db)
+    for path in ("/-/esi/device/0x1097/0x2406/0x8f/export/igh", ROUTE):
+        assert (await plain.request("OPTIONS", path)).status_code == 405
 
 
 async def test_who_may_not_see_the_database_gets_no_answer(data_db):

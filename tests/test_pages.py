@@ -205,6 +205,21 @@ async def test_scan_pasted_and_dropped(data_db):
     assert (refused.status_code, "no scan is recognised" in refused.text) == (400, True)
 
 
+async def test_a_text_beside_a_file_is_refused_and_kept(data_db):
+    web = await client(data_db)
+    both = {"data": {"scan": SLAVES}, "files": {"file": ("bus.txt", b"vendor,product,revision\n1,2,3\n")}}
+    refused = await web.post("/-/esi/scan", **both)
+    tree = html.fromstring(refused.text)
+    assert (refused.status_code, texts(tree, "[role=alert]")) == (
+        400,
+        ["bus.txt: a text is given beside this file; give one of both"],
+    )
+    assert tree.cssselect("textarea")[0].text.strip() == SLAVES.strip()
+    # What a file holds is not put into the text: the next file would come beside it.
+    alone = html.fromstring((await web.post("/-/esi/scan", files=both["files"])).text)
+    assert (len(alone.cssselect("table.slaves")), alone.cssselect("textarea")[0].text) == (1, None)
+
+
 HEX_WITHOUT_END = b":0100000000FF\n"
 LOADED = bytes([*range(14), crc8(bytes(range(14))), 0]) + bytes(112)
 """Words 0 to 6 with their check sum, and no more than the header of an image."""
@@ -480,6 +495,24 @@ async def test_of_a_device_without_revision_its_esi_is_offered(tmp_path):
     assert (refused.status_code, "has no revision" in refused.json()["error"]) == (400, True)
 
 
+async def test_browsers_are_told_on_a_page_why_there_is_no_file(tmp_path):
+    """The image of a name of 300 letters is larger than an EEPROM of 256 bytes."""
+    small = device("<Eeprom><ByteSize>256</ByteSize></Eeprom>", name="N" * 300)
+    db = catalog_of(tmp_path, esi(small))
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    links = tree.cssselect("section[aria-labelledby=exports] a.button")
+    assert not [link for link in links if link.get("download") is not None]
+    (link,) = [link.get("href") for link in links if link.get("href").endswith("/export/sii")]
+    web = await client(db)
+    followed = await web.get(link, headers={"accept": "text/html,application/xhtml+xml,*/*;q=0.8"})
+    (said,) = texts(html.fromstring(followed.text), "[role=alert]")
+    assert (followed.status_code, "of the EEPROM; to fit," in said) == (400, True)
+    assert "(esicatalog export sii --fit)" in said
+    asked = await web.get(link)
+    assert (asked.status_code, asked.json()) == (400, {"error": said})
+    assert all("Accept" in answer.headers["vary"].split(", ") for answer in (followed, asked))
+
+
 async def test_an_image_in_the_description_that_is_none_is_named_on_its_page_and_in_its_export(tmp_path):
     db = catalog_of(tmp_path, esi(device("<Eeprom><Data>0011</Data></Eeprom>")))
     tree = await page(db, "/-/esi/device/0xe5c/1/1")
@@ -552,6 +585,31 @@ async def test_chosen_modules_go_to_the_exports_that_take_them(data_db):
     section = (await page(data_db, f"{EYOU}?module=0%3D0x219800")).cssselect("section[aria-labelledby=exports]")[0]
     links = {link.partition("/export/")[2] for link in section.xpath(".//a/@href") if "/export/" in link}
     assert links == {f"{name}?module=0%3D0x219800" for name in {*EXPORTS} - {"sii", "esi"}} | {"sii", "esi"}
+
+
+async def test_the_json_of_a_page_is_of_the_chosen_modules(data_db):
+    for query in ("", "?module=0%3D0x219800"):
+        tree = await page(data_db, EYOU + query)
+        alternate = tree.xpath("//link[@rel='alternate']/@href")
+        assert {*alternate, *tree.xpath("//a[text()='JSON']/@href")} == {f"{EYOU}.json{query}"}
+
+
+async def test_links_to_a_device_without_type_have_words(tmp_path):
+    """Two devices of one layout, each of which leads to the other, and to itself from a comparison and a scan."""
+    mapped = '<Sm StartAddress="#x1100" ControlByte="#x20" Enable="1">Inputs</Sm>' + pdo(
+        "TxPdo", "#x1A00", 8, attributes='Sm="0"'
+    )
+    db = catalog_of(tmp_path, esi(device(mapped, type_text="") + device(mapped, product="#x2", type_text="")))
+    pages = [
+        await page(db, path)
+        for path in ("/-/esi/device/0xe5c/1/1", "/-/esi/compare?a=0xe5c:1:1&b=0xe5c:2:1", "/-/esi/?include-hidden=1")
+    ]
+    scan = {"scan": "vendor,product,revision\n0xe5c,1,1\n"}
+    pages.append(html.fromstring((await (await client(db)).post("/-/esi/scan", data=scan)).text))
+    for tree, count in zip(pages, (1, 2, 2, 1), strict=True):
+        links = tree.xpath("//main//a[contains(@href, '/device/0xe5c/') and not(contains(@href, '/export/'))]")
+        assert [link.text_content().strip() for link in links].count("without type") == count
+        assert all(link.text_content().strip() for link in links)
 
 
 async def test_the_eeprom_image_is_offered_with_what_the_command_says_of_it(tmp_path):
@@ -685,6 +743,21 @@ async def test_labels_and_examples_of_written_filters(data_db):
     examples = {" ".join(field.text.split()): field.cssselect("input")[0].get("placeholder") for field in fields}
     assert {"E-bus current in mA": "<=100", "CiA 402 axes": ">=2"}.items() <= examples.items()
     assert parse_identity(examples["Same layout as V:P:R"])
+
+
+@pytest.mark.parametrize(
+    ("query", "ticked"),
+    [
+        ("include-hidden=1&no-lrw=yes&all-variants=on&needs-dc=true", 4),
+        ("include-hidden=false&no-lrw=0&strict=no&mode=CSV&needs-dc=off", 0),
+        ("strict=1", 1),
+    ],
+)
+async def test_only_what_is_on_is_ticked(data_db, query, ticked):
+    """The form sends again what is ticked: what was off would be on in the next search."""
+    for path, status in ((f"/-/esi/?{query}", 200), (f"/-/esi/?{query}&page=x", 400)):
+        tree = await page(data_db, path, status)
+        assert len(tree.cssselect("input[type=checkbox][checked]")) == ticked
 
 
 async def test_a_search_keeps_every_filter(data_db):

@@ -2,10 +2,12 @@
 
 A server keeps its indexes, which cost it less than they spare several that load at once, and checks foreign keys last.
 
-While documents are added SQLite keeps a write-ahead log (readers go on reading); a finished ingest leaves a single
-file that can be copied.
+While documents are added SQLite keeps a write-ahead log (readers go on reading). A finished ingest leaves a single
+file that can be copied; where others have it open, everything is in that file too, and the log stays beside it until
+an ingest ends that finds nobody else there.
 """
 
+import sqlite3
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -48,7 +50,10 @@ def prepare_load(connection: sa.Connection) -> None:
 
 
 def _prepare_file(connection: sa.Connection, fills_empty: bool) -> None:
-    connection.exec_driver_sql(f"PRAGMA journal_mode = {'DELETE' if fills_empty else 'WAL'}")
+    if fills_empty:
+        _end_log(connection)
+    else:
+        connection.exec_driver_sql("PRAGMA journal_mode = WAL")
     connection.exec_driver_sql(f"PRAGMA cache_size = -{_CACHE_KB}")
     connection.commit()
     finish_indexes(connection)
@@ -115,8 +120,22 @@ def end_load(connection: sa.Connection) -> None:
     _enforce_foreign_keys(connection, True)
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
+        _end_log(connection)
+
+
+def _end_log(connection: sa.Connection) -> None:
+    """Go back from the write-ahead log to a single file, unless others have it open.
+
+    Whoever has read while there is a log holds the file until it closes it, a server for as long as it runs. Nothing
+    is lost by leaving the log to them, and no reason to say that the load had failed.
+    """
+    try:
         connection.exec_driver_sql("PRAGMA journal_mode = DELETE")
-        connection.commit()
+    except sa.exc.OperationalError as error:
+        if getattr(error.orig, "sqlite_errorcode", None) != sqlite3.SQLITE_BUSY:
+            raise
+        connection.rollback()
+    connection.commit()
 
 
 def _enforce_foreign_keys(connection: sa.Connection, enforce: bool) -> None:

@@ -39,6 +39,11 @@ class FoundDevice(msgspec.Struct, frozen=True):
         return Identity(self.vendor_id, self.product_code, self.revision_no, self.variant, self.revision_no is None)
 
     @property
+    def shown_type(self) -> str:
+        """What the device is called where it is led to: its type, which documents may leave empty."""
+        return self.type or "without type"
+
+    @property
     def shown_evidence(self) -> tuple[str, ...]:
         """Evidence for people, who are told when there is more: an object may be mapped by hundreds of entries."""
         more = len(self.evidence) - _MOST_SHOWN

@@ -4,10 +4,10 @@ import sys
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, db_option, reporting_errors
+from esicatalog.cli.common import EXIT_NO, Command, db_option, reporting_errors
 
 
-@click.command("check")
+@click.command("check", cls=Command)
 @db_option
 @reporting_errors
 def command(db: str) -> None:

@@ -34,6 +34,26 @@ _WIDEST_CELL = 60
 Function = TypeVar("Function", bound=Callable[..., Any])
 Result = TypeVar("Result")
 
+
+class Command(click.Command):
+    """A command that refuses a second value for an option that takes one: the first would be lost in silence."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """As click does it; raises :class:`click.UsageError`."""
+        _, _, given = self.make_parser(ctx).parse_args(list(args))
+        for option in given:
+            takes_one = isinstance(option, click.Option) and not (option.multiple or option.is_flag)
+            if takes_one and given.count(option) > 1:
+                raise click.UsageError(f"{option.opts[-1]} is given more than once", ctx)
+        return super().parse_args(ctx, args)
+
+
+class Group(click.Group):
+    """A group of such commands."""
+
+    command_class = Command
+
+
 db_option = click.option(
     "--db",
     metavar="FILE|URL",

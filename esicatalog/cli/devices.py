@@ -11,6 +11,7 @@ from esicatalog.cli.common import (
     MAPPED,
     MODES,
     NUMBER,
+    Command,
     db_option,
     format_option,
     print_rows,
@@ -22,7 +23,7 @@ from esicatalog.model.compare_words import counted
 _CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant", "vendor", "type", "name", "evidence")
 
 
-@click.command("devices")
+@click.command("devices", cls=Command)
 @db_option
 @click.option("--vendor", metavar="V", help="Vendor id (digits, 0x… or #…), or a part of the vendor's name.")
 @click.option("--product", "product_code", metavar="P", type=NUMBER, help="Product code.")

@@ -11,7 +11,7 @@ import msgspec
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.results import hex32
-from esicatalog.cli.common import EXIT_NO, IDENTITY, db_option, format_option, print_json, reporting_errors
+from esicatalog.cli.common import EXIT_NO, IDENTITY, Command, db_option, format_option, print_json, reporting_errors
 from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.esi.records.common import display_text
@@ -58,7 +58,7 @@ class _Comparison(NamedTuple):
     only_right: list[_Side]
 
 
-@click.command("diff")
+@click.command("diff", cls=Command)
 @click.argument("identities", metavar="[IDENTITY IDENTITY]", nargs=-1, type=IDENTITY)
 @click.option(
     "--esi",

@@ -12,7 +12,7 @@ from typing import Any
 import click
 
 from esicatalog.catalog.own_files import own_files
-from esicatalog.cli.common import IDENTITY, NUMBER, PLUGGED, db_option, read_as, reporting_errors
+from esicatalog.cli.common import IDENTITY, NUMBER, PLUGGED, Group, db_option, read_as, reporting_errors
 from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subjects_of_vendor
 from esicatalog.errors import InputError
 from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, check_numbers, parse_pdo_choice
@@ -62,7 +62,7 @@ _CHOICE: tuple[Option, ...] = (
 )
 
 
-@click.group("export")
+@click.group("export", cls=Group)
 def command() -> None:
     """Generate configuration for a master, an EEPROM image or ESI XML from a description.
 

@@ -10,6 +10,7 @@ import msgspec
 from esicatalog.cli.common import (
     EXIT_NO,
     NUMBER,
+    Command,
     db_option,
     format_option,
     print_json,
@@ -33,7 +34,7 @@ Seen = TypeVar("Seen", bound=msgspec.Struct, covariant=True)
 _FILE = click.Path(path_type=Path, allow_dash=True)
 
 
-@click.command("identify")
+@click.command("identify", cls=Command)
 @click.argument("vendor", type=NUMBER, required=False)
 @click.argument("product", type=NUMBER, required=False)
 @click.argument("revision", type=NUMBER, required=False)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, Terminated, db_option, format_option, print_json, reporting_errors
+from esicatalog.cli.common import EXIT_NO, Command, Terminated, db_option, format_option, print_json, reporting_errors
 
 if TYPE_CHECKING:
     from esicatalog.ingest.report import DocumentLine, IngestReport
@@ -21,7 +21,7 @@ _REDRAW_SECONDS = 0.1
 _PLAIN_LINE_SECONDS = 2.0
 
 
-@click.command("ingest")
+@click.command("ingest", cls=Command)
 @click.argument("paths", nargs=-1, required=True, type=click.Path())
 @db_option
 @click.option("--jobs", type=click.IntRange(1), help="Worker processes; 1 = none.  [default: one a core]")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, format_option, print_json, reporting_errors
+from esicatalog.cli.common import EXIT_NO, Command, format_option, print_json, reporting_errors
 from esicatalog.errors import InputError
 
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from esicatalog.lint.report import DocumentFinding
 
 
-@click.command("lint")
+@click.command("lint", cls=Command)
 @click.argument("paths", nargs=-1, type=click.Path())
 @click.option(
     "--db", metavar="FILE|URL", help="Say what an ingest found, and how documents of a catalog contradict each other."

@@ -2,10 +2,10 @@
 
 import click
 
-from esicatalog.cli.common import db_option, reporting_errors
+from esicatalog.cli.common import Command, db_option, reporting_errors
 
 
-@click.command("migrate")
+@click.command("migrate", cls=Command)
 @db_option
 @reporting_errors
 def command(db: str) -> None:

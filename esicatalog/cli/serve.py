@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from esicatalog.cli.common import db_option, reporting_errors
+from esicatalog.cli.common import Command, db_option, reporting_errors
 from esicatalog.errors import CatalogError, InputError
 
 _IDLE_SECONDS = 75
@@ -17,7 +17,7 @@ _IDLE_SECONDS = 75
 _URI_CHARACTERS = "?#%"
 
 
-@click.command("serve")
+@click.command("serve", cls=Command)
 @db_option
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen at; 0.0.0.0 = everywhere.")
 @click.option("--port", default=8001, show_default=True, type=click.IntRange(0, 65535), help="Port; 0 = any free one.")

@@ -4,14 +4,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from esicatalog.cli.common import IDENTITY, PLUGGED, db_option, format_option, print_json, reporting_errors
+from esicatalog.cli.common import IDENTITY, PLUGGED, Command, db_option, format_option, print_json, reporting_errors
 from esicatalog.identity import modules_by_slot
 
 if TYPE_CHECKING:
     from esicatalog.identity import Identity, ModuleChoice
 
 
-@click.command("show")
+@click.command("show", cls=Command)
 @click.argument("identity", type=IDENTITY)
 @db_option
 @click.option(

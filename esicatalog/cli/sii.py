@@ -5,12 +5,12 @@ from pathlib import Path
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, db_option, format_option, print_json, read_as, reporting_errors
+from esicatalog.cli.common import EXIT_NO, Group, db_option, format_option, print_json, read_as, reporting_errors
 
 _FILE = click.Path(path_type=Path, allow_dash=True)
 
 
-@click.group("sii")
+@click.group("sii", cls=Group)
 def command() -> None:
     """Read EEPROM (SII) images."""
 

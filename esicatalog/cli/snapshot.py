@@ -2,10 +2,10 @@
 
 import click
 
-from esicatalog.cli.common import reporting_errors
+from esicatalog.cli.common import Command, reporting_errors
 
 
-@click.command("snapshot")
+@click.command("snapshot", cls=Command)
 @click.option("--from", "source", metavar="FILE|URL", required=True, help="The catalog to copy.")
 @click.option(
     "--to",

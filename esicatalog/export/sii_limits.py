@@ -101,7 +101,9 @@ def _written(image: SiiImage, byte_size: int, own: SiiImage, filled_to: int) -> 
     """The image with the bytes behind the end mark of ``own`` and with free ones, at least ``filled_to`` in all."""
     beyond = list(_beyond_the_format(image))
     if beyond:
-        raise SiiLimitError(f"no image can hold this, unless it is left out (--fit): {'; '.join(beyond)}")
+        raise SiiLimitError(
+            f"no image can hold this, unless it is left out (esicatalog export sii --fit): {'; '.join(beyond)}"
+        )
     end_mark = bool(image.categories) or byte_size > HEADER.size
     image = _with_bytes_behind(own, msgspec.structs.replace(image, end_mark=end_mark))
     used = used_bytes(image)
@@ -110,7 +112,7 @@ def _written(image: SiiImage, byte_size: int, own: SiiImage, filled_to: int) -> 
     if excess > 0:
         raise SiiLimitError(
             f"the image takes {needed} bytes, {excess} more than the {byte_size} of the EEPROM; "
-            "to fit, names and then more can be left out (--fit)",
+            "to fit, names and then more can be left out (esicatalog export sii --fit)",
             excess,
         )
     size = max(filled_to, needed)
@@ -156,7 +158,7 @@ def _with_bytes_behind(before: SiiImage, after: SiiImage) -> SiiImage:
     if behind and excess > 0:
         raise SiiLimitError(
             f"the image is {excess} bytes too long: it would overwrite the device's own bytes behind the end mark; "
-            "to fit, names and then more can be left out (--fit)",
+            "to fit, names and then more can be left out (esicatalog export sii --fit)",
             excess,
         )
     return msgspec.structs.replace(after, trailing=_FREE * -grown + before.trailing[max(grown, 0) :])

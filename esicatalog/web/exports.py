@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
-from esicatalog.catalog.results import json_bytes
 from esicatalog.errors import EsiCatalogError, NotFound
 from esicatalog.esi.records.document import Vendor
 from esicatalog.export.choice import Choice, parse_pdo_choice
@@ -27,7 +26,7 @@ from esicatalog.export.subject import Subject
 from esicatalog.identity import ModuleChoice, modules_by_slot, parse_number, parse_plugged
 from esicatalog.parameters import given_texts
 from esicatalog.sii.encode import encode_sii
-from esicatalog.web.http import status_of, texts_of
+from esicatalog.web.http import refusal, texts_of
 from esicatalog.web.links import identity_of_path
 from esicatalog.web.state import catalog_for
 
@@ -80,13 +79,12 @@ TARGETS: dict[str, Target] = {
 
 
 async def export_route(request: Any, datasette: Any) -> Response:
-    """``/-/esi/device/V/P/R/export/TARGET``: the generated file; errors are JSON."""
+    """``/-/esi/device/V/P/R/export/TARGET``: the generated file, or a page or JSON that says why not."""
     catalog = await catalog_for(datasette, request.actor)
     try:
         return await asyncio.to_thread(_generated, request, catalog)
     except EsiCatalogError as error:
-        body = json_bytes({"error": str(error)})
-        return Response(body, status_of(error), {}, "application/json; charset=utf-8")
+        return await refusal(error, request, datasette)
 
 
 def _generated(request: Any, catalog: Catalog) -> Response:

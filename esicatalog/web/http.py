@@ -1,7 +1,7 @@
 """Requests and responses: bounded bodies, errors as JSON or pages, ETag, CORS only where Datasette has it."""
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterable
 from typing import Any, NamedTuple
 
 from datasette.utils import add_cors_headers
@@ -58,21 +58,18 @@ def json_route(handlers: dict[str, Handler]) -> View:
     """A Datasette view that answers JSON, by HTTP method. HEAD is answered as GET."""
 
     async def view(request: Any, datasette: Any) -> Response:
-        headers: dict[str, str] = {}
-        if datasette.cors:
-            add_cors_headers(headers)
-        if request.method == "OPTIONS" and datasette.cors:
-            return Response(b"", 204, {**headers, "Access-Control-Allow-Methods": ", ".join(handlers)})
-        handler = handlers.get("GET" if request.method == "HEAD" else request.method)
-        if handler is None:
-            return _json({"error": f"{request.method} is not allowed here"}, 405, {"Allow": ", ".join(handlers)})
+        headers = _cors_headers(datasette)
+        refused = _refused_method(request, handlers, headers)
+        if refused is not None:
+            return refused
+        method = _method_of(request)
         catalog = await catalog_for(datasette, request.actor)
-        if handler is handlers.get("GET"):
+        if method == "GET":
             headers |= _validators(catalog)
-            if request.headers.get("if-none-match") == headers["ETag"]:
+            if _is_confirmed(request, headers):
                 return Response(b"", 304, headers)
         try:
-            value, status = await handler(request, catalog)
+            value, status = await handlers[method](request, catalog)
         except HttpError as error:
             value, status = {"error": str(error)}, error.status
         except EsiCatalogError as error:
@@ -80,6 +77,43 @@ def json_route(handlers: dict[str, Handler]) -> View:
         return _json(value, status, headers)
 
     return view
+
+
+def file_route(view: View) -> View:
+    """A Datasette view that answers GET and HEAD with what is neither JSON nor a page of its own."""
+
+    async def checked(request: Any, datasette: Any) -> Response:
+        headers = _cors_headers(datasette)
+        refused = _refused_method(request, ("GET",), headers)
+        if refused is not None:
+            return refused
+        response = await view(request, datasette)
+        response.headers.update(headers)
+        return response
+
+    return checked
+
+
+def _method_of(request: Any) -> str:
+    return "GET" if request.method == "HEAD" else str(request.method)
+
+
+def _refused_method(request: Any, methods: Iterable[str], headers: dict[str, str]) -> Response | None:
+    """The answer to a method that is not among these, where CORS is that which browsers ask for beforehand."""
+    if request.method == "OPTIONS" and headers:
+        return Response(b"", 204, {**headers, "Access-Control-Allow-Methods": ", ".join(methods)})
+    if _method_of(request) in methods:
+        return None
+    return _json({"error": f"{request.method} is not allowed here"}, 405, {**headers, "Allow": ", ".join(methods)})
+
+
+def _cors_headers(datasette: Any) -> dict[str, str]:
+    """What lets scripts of other sites ask and read, where Datasette lets them: JSON is posted with its type."""
+    headers: dict[str, str] = {}
+    if datasette.cors:
+        add_cors_headers(headers)
+        headers["Access-Control-Allow-Headers"] = "Authorization, Content-Type"
+    return headers
 
 
 def page_route(
@@ -95,7 +129,7 @@ def page_route(
         headers = {"Vary": part.header} if part is not None else {}
         if request.method != "POST":
             headers |= _validators(catalog, "part" if part is not None and part.is_asked(request) else "")
-            if request.headers.get("if-none-match") == headers["ETag"]:
+            if _is_confirmed(request, headers):
                 return Response(b"", 304, headers)
         try:
             page = await handler(request, catalog)
@@ -119,14 +153,20 @@ async def page_response(page: Page, request: Any, datasette: Any, headers: dict[
     return Response(html, page.status, headers, "text/html; charset=utf-8")
 
 
+async def refusal(error: EsiCatalogError, request: Any, datasette: Any) -> Response:
+    """Why there is no file: a page for people, who follow a link to it, JSON for programs."""
+    headers = {"Vary": "Accept"}
+    if "text/html" in request.headers.get("accept", ""):
+        return await page_response(error_page(str(error), status_of(error)), request, datasette, headers)
+    return _json({"error": str(error)}, status_of(error), headers)
+
+
 async def unknown_address(request: Any, datasette: Any) -> Response:
     """404 for what no route answers: JSON where JSON is asked for, else a page."""
     words = f"there is no {BASE}{request.path.partition(BASE)[2]}"
     if not request.path.endswith(".json"):
         return await page_response(error_page(words, 404), request, datasette, {})
-    headers: dict[str, str] = {}
-    if datasette.cors:
-        add_cors_headers(headers)
+    headers = _cors_headers(datasette)
     return _json({"error": f"{words}; what there is: {BASE}openapi.json"}, 404, headers)
 
 
@@ -141,9 +181,19 @@ def status_of(error: EsiCatalogError) -> int:
 
 
 def _validators(catalog: Catalog, kind: str = "") -> dict[str, str]:
-    """What an answer depends on: what the catalog holds, the version that answers, and what it is of several."""
-    held = f"{catalog.content_hash() or 'changing'}-{catalog.state_hash() or 'unknown'}"
-    return {"ETag": f'"{__version__}-{held}{kind}"', "Cache-Control": "no-cache"}
+    """What an answer depends on: what the catalog holds, the version that answers, and what it is of several.
+
+    While an ingest is under way nothing says what the catalog holds: answers are not to be kept then.
+    """
+    held = (catalog.content_hash(), catalog.state_hash())
+    if None in held:
+        return {"Cache-Control": "no-store"}
+    return {"ETag": f'"{__version__}-{held[0]}-{held[1]}{kind}"', "Cache-Control": "no-cache"}
+
+
+def _is_confirmed(request: Any, headers: dict[str, str]) -> bool:
+    """Whether the client has the answer already that has these validators."""
+    return "ETag" in headers and request.headers.get("if-none-match") == headers["ETag"]
 
 
 def _json(value: Any, status: int, headers: dict[str, str]) -> Response:

@@ -3,13 +3,20 @@
 from typing import Any
 from urllib.parse import quote, unquote
 
-from datasette.utils import add_cors_headers
 from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
 from esicatalog.errors import NotFound
+from esicatalog.parameters import check_names
 from esicatalog.web.exports import export_route
-from esicatalog.web.http import error_page, json_route, page_response, page_route, unknown_address
+from esicatalog.web.http import (
+    error_page,
+    file_route,
+    json_route,
+    page_response,
+    page_route,
+    unknown_address,
+)
 from esicatalog.web.identify import identify_many, identify_one
 from esicatalog.web.links import BASE, device_path
 from esicatalog.web.openapi import openapi_document
@@ -28,6 +35,7 @@ _FOR_EVER = "public, max-age=31536000, immutable"
 
 
 async def _openapi(request: Any, catalog: Catalog) -> tuple[Any, int]:
+    check_names(request.args, ())
     base = request.path.partition("/-/esi/")[0]
     return openapi_document(base or "/"), 200
 
@@ -62,23 +70,20 @@ async def _latest(request: Any, datasette: Any) -> Response:
 
 def _found(datasette: Any, path: str) -> Response:
     """The way to another address, which may be another one tomorrow."""
-    headers = {"Location": datasette.urls.path(path), "Cache-Control": "no-cache"}
-    if datasette.cors:
-        add_cors_headers(headers)
-    return Response("", 302, headers)
+    return Response("", 302, {"Location": datasette.urls.path(path), "Cache-Control": "no-cache"})
 
 
 ROUTES: list[tuple[str, Any]] = [
     (r"^/-/esi/?$", page_route(home_page)),
     (r"^/-/esi/scan$", page_route(scan_page, post=True)),
     (r"^/-/esi/compare$", page_route(compare_page)),
-    (rf"^/-/esi/device/{_PRODUCT}(?P<ending>(?:\.json)?)/?$", _latest),
+    (rf"^/-/esi/device/{_PRODUCT}(?P<ending>(?:\.json)?)/?$", file_route(_latest)),
     (rf"^/-/esi/device/{_IDENTITY}\.json$", json_route({"GET": device_json})),
     (rf"^/-/esi/device/{_IDENTITY}$", page_route(device_page)),
-    (rf"^/-/esi/device/{_IDENTITY}/export/(?P<target>[a-z0-9]+)$", export_route),
+    (rf"^/-/esi/device/{_IDENTITY}/export/(?P<target>[a-z0-9]+)$", file_route(export_route)),
     (rf"^/-/esi/device/{_IDENTITY}/objects$", page_route(objects_page, part=PART)),
-    (r"^/-/esi/row/(?P<number>[0-9]{1,18})$", _row),
-    (r"^/-/esi/image/(?P<sha256>[0-9a-f]{64})$", _image),
+    (r"^/-/esi/row/(?P<number>[0-9]{1,18})$", file_route(_row)),
+    (r"^/-/esi/image/(?P<sha256>[0-9a-f]{64})$", file_route(_image)),
     (r"^/-/esi/identify\.json$", json_route({"GET": identify_one, "POST": identify_many})),
     (r"^/-/esi/devices\.json$", json_route({"GET": devices_json})),
     (r"^/-/esi/openapi\.json$", json_route({"GET": _openapi})),

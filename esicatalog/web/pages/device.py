@@ -3,7 +3,6 @@
 import asyncio
 from collections.abc import Mapping
 from typing import Any
-from urllib.parse import quote
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription, description_json
@@ -41,7 +40,7 @@ from esicatalog.model.words import (
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
 from esicatalog.web.exports import TARGETS, asked_modules
 from esicatalog.web.http import Page, status_of
-from esicatalog.web.links import BASE, device_path, identity_of_path
+from esicatalog.web.links import BASE, device_path, identity_of_path, with_query
 from esicatalog.web.pages.nearest import nearest, nearest_json
 
 _LONGEST_NUMBER = 8
@@ -107,10 +106,11 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
     last_slot = sum(1 for _ in numbered_slots(device)) - 1
     default = description.default_position(choice)
     path = device_path(found) or ""
+    chosen = with_query("", [("module", f"{slot}={module}") for slot, module in choice.items()])
     return {
         "found": found,
         "path": path,
-        "title": found.type or "without type",
+        "title": found.shown_type,
         "revision_text": revision_text(found.vendor_id, found.revision_no),
         "image": image_key(device.image_data),
         "group": device.group_type,
@@ -171,7 +171,8 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
         "identity": found.identity_text,
         **_exports(found, any(image.pdos for image in images)),
-        "chosen": "&".join(f"module={quote(f'{slot}={module}', safe='')}" for slot, module in choice.items()),
+        "chosen": chosen,
+        "json_path": f"{path}.json{chosen}",
         "drawing_css": DRAWING_CSS,
     }
 

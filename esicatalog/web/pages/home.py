@@ -8,7 +8,7 @@ import msgspec
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.device_filter import DeviceFilter
-from esicatalog.catalog.filter_texts import PARAMETERS, SHARPENS, filter_of_texts
+from esicatalog.catalog.filter_texts import PARAMETERS, SHARPENS, TRUE_WORDS, filter_of_texts
 from esicatalog.catalog.listing import Listing
 from esicatalog.errors import EsiCatalogError, InputError
 from esicatalog.identity import parse_number
@@ -18,6 +18,7 @@ from esicatalog.web.links import BASE, device_path, with_query
 
 PAGE_LENGTH = 50
 _PAGE, _LAST_PAGE = "page", 100_000
+_LIMIT = "limit"
 _MAIN_FILTERS = ("text", "vendor", "mode", "sync", "protocol", "profile", "maps")
 _CHECKS = {
     "strict": "only verdict yes",
@@ -49,8 +50,12 @@ async def home_page(request: Any, catalog: Catalog) -> Page:
     What cannot be asked is told beside the form, so that it can be mended.
     """
     texts = texts_of(request)
-    pages = texts.pop(_PAGE, [])
+    pages, limits = texts.pop(_PAGE, []), texts.pop(_LIMIT, [])
     try:
+        if any(limits):
+            raise InputError(
+                f"this page shows all that is found, {PAGE_LENGTH} at a time; {_LIMIT} is for devices.json"
+            )
         wanted = filter_of_texts(_meant(texts))
         listing, number = await asyncio.to_thread(_listed, catalog, wanted, _page_number(pages))
     except EsiCatalogError as error:
@@ -118,6 +123,7 @@ def _context(texts: dict[str, list[str]], wanted: DeviceFilter, listing: Listing
             for name, values in listing.facets.items()
         },
         "checks": _CHECKS,
+        "checked": [name for name in _CHECKS if {*TRUE_WORDS}.intersection(texts.get(name, ()))],
         "texts": _TEXTS,
         "hidden_fields": [(name, text) for name, text in given if name not in (*_MAIN_FILTERS, *_CHECKS, *_TEXTS)],
         "sql": listing.sql,
@@ -161,7 +167,7 @@ def _row(item: Any) -> dict[str, Any]:
         "identity": device.identity_text,
         "path": device_path(device),
         "vendor": device.vendor or "",
-        "type": device.type or "without type",
+        "type": device.shown_type,
         "name": device.name or "",
         "hidden": device.hidden,
         "image": item.image_sha256,

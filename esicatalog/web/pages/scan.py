@@ -6,6 +6,7 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, reference_clock_words, slave_words
 from esicatalog.errors import EsiCatalogError, InputError
+from esicatalog.parameters import check_names
 from esicatalog.scan.text import decode_text, is_utf16
 from esicatalog.sii.checksum import is_loaded
 from esicatalog.sii.decode import decode_sii
@@ -25,27 +26,28 @@ _NOTHING: dict[str, Any] = {"text": "", "buses": [], "findings": [], "sii": None
 
 
 async def scan_page(request: Any, catalog: Catalog) -> Page:
-    """The empty form, or what was posted with its matches."""
+    """The empty form, or what was posted with its matches; a text and a file at once are refused."""
+    check_names(request.args, ())
     if request.method != "POST":
         return Page(_TEMPLATE, dict(_NOTHING))
     form = await asyncio.to_thread(read_form, request.headers.get("content-type", ""), await body_of(request))
-    pasted = form.contents.get("scan", b"")
-    content = form.contents.get("file") or pasted
+    pasted, file = (form.contents.get(name, b"") for name in ("scan", "file"))
+    shown = _NOTHING | {"text": decode_text(pasted)}
     try:
-        return Page(_TEMPLATE, _NOTHING | await asyncio.to_thread(_answer, content, catalog))
+        if file and pasted.strip():
+            raise InputError("a text is given beside this file; give one of both")
+        return Page(_TEMPLATE, shown | await asyncio.to_thread(_answer, file or pasted, catalog))
     except EsiCatalogError as error:
         name = form.file_names.get("file")
         problem = f"{name[:_SHOWN]}: {error}" if name else str(error)
-        return Page(_TEMPLATE, _NOTHING | {"text": decode_text(pasted), "problem": problem}, 400)
+        return Page(_TEMPLATE, shown | {"problem": problem}, 400)
 
 
 def _answer(content: bytes, catalog: Catalog) -> dict[str, Any]:
     if _looks_like_image(content):
         return {"sii": _image(content, catalog)}
-    text = decode_text(content)
-    scan = read_uploaded_scan(text)
+    scan = read_uploaded_scan(decode_text(content))
     return {
-        "text": text,
         "buses": [_bus(bus) for bus in catalog.identify_scan(scan)],
         "findings": [f"line {finding.line}: {finding.message}" for finding in scan.findings],
     }
@@ -88,7 +90,7 @@ def _image(content: bytes, catalog: Catalog) -> dict[str, Any]:
         "reason": answer.reason,
         "warnings": answer.warnings,
         "path": device_path(device) if device is not None else None,
-        "type": device.type if device is not None else None,
+        "type": device.shown_type if device is not None else None,
         "sheet": "\n".join(sheet_lines(image)),
     }
 
@@ -121,7 +123,7 @@ def _slave(item: IdentifiedSlave) -> dict[str, Any]:
         "identity": item.identity_text,
         "match": answer.match,
         "path": device_path(device) if device is not None else None,
-        "type": (device.type if device is not None else slave.name) or "",
+        "type": device.shown_type if device is not None else slave.name or "",
         "left": "" if report.e_bus_left_ma is None else f"{report.e_bus_left_ma} mA",
         "out": "?" if report.output_bytes is None else report.output_bytes,
         "in": "?" if report.input_bytes is None else report.input_bytes,
