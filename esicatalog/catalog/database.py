@@ -17,7 +17,7 @@ from esicatalog.catalog.turns import take_turn
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 
-SCHEMA_VERSION = "0007"
+SCHEMA_VERSION = "0008"
 """Revision of the newest migration."""
 
 NEW_CATALOG = "new_catalog.sql"
