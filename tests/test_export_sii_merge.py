@@ -497,7 +497,7 @@ def test_what_overlaps_the_bytes_behind_is_left_out_on_demand():
     used = encode_sii(computed(named))
     dump = decode_sii((used + b"\xff\xffCALI").ljust(2048, b"\xff"))
     merged = merge_image(computed(named.replace(">e1<", ">a much longer name<")), dump)
-    with pytest.raises(SiiLimitError, match=r"would overwrite the device's own bytes .*\(--fit\)"):
+    with pytest.raises(SiiLimitError, match=r"would overwrite the device's own bytes .*--fit\)"):
         check_image(merged.image, merged.byte_size, dump)
     image, dropped = fit_image(merged.image, merged.byte_size, dump)
     assert dropped == ("names of entries: 1",)
