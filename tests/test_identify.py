@@ -129,6 +129,13 @@ def test_another_layout_of_a_variant_is_a_warning(several):
             '<Sm ControlByte="#x20">Outputs</Sm>' + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="4"'),
             "SyncManagers with PDOs are SM0 output here, SM0 input there",
         ),
+        (
+            "<Sm>Outputs</Sm>"
+            + pdo("RxPdo", "#x1600", 8, attributes='OSFac="4"')
+            + "<Dc><OpMode><Name>m</Name><AssignActivate>0</AssignActivate>"
+            '<Sm No="0"><Pdo>#x1600</Pdo><Pdo>#x1602</Pdo></Sm></OpMode></Dc>',
+            "of unknown length are none here, outputs there",
+        ),
     ],
 )
 def test_layouts_with_the_same_entries_say_in_what_they_differ(tmp_path, there, words):

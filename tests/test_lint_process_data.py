@@ -103,16 +103,26 @@ ASSIGNED_0X1600 = dictionary(
     ("mode", "words"),
     [
         ('<Sm No="2"><Pdo>#x1601</Pdo></Sm>', "the OpMode 'DC' assigns 0x1601"),
+        ('<Sm No="2"><Pdo>#x1600</Pdo><Pdo>#x1602</Pdo></Sm>', "the OpMode 'DC' assigns 0x1600, 0x1602"),
         ('<Sm No="3"><Pdo>#x1A00</Pdo></Sm>', None),
     ],
 )
 def test_l65_says_what_assigns(tmp_path, mode, words):
-    """RxPdo 0x1600 has Sm=2, and 0x1C12:01 names it; the default OpMode may assign another one."""
+    """RxPdo 0x1600 has Sm=2, and 0x1C12:01 names it; the default OpMode may assign another one, be it not described."""
     pdos = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("RxPdo", "#x1601", 8) + pdo("TxPdo", "#x1A00", 8)
     modes = f"<Dc><OpMode><Name>DC</Name><AssignActivate>0</AssignActivate>{mode}</OpMode></Dc>"
     found = linted(tmp_path, "L65", device(ASSIGNED_0X1600 + MAILBOX_AND_PROCESS_DATA + pdos + modes))
     said = f"0x1C12 assigns 0x1600 by default, {words}: which of them counts depends on the master"
     assert [item["message"] for item in found] == ([said] if words else [])
+
+
+@pytest.mark.parametrize("rule", ["L24", "L25"])
+def test_the_length_of_an_image_is_not_held_against_sizes_when_it_is_not_known(tmp_path, rule):
+    """0x1602 is exchanged too, in as many bytes as it takes."""
+    sms = '<Sm DefaultSize="6" MinSize="4">Outputs</Sm>'
+    listed = '<Sm No="0"><Pdo>#x1600</Pdo><Pdo>#x1602</Pdo></Sm>'
+    modes = f"<Dc><OpMode><Name>DC</Name><AssignActivate>0</AssignActivate>{listed}</OpMode></Dc>"
+    assert linted(tmp_path, rule, device(sms + pdo("RxPdo", "#x1600", 8) + modes)) == []
 
 
 @pytest.mark.parametrize(("first", "second", "words"), [("0016", "0116", None), ("0116", "0016", "0x1601, 0x1600")])

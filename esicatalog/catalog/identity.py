@@ -66,6 +66,12 @@ _BESIDE_LAYOUT = (
         "ORDER BY s.position",
     ),
     (
+        "of unknown length are {} here, {} there",
+        "SELECT CASE WHEN input_bytes IS NOT NULL THEN 'outputs' WHEN output_bytes IS NOT NULL THEN 'inputs' "
+        "ELSE 'outputs and inputs' END FROM device_facts "
+        "WHERE device_id = ? AND (output_bytes IS NULL OR input_bytes IS NULL)",
+    ),
+    (
         "the same entries are sampled otherwise: {} here, {} there",
         "SELECT output_bytes, 'bytes out,', input_bytes, 'in' FROM device_facts WHERE device_id = ?",
     ),
@@ -246,7 +252,7 @@ class IdentityLookup:
             shown = [_listed(self._query(statement, (device_id,))) for device_id in (here, there)]
             if shown[0] != shown[1]:
                 return words.format(*shown)
-        return "in the samples of oversampled PDOs, or in PDOs that are too long for a SyncManager"
+        return "in the samples of oversampled PDOs, or in PDOs that are too long or listed and not described"
 
     def _layout(self, device_id: int) -> dict[tuple[int, int], str]:
         """What begins where, in words; gaps that follow each other are one."""
