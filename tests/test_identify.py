@@ -136,6 +136,11 @@ def test_another_layout_of_a_variant_is_a_warning(several):
             '<Sm No="0"><Pdo>#x1600</Pdo><Pdo>#x1602</Pdo></Sm></OpMode></Dc>',
             "of unknown length are none here, outputs there",
         ),
+        (
+            "<Sm>Outputs</Sm>"
+            + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="4"').replace("<SubIndex>1<", "<SubIndex>x1<"),
+            "SM0 byte 0.0 is 0x7000:01 (8 bit) here, 0x7000:? 'x1' (8 bit) there",
+        ),
     ],
 )
 def test_layouts_with_the_same_entries_say_in_what_they_differ(tmp_path, there, words):

@@ -50,6 +50,8 @@ OTHER = {
     "which PDO has variable content": (SMS + VARIABLE.format("#x1600"), SMS + VARIABLE.format("#x1601")),
     "which PDO is listed and not described": (SMS + LISTED.format("#x1602"), SMS + LISTED.format("#x1603")),
     "a PDO that is listed and not described or none": (SMS + LISTED.format("#x1602"), SMS),
+    "a SubIndex that cannot be read or none": (SMS + rx(("x1", "8")), SMS + rx((0, "8")).replace(">0<", ">#x7000<", 1)),
+    "which SubIndex cannot be read": (SMS + rx(("x1", "8")), SMS + rx(("x2", "8"))),
     "variable content or none": (SMS + VARIABLE.format("#x1600"), SMS),
     "what lies behind an entry without length": (SMS + rx(A, (3, ""), B), SMS + rx(A, (3, ""), (4, "8"))),
     "which PDO has an entry without length": (SMS + rx(A, (3, "")), SMS + rx(A, (3, ""), index="#x1601")),

@@ -8,6 +8,8 @@ import functools
 from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
+import msgspec
+
 from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
 from esicatalog.model.bus import DeviceAtBus
 from esicatalog.model.pdo_facts import mapped_words
@@ -33,7 +35,8 @@ _SOURCES = (
     "WHERE x.device_id = ? ORDER BY s.member, x.line, s.location"
 )
 _LAYOUT = (
-    "SELECT p.image_sm, e.image_bit_offset, e.entry_index, coalesce(e.subindex, 0), e.bit_length FROM pdos p "
+    "SELECT p.image_sm, e.image_bit_offset, e.entry_index, e.subindex, "
+    "CASE WHEN e.subindex IS NULL THEN e.spelling END, e.bit_length FROM pdos p "
     "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND e.image_bit_offset IS NOT NULL "
     "ORDER BY p.image_sm, e.image_bit_offset"
 )
@@ -258,9 +261,10 @@ class IdentityLookup:
         """What begins where, in words; gaps that follow each other are one."""
         found = {}
         gap = (-1, 0, 0)  # SyncManager, begin and end of the last one
-        for sm, offset, index, subindex, bits in self._query(_LAYOUT, (device_id,)):
+        for sm, offset, index, subindex, spelling, bits in self._query(_LAYOUT, (device_id,)):
             if index != 0:
-                found[sm, offset] = mapped_words(index, subindex, bits)
+                unread = msgspec.json.decode(spelling).get("subindex") if spelling else None
+                found[sm, offset] = mapped_words(index, subindex or unread or 0, bits)
             elif bits is not None and bits > 0:
                 gap = (sm, gap[1] if (sm, offset) == (gap[0], gap[2]) else offset, offset + bits)
                 found[sm, gap[1]] = mapped_words(0, 0, gap[2] - gap[1])

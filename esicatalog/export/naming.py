@@ -12,6 +12,7 @@ from esicatalog.export.cia402_names import CIA402_NAMES
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.names import identifier, unique_names
 from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, MAX_AXES, PROFILE_CIA402, PROFILE_MODULAR, STATUSWORD
+from esicatalog.model.pdo_facts import mapped
 from esicatalog.model.process_image import PlacedPdo, SmImage
 from esicatalog.model.slots import ExpandedModule
 
@@ -66,12 +67,7 @@ def _axes(profiles: Sequence[Profile], images: Sequence[SmImage], objects: Objec
 
 
 def _mapped_words(pdos: Iterable[Pdo]) -> set[int | None]:
-    return {
-        entry.entry_index
-        for pdo in pdos
-        for entry in pdo.entries
-        if (entry.subindex or 0) == 0 and entry.bit_length == _WORD_BITS
-    }
+    return {entry.entry_index for pdo in pdos for entry in pdo.entries if mapped(entry)[1:] == (0, _WORD_BITS)}
 
 
 def may_drive(module: Module) -> bool:

@@ -26,7 +26,14 @@ from esicatalog.model.cia402 import (
 )
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
-from esicatalog.model.pdo_facts import has_length, has_object, pdo_yields, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import (
+    has_length,
+    has_object,
+    mapped,
+    pdo_yields,
+    pdos_by_direction,
+    symmetric_exclusions,
+)
 from esicatalog.model.pdo_mapping import is_mappable
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import PluggedModule
@@ -88,12 +95,12 @@ def has_cia402(part: Part) -> bool:
     if any(_is_cia402(profile) for profile in part.profiles):
         return True
     control = part.at(CONTROLWORD)
-    mapped = any(
-        entry.entry_index == control and (entry.subindex or 0) == 0 and entry.bit_length == 16
+    is_mapped = any(
+        entry.entry_index == control and mapped(entry) == (control, 0, 16)
         for pdo in part.rx_pdos
         for entry in pdo.entries
     )
-    return mapped or any(control in view.once(_words) for view in part.views)
+    return is_mapped or any(control in view.once(_words) for view in part.views)
 
 
 def _words(view: DictionaryView) -> frozenset[int | None]:
@@ -268,7 +275,7 @@ def mapping_words(pdos: Sequence[Pdo]) -> str:
 
 def axes_of(views: Sequence[DictionaryView], rx_pdos: Iterable[Pdo]) -> list[int]:
     """Axes above the first whose controlword stands literally in a description."""
-    mapped = {entry.entry_index for pdo in rx_pdos for entry in pdo.entries}
+    indices = {entry.entry_index for pdo in rx_pdos for entry in pdo.entries}
     return [
-        axis for control, axis in _CONTROLWORDS.items() if axis and (control in mapped or _declares(views, control))
+        axis for control, axis in _CONTROLWORDS.items() if axis and (control in indices or _declares(views, control))
     ]

@@ -8,6 +8,7 @@ from esicatalog.lint.registry import WARNING, Found, Place, rule
 from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject
 from esicatalog.model.access import ALL_STATES, PREOP, SAFEOP
 from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.model.start_up import unusable_part
 from esicatalog.model.sync import listed_pdos
 
 _TEXTS = frozenset({"string", "octets", "unicode", "domain"})
@@ -37,7 +38,7 @@ def init_cmd(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
 
 def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete: bool) -> str | None:
     index = command.object_index
-    if index is None or index < FIRST_OBJECT:
+    if index is None or index < FIRST_OBJECT or unusable_part(command) is not None:
         return None
     entries = dictionaries.entries(index)
     if entries is None:
