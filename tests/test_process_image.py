@@ -97,6 +97,19 @@ def test_the_lists_of_the_default_op_mode_win():
     assert indices(found[3]) == [0x1A00], "a SyncManager without a list keeps its default"
 
 
+def test_of_two_mandatory_pdos_that_exclude_each_other_one_is_assigned_too_and_the_other_left_out():
+    """0x1600 comes first; of 0x1601 nothing else is said than that it is left out."""
+    first = pdo("RxPdo", "#x1600", 8, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1601</Exclude>")
+    second = pdo("RxPdo", "#x1601", 8, attributes='Sm="2" Mandatory="1"')
+    listed = op_mode('<Sm No="2"><Pdo>#x1602</Pdo></Sm>')
+    image = images(first + second + pdo("RxPdo", "#x1602", 8) + f"<Dc>{listed}</Dc>")[2]
+    assert indices(image) == [0x1600, 0x1602]
+    assert image.remarks == (
+        "PDO 0x1600 is mandatory: assigned too",
+        "PDO 0x1601 is left out: 0x1600 excludes it",
+    )
+
+
 @pytest.mark.parametrize(("order", "offset"), [(("#x1A00", "#x1B02"), 0), (("#x1B02", "#x1A00"), None)])
 def test_a_pdo_that_is_listed_and_not_described_has_no_known_length(order, offset):
     """It is exchanged all the same: the image is longer than what is described, and what follows has no place."""

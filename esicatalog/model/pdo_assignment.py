@@ -12,8 +12,8 @@ from typing import NamedTuple
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos
-from esicatalog.model.pdo_facts import PDO_MAPPINGS, index_words
+from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos, without_rivals
+from esicatalog.model.pdo_facts import PDO_MAPPINGS, index_words, symmetric_exclusions
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import may_transport, sm_role
 
@@ -96,9 +96,12 @@ def _unlisted(
 def _with_mandatory(
     number: int, wanted: Sequence[int], candidates: list[AvailablePdo], remarks: list[str]
 ) -> list[int]:
-    mandatory = [c.pdo.pdo_index for c in candidates if c.pdo.sm == number and c.pdo.mandatory and not c.pdo.virtual]
-    missing = [index for index in dict.fromkeys(mandatory) if index is not None and index not in wanted]
-    remarks += [f"PDO {index_words(index)} is mandatory: assigned too" for index in missing]
+    """A list with the mandatory PDOs before it that it leaves out; those that exclude each other are told once."""
+    mandatory = [c.pdo for c in candidates if c.pdo.sm == number and c.pdo.mandatory and not c.pdo.virtual]
+    found = [pdo.pdo_index for pdo in mandatory if pdo.pdo_index is not None]
+    missing = [index for index in dict.fromkeys(found) if index not in wanted]
+    staying = without_rivals(missing, symmetric_exclusions(mandatory))
+    remarks += [f"PDO {index_words(index)} is mandatory: assigned too" for index in staying]
     return [*missing, *wanted]
 
 
