@@ -116,6 +116,18 @@ def test_l65_says_what_assigns(tmp_path, mode, words):
     assert [item["message"] for item in found] == ([said] if words else [])
 
 
+@pytest.mark.parametrize("size", ["", 'DefaultSize="0"', 'DefaultSize="1"'])
+def test_l22_goes_by_the_pdos_where_default_size_is_less(tmp_path, size):
+    """Sixteen bytes, three times, from 0x1000 reach up to 0x102F."""
+    sms = (
+        f'<Sm {size} StartAddress="#x1000" ControlByte="#x64">Outputs</Sm>'
+        '<Sm StartAddress="#x1008" ControlByte="#x20">Inputs</Sm>'
+    )
+    pdos = pdo("RxPdo", "#x1600", 32, 32, 32, 32, attributes='Sm="0"') + pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"')
+    (found,) = linted(tmp_path, "L22", device(sms + pdos))
+    assert found["message"].startswith("SM 0 takes 0x1000 to 0x102F and SM 1 starts at 0x1008: they overlap by 3 bytes")
+
+
 @pytest.mark.parametrize("rule", ["L24", "L25"])
 def test_the_length_of_an_image_is_not_held_against_sizes_when_it_is_not_known(tmp_path, rule):
     """0x1602 is exchanged too, in as many bytes as it takes."""
