@@ -283,3 +283,30 @@ def test_zero_is_no_length_and_no_time(tmp_path, rule_id, content, words):
     found = linted(tmp_path, rule_id, device(content))
     assert len(found) == (words is not None)
     assert all(item["message"].startswith(words) for item in found)
+
+
+@pytest.mark.parametrize(
+    ("attributes", "modes", "words"),
+    [
+        ("", ["#x1600", "#x1601"], "the OpMode 'M0' assigns both: take one of them out of its list"),
+        ("", [], None),
+        ("", ["#x1600"], None),
+        ('Sm="0" Mandatory="1"', ["#x1602"], "both are assigned by default: one of them must lose its Sm"),
+        ('Sm="0"', ["#x1602"], None),
+    ],
+)
+@pytest.mark.parametrize("before", [[], ["#x1602"]])
+def test_l31_knows_the_lists_of_op_modes(tmp_path, attributes, modes, words, before):
+    """0x1600 and 0x1601 exclude each other. Mandatory PDOs stay beside a list, those with an Sm alone do not."""
+    excluding = "<Exclude>#x1601</Exclude>"
+    pdos = pdo("RxPdo", "#x1600", 8, attributes=attributes, extra=excluding)
+    pdos += pdo("RxPdo", "#x1601", 8, attributes=attributes) + pdo("RxPdo", "#x1602", 8)
+    lists = [found for found in (modes, before) if found]
+    op_modes = "".join(
+        f"<OpMode><Name>M{number}</Name><AssignActivate>0</AssignActivate>"
+        f'<Sm No="0">{"".join(f"<Pdo>{index}</Pdo>" for index in indices)}</Sm></OpMode>'
+        for number, indices in enumerate(lists)
+    )
+    found = linted(tmp_path, "L31", device(f"<Sm>Outputs</Sm>{pdos}<Dc>{op_modes}</Dc>"))
+    said = f"RxPdo 0x1601 and 0x1600 exclude each other, but {words}"
+    assert [item["message"] for item in found] == ([said] if words else [])
