@@ -22,7 +22,7 @@ from esicatalog.model.compare_facts import (
     never,
 )
 from esicatalog.model.compare_words import counted, listed, shown_text, sync_manager, text, yes_no
-from esicatalog.model.pdo_facts import entry_facts, index_words, mapped, mapped_words, pdo_bits, symmetric_exclusions
+from esicatalog.model.pdo_facts import bits_words, entry_facts, index_words, mapped, mapped_words, symmetric_exclusions
 from esicatalog.model.process_image import NamedAssignment, alternative_assignments
 
 
@@ -112,7 +112,7 @@ def _compare_pdo(name: str, left: Pdo | None, right: Pdo | None) -> Iterator[Dif
 
 
 def _pdo_words(pdo: Pdo) -> str:
-    size = f"{counted(len(pdo.entries), 'entry', 'entries')}, {pdo_bits(pdo)} bit"
+    size = f"{counted(len(pdo.entries), 'entry', 'entries')}, {bits_words(pdo)} bit"
     flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
     return ", ".join(filter(None, (sync_manager(pdo.sm), size, *flags, shown_text(pdo.names))))
 

@@ -62,6 +62,14 @@ def pdo_bits(pdo: Pdo) -> int:
     return sum([max(entry.bit_length or 0, 0) for entry in pdo.entries])
 
 
+def bits_words(pdo: Pdo) -> str:
+    """Bits of one sample as sheets and pages say it: ``12``, ``?`` or ``at least 12`` where not all are described."""
+    bits = pdo_bits(pdo)
+    if is_described(pdo):
+        return str(bits)
+    return f"at least {bits}" if bits else "?"
+
+
 def pdo_facts(pdo: Pdo) -> PdoFacts:
     """Size and number of entries of a PDO; a sum of 2^63 or more counts as none (ESI-FACTS section 1.1)."""
     bits = pdo_bits(pdo)
