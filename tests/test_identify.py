@@ -815,6 +815,21 @@ def test_the_described_e_bus_current_counts_where_slaveinfo_prints_zero(tmp_path
     assert [item["slave"]["e_bus_left_ma"] for item in found] == [2000, 1910]
 
 
+def test_bits_of_two_sync_managers_are_added_before_they_are_rounded(tmp_path):
+    """3 bits and 5 bits: a byte each in the memory of the device, 8 bits for SOEM, and that is as described."""
+    pdos = pdo("RxPdo", "#x1600", 3, attributes='Sm="0"') + pdo("RxPdo", "#x1601", 5, attributes='Sm="1"')
+    db = catalog_of(tmp_path, esi(device("<Sm>Outputs</Sm><Sm>Outputs</Sm>" + pdos)))
+    block = "Slave:1\n Output size: {}bits\n Input size: 0bits\n Man: 00000e5c ID: 00000001 Rev: 00000001\n"
+
+    def notes(bits: int) -> list[str]:
+        answer = run("identify", "--slaves", "-", "--format", "json", db=db, stdin=block.format(bits)).stdout
+        (found,) = json.loads(answer)
+        return found["slave"]["notes"]
+
+    assert notes(8) == []
+    assert notes(7) == ["bytes out: 1 configured, 2 in the default process image of the description"]
+
+
 def test_variants_that_fit_best_alike_are_all_named(tmp_path):
     """The first assigns another PDO than the printed one and lacks that, the others have it with other entries."""
     pdos = (("#x1601", 8, 8), ("#x1600", 16), ("#x1600", 32))
