@@ -51,6 +51,16 @@ def test_what_the_master_printed_counts_before_the_description():
     assert reports[1].dc_capable is True
 
 
+def test_bits_of_two_sync_managers_are_as_described():
+    """3 bits on one and 5 on the other are two bytes in memory, and a master that adds up bits says 8 bits."""
+    described = TERMINAL._replace(output_bytes=2, output_bits=8)
+    reports, _ = bus(described, described, at0={"output_bits": 8}, at1={"output_bits": 7})
+    assert [report.notes for report in reports] == [
+        (),
+        ("bytes out: 1 configured, 2 in the default process image of the description",),
+    ]
+
+
 def test_process_data_of_another_size_than_described_is_told():
     reports, _ = bus(DRIVE, DRIVE, DRIVE, None, at0={"output_bits": 80, "input_bits": 128}, at1={"input_bits": 0},
         at2={"output_bits": 57}, at3={"output_bits": 8})  # fmt: skip

@@ -103,6 +103,19 @@ def test_a_lost_pdo_counts():
     ]
 
 
+@pytest.mark.parametrize(
+    ("entries", "words"),
+    [
+        ("", "SM3, 0 entries, ? bit, p"),
+        ("<Entry><Index>#x6000</Index></Entry>", "SM3, 1 entry, ? bit, p"),
+        (f"{STATUS}<Entry><Index>#x6000</Index></Entry>", "SM3, 2 entries, at least 16 bit, p"),
+    ],
+)
+def test_a_pdo_of_unknown_length_is_not_told_to_be_empty(entries, words):
+    lost = f'<TxPdo Sm="3"><Index>#x1A01</Index><Name>p</Name>{entries}</TxPdo>'
+    assert told(tx(STATUS) + lost, tx(STATUS))[0] == ("TxPDO 0x1A01", words, None, True)
+
+
 def test_a_pdo_put_before_others_is_one_difference():
     pdos = [pdo("RxPdo", f"#x160{n}", 8) for n in range(4)]
     found = told("".join(pdos[1:]), "".join(pdos))

@@ -833,6 +833,15 @@ def test_a_command_of_a_module_that_is_left_out_replaces_none():
     assert [(c.object_index, c.subindex, c.data) for c in found.commands] == [(0x6060, 0, b"\x08")]
 
 
+@pytest.mark.parametrize(("transitions", "data"), [("PS", "0"), ("PS", ""), ("XX", "09"), ("", "09")])
+def test_a_command_of_a_module_that_is_never_sent_replaces_none(transitions, data):
+    """Half a byte is no data, XX no transition."""
+    own = init_cmd("PS", "#x6060", "08", 'OverwrittenByModule="1"')
+    of_module = f"<Mailbox><CoE>{init_cmd(transitions, '#x6060', data)}</CoE></Mailbox>"
+    found = configured(SMS + f"<Mailbox><CoE>{own}</CoE></Mailbox>" + ONE_SLOT, module(of_module))
+    assert [(c.object_index, c.data) for c in found.commands] == [(0x6060, b"\x08")]
+
+
 def written(index: str, subindex: int, data: str, adapt: str = "") -> str:
     place = f"<Transition>PS</Transition><Index>{index}</Index><SubIndex>{subindex}</SubIndex>"
     return f"<InitCmd>{place}<Data {adapt}>{data}</Data></InitCmd>"

@@ -142,6 +142,18 @@ def test_another_layout_of_a_variant_is_a_warning(several):
             '<Sm ControlByte="#x20">Outputs</Sm>' + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="4"'),
             "SyncManagers with PDOs are SM0 output here, SM0 input there",
         ),
+        (
+            "<Sm>Outputs</Sm>"
+            + pdo("RxPdo", "#x1600", 8, attributes='OSFac="4"')
+            + "<Dc><OpMode><Name>m</Name><AssignActivate>0</AssignActivate>"
+            '<Sm No="0"><Pdo>#x1600</Pdo><Pdo>#x1602</Pdo></Sm></OpMode></Dc>',
+            "of unknown length are none here, outputs there",
+        ),
+        (
+            "<Sm>Outputs</Sm>"
+            + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="4"').replace("<SubIndex>1<", "<SubIndex>x1<"),
+            "SM0 byte 0.0 is 0x7000:01 (8 bit) here, 0x7000:? 'x1' (8 bit) there",
+        ),
     ],
 )
 def test_layouts_with_the_same_entries_say_in_what_they_differ(tmp_path, there, words):
@@ -882,6 +894,21 @@ def test_the_described_e_bus_current_counts_where_slaveinfo_prints_zero(tmp_path
     scan = block.format(1, -2000) + block.format(2, 0)
     found = json.loads(run("identify", "--slaves", "-", "--format", "json", db=db, stdin=scan).stdout)
     assert [item["slave"]["e_bus_left_ma"] for item in found] == [2000, 1910]
+
+
+def test_bits_of_two_sync_managers_are_added_before_they_are_rounded(tmp_path):
+    """3 bits and 5 bits: a byte each in the memory of the device, 8 bits for SOEM, and that is as described."""
+    pdos = pdo("RxPdo", "#x1600", 3, attributes='Sm="0"') + pdo("RxPdo", "#x1601", 5, attributes='Sm="1"')
+    db = catalog_of(tmp_path, esi(device("<Sm>Outputs</Sm><Sm>Outputs</Sm>" + pdos)))
+    block = "Slave:1\n Output size: {}bits\n Input size: 0bits\n Man: 00000e5c ID: 00000001 Rev: 00000001\n"
+
+    def notes(bits: int) -> list[str]:
+        answer = run("identify", "--slaves", "-", "--format", "json", db=db, stdin=block.format(bits)).stdout
+        (found,) = json.loads(answer)
+        return found["slave"]["notes"]
+
+    assert notes(8) == []
+    assert notes(7) == ["bytes out: 1 configured, 2 in the default process image of the description"]
 
 
 def test_variants_that_fit_best_alike_are_all_named(tmp_path):

@@ -14,6 +14,7 @@ from esicatalog.model.compare_image import compare_images
 from esicatalog.model.process_data import ProcessData
 
 SMS = "<Sm>Outputs</Sm><Sm>Inputs</Sm>"
+LISTED = '<Dc><OpMode><Name>m</Name><AssignActivate>0</AssignActivate><Sm No="0"><Pdo>{}</Pdo></Sm></OpMode></Dc>'
 VARIABLE = '<RxPdo Sm="0"><Index>{}</Index><Name>R</Name></RxPdo>'
 
 
@@ -54,6 +55,10 @@ OTHER = {
     "a DefaultSize without PDO": ('<Sm DefaultSize="8">Outputs</Sm>', '<Sm DefaultSize="64">Outputs</Sm>'),
     "a DefaultSize or none": ('<Sm DefaultSize="8">Outputs</Sm>', '<Sm DefaultSize="0">Outputs</Sm>'),
     "which PDO has variable content": (SMS + VARIABLE.format("#x1600"), SMS + VARIABLE.format("#x1601")),
+    "which PDO is listed and not described": (SMS + LISTED.format("#x1602"), SMS + LISTED.format("#x1603")),
+    "a PDO that is listed and not described or none": (SMS + LISTED.format("#x1602"), SMS),
+    "a SubIndex that cannot be read or none": (SMS + rx(("x1", "8")), SMS + rx((0, "8")).replace(">0<", ">#x7000<", 1)),
+    "which SubIndex cannot be read": (SMS + rx(("x1", "8")), SMS + rx(("x2", "8"))),
     "variable content or none": (SMS + VARIABLE.format("#x1600"), SMS),
     "what lies behind an entry without length": (SMS + rx(A, (3, ""), B), SMS + rx(A, (3, ""), (4, "8"))),
     "which PDO has an entry without length": (SMS + rx(A, (3, "")), SMS + rx(A, (3, ""), index="#x1601")),

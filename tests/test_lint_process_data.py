@@ -103,16 +103,38 @@ ASSIGNED_0X1600 = dictionary(
     ("mode", "words"),
     [
         ('<Sm No="2"><Pdo>#x1601</Pdo></Sm>', "the OpMode 'DC' assigns 0x1601"),
+        ('<Sm No="2"><Pdo>#x1600</Pdo><Pdo>#x1602</Pdo></Sm>', "the OpMode 'DC' assigns 0x1600, 0x1602"),
         ('<Sm No="3"><Pdo>#x1A00</Pdo></Sm>', None),
     ],
 )
 def test_l65_says_what_assigns(tmp_path, mode, words):
-    """RxPdo 0x1600 has Sm=2, and 0x1C12:01 names it; the default OpMode may assign another one."""
+    """RxPdo 0x1600 has Sm=2, and 0x1C12:01 names it; the default OpMode may assign another one, be it not described."""
     pdos = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("RxPdo", "#x1601", 8) + pdo("TxPdo", "#x1A00", 8)
     modes = f"<Dc><OpMode><Name>DC</Name><AssignActivate>0</AssignActivate>{mode}</OpMode></Dc>"
     found = linted(tmp_path, "L65", device(ASSIGNED_0X1600 + MAILBOX_AND_PROCESS_DATA + pdos + modes))
     said = f"0x1C12 assigns 0x1600 by default, {words}: which of them counts depends on the master"
     assert [item["message"] for item in found] == ([said] if words else [])
+
+
+@pytest.mark.parametrize("size", ["", 'DefaultSize="0"', 'DefaultSize="1"'])
+def test_l22_goes_by_the_pdos_where_default_size_is_less(tmp_path, size):
+    """Sixteen bytes, three times, from 0x1000 reach up to 0x102F."""
+    sms = (
+        f'<Sm {size} StartAddress="#x1000" ControlByte="#x64">Outputs</Sm>'
+        '<Sm StartAddress="#x1008" ControlByte="#x20">Inputs</Sm>'
+    )
+    pdos = pdo("RxPdo", "#x1600", 32, 32, 32, 32, attributes='Sm="0"') + pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"')
+    (found,) = linted(tmp_path, "L22", device(sms + pdos))
+    assert found["message"].startswith("SM 0 takes 0x1000 to 0x102F and SM 1 starts at 0x1008: they overlap by 3 bytes")
+
+
+@pytest.mark.parametrize("rule", ["L24", "L25"])
+def test_the_length_of_an_image_is_not_held_against_sizes_when_it_is_not_known(tmp_path, rule):
+    """0x1602 is exchanged too, in as many bytes as it takes."""
+    sms = '<Sm DefaultSize="6" MinSize="4">Outputs</Sm>'
+    listed = '<Sm No="0"><Pdo>#x1600</Pdo><Pdo>#x1602</Pdo></Sm>'
+    modes = f"<Dc><OpMode><Name>DC</Name><AssignActivate>0</AssignActivate>{listed}</OpMode></Dc>"
+    assert linted(tmp_path, rule, device(sms + pdo("RxPdo", "#x1600", 8) + modes)) == []
 
 
 @pytest.mark.parametrize(("first", "second", "words"), [("0016", "0116", None), ("0116", "0016", "0x1601, 0x1600")])
@@ -280,3 +302,30 @@ def test_slots_and_op_modes_are_counted_as_options_take_them(tmp_path):
     assert slot["message"].startswith("slot 2 needs a module (MinInstances 1) and presets none")
     (mode,) = linted(tmp_path, "L51", content, modules)
     assert mode["message"].startswith("OpMode 1 'DC' makes SYNC pulses without CycleTimeSync0")
+
+
+@pytest.mark.parametrize(
+    ("attributes", "modes", "words"),
+    [
+        ("", ["#x1600", "#x1601"], "the OpMode 'M0' assigns both: take one of them out of its list"),
+        ("", [], None),
+        ("", ["#x1600"], None),
+        ('Sm="0" Mandatory="1"', ["#x1602"], "both are assigned by default: one of them must lose its Sm"),
+        ('Sm="0"', ["#x1602"], None),
+    ],
+)
+@pytest.mark.parametrize("before", [[], ["#x1602"]])
+def test_l31_knows_the_lists_of_op_modes(tmp_path, attributes, modes, words, before):
+    """0x1600 and 0x1601 exclude each other. Mandatory PDOs stay beside a list, those with an Sm alone do not."""
+    excluding = "<Exclude>#x1601</Exclude>"
+    pdos = pdo("RxPdo", "#x1600", 8, attributes=attributes, extra=excluding)
+    pdos += pdo("RxPdo", "#x1601", 8, attributes=attributes) + pdo("RxPdo", "#x1602", 8)
+    lists = [found for found in (modes, before) if found]
+    op_modes = "".join(
+        f"<OpMode><Name>M{number}</Name><AssignActivate>0</AssignActivate>"
+        f'<Sm No="0">{"".join(f"<Pdo>{index}</Pdo>" for index in indices)}</Sm></OpMode>'
+        for number, indices in enumerate(lists)
+    )
+    found = linted(tmp_path, "L31", device(f"<Sm>Outputs</Sm>{pdos}<Dc>{op_modes}</Dc>"))
+    said = f"RxPdo 0x1601 and 0x1600 exclude each other, but {words}"
+    assert [item["message"] for item in found] == ([said] if words else [])

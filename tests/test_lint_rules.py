@@ -173,6 +173,13 @@ def test_l36_knows_the_objects_that_modules_have_in_slots_above_0(tmp_path, inde
     assert len(found) == count
 
 
+def test_l36_says_nothing_of_a_subindex_that_cannot_be_read(tmp_path):
+    """What the entry maps is unknown, be it in an object that has no subindex 0."""
+    entry = mapped("#x2000", 8, subindex="x1")
+    rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{entry}</RxPdo>"
+    assert linted(tmp_path, "L36", device(OWN_DICTIONARY + SYNC_MANAGERS + rx_pdo)) == []
+
+
 def test_l36_knows_the_objects_that_modules_have_in_slot_groups(tmp_path):
     of_group = module(dictionary(TYPES, declared("#x6040", "UINT", 16, 'DependOnSlotGroup="1"')))
     rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped('#x6440', 16)}</RxPdo>"

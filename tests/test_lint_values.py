@@ -56,6 +56,15 @@ def test_l17_looks_at_the_names_of_channels(tmp_path):
     assert found["path"].endswith("Device/Profile/ChannelInfo[1]/DisplayName[1]")
 
 
+def test_l56_says_nothing_of_a_command_that_nobody_sends(tmp_path):
+    """Where it writes to is not known: its SubIndex cannot be read."""
+    command = (
+        "<InitCmd><Transition>PS</Transition><Index>#x2000</Index><SubIndex>x1</SubIndex><Data>01</Data></InitCmd>"
+    )
+    described = dictionary(TYPES, declared("#x2000", "UINT", 16))
+    assert linted(tmp_path, "L56", device(f"{described}<Mailbox><CoE>{command}</CoE></Mailbox>")) == []
+
+
 @pytest.mark.parametrize(
     ("restriction", "transitions", "refused"),
     [

@@ -97,6 +97,57 @@ def test_the_lists_of_the_default_op_mode_win():
     assert indices(found[3]) == [0x1A00], "a SyncManager without a list keeps its default"
 
 
+def test_of_two_mandatory_pdos_that_exclude_each_other_one_is_assigned_too_and_the_other_left_out():
+    """0x1600 comes first; of 0x1601 nothing else is said than that it is left out."""
+    first = pdo("RxPdo", "#x1600", 8, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1601</Exclude>")
+    second = pdo("RxPdo", "#x1601", 8, attributes='Sm="2" Mandatory="1"')
+    listed = op_mode('<Sm No="2"><Pdo>#x1602</Pdo></Sm>')
+    image = images(first + second + pdo("RxPdo", "#x1602", 8) + f"<Dc>{listed}</Dc>")[2]
+    assert indices(image) == [0x1600, 0x1602]
+    assert image.remarks == (
+        "PDO 0x1600 is mandatory: assigned too",
+        "PDO 0x1601 is left out: 0x1600 excludes it",
+    )
+
+
+@pytest.mark.parametrize(("order", "offset"), [(("#x1A00", "#x1B02"), 0), (("#x1B02", "#x1A00"), None)])
+def test_a_pdo_that_is_listed_and_not_described_has_no_known_length(order, offset):
+    """It is exchanged all the same: the image is longer than what is described, and what follows has no place."""
+    listed = op_mode(f'<Sm No="3">{"".join(f"<Pdo>{index}</Pdo>" for index in order)}</Sm>')
+    image = images(pdo("TxPdo", "#x1A00", 8) + f"<Dc>{listed}</Dc>")[3]
+    assert indices(image) == [int(index.replace("#", "0"), 16) for index in order]
+    assert (image.byte_size, image.byte_words) == (None, "at least 1 byte")
+    assert [item.bit_offset for placed in image.pdos for item in placed.entries] == [offset]
+    assert image.remarks[0] == "PDO 0x1B02 is listed but not described"
+    assert image.remarks[1].startswith("PDO 0x1B02 of SM3 has no described entries: how long it is")
+
+
+def test_a_listed_pdo_goes_the_way_of_its_sync_manager_be_it_described_or_not():
+    """With a SyncManager that nobody describes its index tells the way; a mailbox has no PDO."""
+    lists = "".join(f'<Sm No="{number}"><Pdo>{index}</Pdo></Sm>' for number, index in ((2, 100), (7, "#x1650"), (1, 5)))
+    found = images(f"<Dc>{op_mode(lists)}</Dc>")
+    assert [(placed.direction, placed.pdo.pdo_index) for placed in found[2].pdos] == [("RxPdo", 100)]
+    assert [(placed.direction, placed.pdo.pdo_index) for placed in found[7].pdos] == [("RxPdo", 0x1650)]
+    assert found[1].pdos == ()
+
+
+def test_a_listed_pdo_may_be_that_of_a_module_that_is_not_plugged():
+    """An OpMode lists 0x1A10 for a module; without the module nothing is exchanged in its place."""
+    listed = op_mode('<Sm No="3"><Pdo>#x1A00</Pdo><Pdo>#x1A10</Pdo></Sm>')
+    slots = '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>#x1</ModuleIdent></Slot></Slots>'
+    image = images(pdo("TxPdo", "#x1A00", 8) + f"<Dc>{listed}</Dc>{slots}")[3]
+    assert (indices(image), image.byte_size) == ([0x1A00], 1)
+    assert image.remarks == ("PDO 0x1A10 is listed but not described",)
+
+
+def test_nothing_is_transported_by_a_virtual_sync_manager_be_it_listed_and_not_described():
+    """As terminals have it whose SYNC times are read from the registers of the slave controller."""
+    listed = op_mode('<Sm No="4"><Pdo>#x1B02</Pdo></Sm>')
+    image = images('<Sm StartAddress="#x0998" Virtual="1">Inputs</Sm>' + f"<Dc>{listed}</Dc>")[4]
+    assert (image.pdos, image.byte_size) == ((), 0)
+    assert image.remarks == ("PDO 0x1B02 is listed but not described",)
+
+
 def test_mandatory_pdos_stay_whatever_an_op_mode_lists():
     """ESI-FACTS section 9: Mandatory must stay assigned to its SyncManager; a virtual one is not exchanged at all."""
     inputs = pdo("TxPdo", "#x1A00", 16, attributes='Sm="3" Mandatory="1"') + pdo("TxPdo", "#x1A01", 16)

@@ -74,6 +74,31 @@ def test_a_pdo_that_is_not_described_and_another_assignment():
     ]
 
 
+def test_a_subindex_that_cannot_be_read_is_left_open():
+    described = only_device(
+        esi(device(SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"').replace("<SubIndex>1<", "<SubIndex>x1<")))
+    )
+
+    def differences(entry: str) -> list[str]:
+        (slave,) = read_pdos(f'{HEAD}  RxPDO 0x1600 "R"\n    PDO entry {entry}, "a"\n').slaves
+        return compare_pdos(described, (), slave)
+
+    assert differences("0x7000:05, 16 bit") == []
+    assert differences("0x7001:05, 16 bit") == [
+        "RxPDO 0x1600, entry 1: maps 0x7001:05 (16 bit); described is 0x7000:? 'x1' (16 bit)"
+    ]
+
+
+def test_a_pdo_that_is_listed_and_not_described_belongs_to_the_default_assignment():
+    """The device has what its description lists; only what 0x1601 maps is not described."""
+    listed = '<Sm No="2"><Pdo>#x1600</Pdo><Pdo>#x1601</Pdo></Sm>'
+    modes = f"<Dc><OpMode><Name>DC</Name><AssignActivate>0</AssignActivate>{listed}</OpMode></Dc>"
+    described = only_device(esi(device(SMS + pdo("RxPdo", "#x1600", 16) + modes)))
+    text = f'{HEAD}  RxPDO 0x1600 "R"\n    PDO entry 0x7000:01, 16 bit, "a"\n  RxPDO 0x1601 "S"\n'
+    (slave,) = read_pdos(text).slaves
+    assert compare_pdos(described, (), slave) == ["RxPDO 0x1601: not described"]
+
+
 def test_a_sync_manager_without_pdos_is_told_where_the_description_assigns_some():
     assert pdos("") == ["SM2: assigned are none; the default is 0x1600"]
     (slave,) = read_pdos(HEAD.replace("SM2", "SM3")).slaves

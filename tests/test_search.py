@@ -277,6 +277,18 @@ def test_only_the_preferred_description_counts_unless_asked(tmp_path):
     assert types(db, all_variants=True) == ["T1", "T1"]
 
 
+def test_a_subindex_that_cannot_be_read_is_none_that_is_asked_for(tmp_path):
+    """It may be any: the device is neither one that maps 0x6040:00 nor one that does not. With 0x6041 it is one."""
+    entry = "<Entry><Index>#x6040</Index><SubIndex>x1</SubIndex><BitLen>16</BitLen></Entry>"
+    db = catalog_of(tmp_path, esi(device(f"<RxPdo><Index>#x1600</Index><Name>R</Name>{entry}</RxPdo>")))
+    assert types(db, maps=[(0x6040, 0)]) == []
+    assert types(db, not_maps=[(0x6040, 0)]) == []
+    assert types(db, not_maps=[(0x6041, 0)]) == ["T1"]
+    with Catalog.open(db) as catalog:
+        (found,) = catalog.devices(maps=[(0x6040, None)])
+    assert found.evidence == ("0x6040:?, 16 bit, in RxPdo 0x1600 (not assigned by default)",)
+
+
 def test_a_subindex_that_is_absent_is_0(tmp_path):
     bare = "<RxPdo><Index>#x1600</Index><Name>R</Name><Entry><Index>#x6040</Index><BitLen>16</BitLen></Entry></RxPdo>"
     db = catalog_of(tmp_path, esi(device(bare)))

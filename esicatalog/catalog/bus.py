@@ -12,11 +12,13 @@ from esicatalog.catalog.results import FoundDevice, Identification, hex32
 from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.model.bus import BusSummary, SlaveReport, look_at_bus
+from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, look_at_bus
+from esicatalog.model.process_data import ProcessData
 from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.revision_check import EXACT
 from esicatalog.model.scan_compare import compare_objects, compare_pdos
 from esicatalog.model.slots import default_modules
+from esicatalog.model.sm_facts import INPUT, OUTPUT
 from esicatalog.scan.records import Scan, ScanFinding, ScannedDictionary, ScannedPdos, ScannedSlave
 
 _NO_IDENTITY = Identification(None, None, None, "none", "the scan gives no identity of this slave", None, (), ())
@@ -145,11 +147,23 @@ def bus_reports(
     for number, listed in sorted(buses.items()):
         slaves = [slave for slave, _ in listed]
         fits = [_fitting(lookup, slave, read, pdos, dictionaries) for slave in slaves]
-        devices = [lookup.at_bus(fit.answer.device.device) if fit.answer.device else None for fit in fits]
+        devices = [_at_bus(lookup, slave, fit.answer, read) for slave, fit in zip(slaves, fits, strict=True)]
         reports, summary = look_at_bus(list(zip(slaves, devices, strict=True)))
         together = zip(listed, fits, reports, strict=True)
         found.append(BusReport(number, tuple(_identified(*item, read) for item in together), summary))
     return found
+
+
+def _at_bus(
+    lookup: IdentityLookup, slave: ScannedSlave, answer: Identification, records: Records
+) -> DeviceAtBus | None:
+    """What the bus has to know of the description; its bits, which no row has, where the master tells bits."""
+    described = answer.device.device if answer.device is not None else None
+    at_bus = lookup.at_bus(described) if described is not None else None
+    if described is None or at_bus is None or (slave.output_bits is None and slave.input_bits is None):
+        return at_bus
+    data = ProcessData(*records(described))
+    return at_bus._replace(output_bits=data.bit_size(OUTPUT), input_bits=data.bit_size(INPUT))
 
 
 class _Fit(NamedTuple):

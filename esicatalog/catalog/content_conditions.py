@@ -8,12 +8,22 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.conditions import Condition, among, tested
 from esicatalog.catalog.device_filter import Mapped
 from esicatalog.catalog.schema import devices, pdo_entries, pdos, profiles
+from esicatalog.model.pdo_facts import subindex_words
 
 _LINKS = schema.device_modules.c
 _OF_PDO = pdo_entries.c.pdo_id == tested(pdos.c.id)
 """From the devices to their PDOs to the entries: a planner that takes entries for few would begin with all."""
 _SM_WITH_MODULE = sa.case((pdos.c.virtual == sa.true(), None), else_=pdos.c.sm)
 """SyncManager that a PDO of a module goes to with it, as :func:`esicatalog.model.process_image.module_sms` tells it."""
+
+_UNREAD_SUBINDEX = sa.and_(
+    pdo_entries.c.subindex.is_(None),
+    pdo_entries.c.spelling.like('%"subindex":"%'),
+    pdo_entries.c.spelling.not_like('%"subindex":""%'),
+)
+"""Whether an entry has a SubIndex that cannot be read."""
+_SUBINDEX = sa.case((pdo_entries.c.subindex.is_not(None), pdo_entries.c.subindex), (_UNREAD_SUBINDEX, None), else_=0)
+"""Of an entry: 0 where it has none, NULL where it cannot be read."""
 
 
 def profile(profile_no: int) -> Condition:
@@ -103,7 +113,7 @@ def maps(mapped: Mapped, bits: int | None) -> Condition:
             pdos.c.direction,
             pdos.c.pdo_index,
             pdo_entries.c.entry_index,
-            sa.func.coalesce(pdo_entries.c.subindex, 0),
+            _SUBINDEX,
             pdo_entries.c.bit_length,
         )
         fits = _entry_fits(tested(pdo_entries.c.entry_index), mapped, bits)
@@ -127,35 +137,48 @@ def maps(mapped: Mapped, bits: int | None) -> Condition:
 
 
 def not_maps(mapped: Mapped) -> Condition:
-    """Devices of which no PDO maps an entry, not even one of a reachable module."""
-    return Condition(sa.not_(among(_mapping_devices(mapped, None))), of_one=sa.not_(_maps(mapped, None)))
+    """Devices of which no PDO maps an entry, not even one of a reachable module.
+
+    One whose SubIndex cannot be read may map it: nobody can say that it does not.
+    """
+    index, subindex = mapped
+    unread = () if subindex is None else (_UNREAD_SUBINDEX,)
+    found = [_mapping_devices(mapped, None), *(_mapping_devices((index, None), None, item) for item in unread)]
+    of_one = [_maps(mapped, None), *(_maps((index, None), None, item) for item in unread)]
+    return Condition(sa.and_(*(sa.not_(among(item)) for item in found)), of_one=sa.not_(sa.or_(*of_one)))
 
 
 def _entry_fits(entry_index: sa.ColumnElement[int], mapped: Mapped, bits: int | None) -> list[Any]:
     index, subindex = mapped
     fits: list[Any] = [entry_index == index]
     if subindex is not None:
-        fits.append(sa.func.coalesce(pdo_entries.c.subindex, 0) == subindex)
+        fits.append(subindex == _SUBINDEX)
     if bits is not None:
         fits.append(pdo_entries.c.bit_length == bits)
     return fits
 
 
-def _mapping_devices(mapped: Mapped, bits: int | None) -> sa.Select[Any]:
-    mapping = sa.select(pdo_entries.c.pdo_id).where(*_entry_fits(pdo_entries.c.entry_index, mapped, bits))
-    return _owning_devices(pdos).where(pdos.c.id.in_(mapping))
+def _mapping_devices(mapped: Mapped, bits: int | None, *further: sa.ColumnElement[bool]) -> sa.Select[Any]:
+    fits = _entry_fits(pdo_entries.c.entry_index, mapped, bits)
+    return _owning_devices(pdos).where(pdos.c.id.in_(sa.select(pdo_entries.c.pdo_id).where(*fits, *further)))
 
 
-def _maps(mapped: Mapped, bits: int | None) -> sa.ColumnElement[bool]:
+def _maps(mapped: Mapped, bits: int | None, *further: sa.ColumnElement[bool]) -> sa.ColumnElement[bool]:
     fits = _entry_fits(tested(pdo_entries.c.entry_index), mapped, bits)
-    return _owns(pdos, sa.select(pdo_entries.c.id).where(_OF_PDO, *fits).exists())
+    return _owns(pdos, sa.select(pdo_entries.c.id).where(_OF_PDO, *fits, *further).exists())
 
 
 def _mapping_words(
-    module: int | None, direction: str, pdo: int | None, index: int, subindex: int, bits: int | None, sm: int | None
+    module: int | None,
+    direction: str,
+    pdo: int | None,
+    index: int,
+    subindex: int | None,
+    bits: int | None,
+    sm: int | None,
 ) -> str:
     place = f"{direction} 0x{pdo:04X}" if pdo is not None else direction
     assigned = f"default on SM{sm}" if sm is not None else "not assigned by default"
     plug = f" of module 0x{module:X}" if module is not None else ""
     length = f"{bits} bit" if bits is not None else "no BitLen"
-    return f"0x{index:04X}:{subindex:02X}, {length}, in {place}{plug} ({assigned})"
+    return f"0x{index:04X}:{subindex_words(subindex)}, {length}, in {place}{plug} ({assigned})"

@@ -19,6 +19,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.module_choice import chosen_modules
+from esicatalog.model.pdo_facts import has_object
 from esicatalog.model.process_image import SmImage, whole_process_image
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sync import default_position
@@ -189,7 +190,7 @@ def _image_json(image: SmImage) -> dict[str, Any]:
                 "bit_offset": placed.bit_offset,
                 "bit_length": placed.entry.bit_length,
                 "entry_index": placed.entry.entry_index,
-                "subindex": placed.entry.subindex or 0,
+                "subindex": (placed.entry.subindex or 0) if has_object(placed.entry) else None,
                 "name": display_text(placed.entry.names),
                 "data_type": placed.entry.data_type,
                 "direction": pdo.direction,

@@ -8,6 +8,8 @@ import functools
 from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
+import msgspec
+
 from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
 from esicatalog.model.bus import DeviceAtBus
 from esicatalog.model.pdo_facts import mapped_words
@@ -33,7 +35,8 @@ _SOURCES = (
     "WHERE x.device_id = ? ORDER BY s.member, x.line, s.location"
 )
 _LAYOUT = (
-    "SELECT p.image_sm, e.image_bit_offset, e.entry_index, coalesce(e.subindex, 0), e.bit_length FROM pdos p "
+    "SELECT p.image_sm, e.image_bit_offset, e.entry_index, e.subindex, "
+    "CASE WHEN e.subindex IS NULL THEN e.spelling END, e.bit_length FROM pdos p "
     "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND e.image_bit_offset IS NOT NULL "
     "AND (e.entry_index IS NULL OR e.entry_index <> 0)"
 )
@@ -75,6 +78,12 @@ _BESIDE_LAYOUT = (
     (
         "slots that need a module: {} here, {} there",
         "SELECT sum(min_instances) FROM slots WHERE device_id = ? HAVING sum(min_instances) > 0",
+    ),
+    (
+        "of unknown length are {} here, {} there",
+        "SELECT CASE WHEN input_bytes IS NOT NULL THEN 'outputs' WHEN output_bytes IS NOT NULL THEN 'inputs' "
+        "ELSE 'outputs and inputs' END FROM device_facts "
+        "WHERE device_id = ? AND (output_bytes IS NULL OR input_bytes IS NULL)",
     ),
     (
         "the same entries are sampled otherwise: {} here, {} there",
@@ -257,14 +266,15 @@ class IdentityLookup:
             shown = [_listed(self._query(statement, (device_id,))) for device_id in (here, there)]
             if shown[0] != shown[1]:
                 return words.format(*shown)
-        return "in the samples of oversampled PDOs, or in PDOs that are too long for a SyncManager"
+        return "in the samples of oversampled PDOs, or in PDOs that are too long or listed and not described"
 
     def _layout(self, device_id: int) -> dict[tuple[int, int], str]:
         """What begins where, in words."""
-        return {
-            (sm, offset): mapped_words(index, subindex, bits)
-            for sm, offset, index, subindex, bits in self._query(_LAYOUT, (device_id,))
-        }
+        found = {}
+        for sm, offset, index, subindex, spelling, bits in self._query(_LAYOUT, (device_id,)):
+            unread = msgspec.json.decode(spelling).get("subindex") if spelling else None
+            found[sm, offset] = mapped_words(index, subindex or unread or 0, bits)
+        return found
 
 
 def _device(row: tuple[Any, ...]) -> FoundDevice:

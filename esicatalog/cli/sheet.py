@@ -15,7 +15,7 @@ from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels
-from esicatalog.model.pdo_facts import object_words, pdo_bits, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import bits_words, object_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
@@ -195,14 +195,13 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
         for position, pdo in enumerate(pdos):
             sm = sms.get((direction, position))
             flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
-            bits = pdo_bits(pdo)
             rows.append(
                 [
                     direction,
                     _hex(pdo.pdo_index),
                     f"SM{sm}" if sm is not None else "no",
                     str(len(pdo.entries)),
-                    str(bits),
+                    bits_words(pdo),
                     " ".join(flags),
                     " ".join(map(_hex, exclusions.get(pdo.pdo_index, ()))),
                     display_text(pdo.names) or "",

@@ -172,7 +172,9 @@ def _with_entries(
     )
 
 
-def _replaced(owner: Owner, field: str, position: int, entries: tuple[Entry, ...]) -> Owner:
-    pdos = list(getattr(owner, field))
-    pdos[position] = msgspec.structs.replace(pdos[position], entries=entries)
-    return msgspec.structs.replace(owner, **{field: tuple(pdos)})
+def _replaced(owner: Owner, field: str, position: int | None, entries: tuple[Entry, ...]) -> Owner:
+    pdos = tuple(
+        msgspec.structs.replace(pdo, entries=entries) if at == position else pdo
+        for at, pdo in enumerate(getattr(owner, field))
+    )
+    return msgspec.structs.replace(owner, **{field: pdos})

@@ -17,7 +17,7 @@ from esicatalog.lint.registry import Place
 from esicatalog.model.derivation import Derivation
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, EntriesBySubindex
-from esicatalog.model.pdo_facts import PDO_FIELDS
+from esicatalog.model.pdo_facts import PDO_FIELDS, has_object
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.resolver import TypeSet
 
@@ -242,12 +242,12 @@ class PdoMapping(NamedTuple):
 
 
 def pdo_mapping(direction: str, pdo: Pdo, dictionaries: Dictionaries) -> PdoMapping:
-    """Look up what a PDO maps."""
+    """Look up what a PDO maps; what cannot be read is the reader's finding."""
     mapping = PdoMapping(direction, pdo, [], [])
     before, entries = None, None
     for position, entry in enumerate(pdo.entries):
         index = entry.entry_index
-        if index is None or index < FIRST_OBJECT:
+        if index is None or index < FIRST_OBJECT or not has_object(entry):
             continue
         if index != before:
             before, entries = index, dictionaries.entries(index)

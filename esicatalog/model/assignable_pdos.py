@@ -21,7 +21,8 @@ class AvailablePdo(NamedTuple):
     """A PDO that can be assigned; ``position`` counts among those of its direction in the device or module."""
 
     direction: str
-    position: int
+    position: int | None
+    """None for one that is listed and nobody describes."""
     pdo: Pdo
     """At the index that it has in its slot."""
     plugged: PluggedModule | None

@@ -14,6 +14,7 @@ from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import Profile
 from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, MAX_AXES, STATUSWORD
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
+from esicatalog.model.pdo_facts import mapped
 from esicatalog.model.profile_facts import has_profile_402, is_motion_terminal
 
 _WORD_BITS = 16
@@ -82,12 +83,7 @@ def may_move(module: Module) -> bool:
 
 def _mapped_words(pdos: Iterable[Pdo]) -> set[int | None]:
     """Indices of the objects that are mapped as a single value of 16 bits."""
-    return {
-        entry.entry_index
-        for pdo in pdos
-        for entry in pdo.entries
-        if (entry.subindex or 0) == 0 and entry.bit_length == _WORD_BITS
-    }
+    return {entry.entry_index for pdo in pdos for entry in pdo.entries if mapped(entry)[1:] == (0, _WORD_BITS)}
 
 
 def _declared_words(view: DictionaryView) -> frozenset[int | None]:

@@ -6,7 +6,7 @@ data of another size than the description's default is told.
 
 import itertools
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.scan.records import ScannedSlave
@@ -26,6 +26,9 @@ class DeviceAtBus(NamedTuple):
     """Says False also where it says nothing of clocks."""
     potential_reference_clock: bool | None = None
     """Dc/@PotentialReferenceClock."""
+    output_bits: int | None = None
+    """All bits, which masters add up over SyncManagers before they round; None where they are not known."""
+    input_bits: int | None = None
 
     @property
     def has_clock(self) -> bool | None:
@@ -83,20 +86,14 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
         if slave.alias in duplicates:
             others = ", ".join(str(position) for position in duplicates[slave.alias] if position != slave.position)
             notes.append(f"alias {slave.alias} is also that of slave {others}")
-        sizes = [
-            ("out", _bytes(slave.output_bits), device.output_bytes if device else None),
-            ("in", _bytes(slave.input_bits), device.input_bytes if device else None),
-        ]
-        notes += [
-            f"bytes {way}: {scanned} configured, {described} in the default process image of the description"
-            for way, scanned, described in sizes
-            if scanned is not None and described is not None and scanned != described
-        ]
-        output_bytes, input_bytes = (described if scanned is None else scanned for _, scanned, described in sizes)
+        outputs = _Size(slave.output_bits, device.output_bytes if device else None)
+        inputs = _Size(slave.input_bits, device.input_bytes if device else None)
+        notes += outputs.notes("out", device.output_bits if device else None)
+        notes += inputs.notes("in", device.input_bits if device else None)
         reports.append(
             SlaveReport(
-                output_bytes=output_bytes,
-                input_bytes=input_bytes,
+                output_bytes=outputs.byte_size,
+                input_bytes=inputs.byte_size,
                 e_bus_current_ma=budget.current,
                 e_bus_left_ma=budget.left,
                 dc_capable=slave.dc_capable if slave.dc_capable is not None or not device else device.has_clock,
@@ -107,8 +104,23 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
     return reports, _summary(bus, reports, duplicates, budget)
 
 
-def _bytes(bits: int | None) -> int | None:
-    return (bits + 7) // 8 if bits is not None else None
+class _Size(NamedTuple):
+    """Process data of one direction, as configured and as described."""
+
+    configured_bits: int | None
+    described_bytes: int | None
+
+    @property
+    def byte_size(self) -> int | None:
+        """As configured, else as described."""
+        return (self.configured_bits + 7) // 8 if self.configured_bits is not None else self.described_bytes
+
+    def notes(self, way: str, described_bits: int | None) -> Iterator[str]:
+        """A note where neither the bytes are the same nor the bits."""
+        if None in self or self.configured_bits == described_bits or self.byte_size == self.described_bytes:
+            return
+        described = f"{self.described_bytes} in the default process image of the description"
+        yield f"bytes {way}: {self.byte_size} configured, {described}"
 
 
 class _EBusBudget:

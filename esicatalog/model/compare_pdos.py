@@ -34,11 +34,11 @@ from esicatalog.model.compare_words import (
 )
 from esicatalog.model.pdo_facts import (
     Mapped,
+    bits_words,
     entry_facts,
     index_words,
     mapped,
     mapped_words,
-    pdo_bits,
     symmetric_exclusions,
 )
 from esicatalog.model.process_image import NamedAssignment, alternative_assignments
@@ -135,7 +135,7 @@ def _compare_pdo(name: str, left: Pdo | None, right: Pdo | None) -> Iterator[Dif
 
 
 def _pdo_words(pdo: Pdo) -> str:
-    size = f"{counted(len(pdo.entries), 'entry', 'entries')}, {pdo_bits(pdo)} bit"
+    size = f"{counted(len(pdo.entries), 'entry', 'entries')}, {bits_words(pdo)} bit"
     flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
     return ", ".join(filter(None, (sync_manager(value_of(pdo, "sm")), size, *flags, shown_text(pdo.names))))
 

@@ -1,8 +1,9 @@
 """Which PDOs are assigned to which SyncManager (ESI-FACTS sections 0, 9, 12 and 18).
 
 A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the SyncManager: then that list counts, with
-the mandatory ones, which have to stay; a PDO that it lists goes there, whatever its own Sm says. What a virtual
-SyncManager has is described, not transported, like a virtual PDO.
+the mandatory ones, which have to stay; a PDO that it lists goes there, whatever its own Sm says. One that it lists and
+nobody describes is exchanged all the same: it has no known entries. What a virtual SyncManager has is described, not
+transported, like a virtual PDO.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -10,8 +11,9 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
-from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos
-from esicatalog.model.pdo_facts import index_words
+from esicatalog.esi.records.pdo import Pdo
+from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos, without_rivals
+from esicatalog.model.pdo_facts import PDO_MAPPINGS, index_words, symmetric_exclusions
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import may_transport, sm_role
 
@@ -56,7 +58,8 @@ def assigned_pdos(
     for number in sorted(numbers):
         sm, remarks = _sync_manager(device, number), [*problems]
         if number in wanted:
-            meant = _by_index(candidates, _with_mandatory(number, wanted[number], unlisted, remarks), remarks)
+            listed = _with_mandatory(number, wanted[number], unlisted, remarks)
+            meant = list(_by_index(device, sm, candidates, listed, remarks))
         else:
             meant = [[candidate] for candidate in unlisted if candidate.pdo.sm == number]
         pdos = list(_transported(number, sm, _fitting(number, sm, meant, remarks), remarks))
@@ -93,9 +96,12 @@ def _unlisted(
 def _with_mandatory(
     number: int, wanted: Sequence[int], candidates: list[AvailablePdo], remarks: list[str]
 ) -> list[int]:
-    mandatory = [c.pdo.pdo_index for c in candidates if c.pdo.sm == number and c.pdo.mandatory and not c.pdo.virtual]
-    missing = [index for index in dict.fromkeys(mandatory) if index is not None and index not in wanted]
-    remarks += [f"PDO {index_words(index)} is mandatory: assigned too" for index in missing]
+    """A list with the mandatory PDOs before it that it leaves out; those that exclude each other are told once."""
+    mandatory = [c.pdo for c in candidates if c.pdo.sm == number and c.pdo.mandatory and not c.pdo.virtual]
+    found = [pdo.pdo_index for pdo in mandatory if pdo.pdo_index is not None]
+    missing = [index for index in dict.fromkeys(found) if index not in wanted]
+    staying = without_rivals(missing, symmetric_exclusions(mandatory))
+    remarks += [f"PDO {index_words(index)} is mandatory: assigned too" for index in staying]
     return [*missing, *wanted]
 
 
@@ -120,14 +126,37 @@ def _may_have(sm: SyncManager | None, candidate: AvailablePdo) -> bool:
     return sm is None or may_transport(sm, candidate.direction)
 
 
-def _by_index(candidates: list[AvailablePdo], indices: Sequence[int], remarks: list[str]) -> list[list[AvailablePdo]]:
-    """The PDOs of a list, all those of an index together."""
+def _by_index(
+    device: Device,
+    sm: SyncManager | None,
+    candidates: list[AvailablePdo],
+    indices: Iterable[int],
+    remarks: list[str],
+) -> Iterator[list[AvailablePdo]]:
+    """The PDOs of a list, all those of an index together.
+
+    Of those that are not described nothing is exchanged by a virtual SyncManager, nor, as far as anybody knows, with
+    slots: they may be those of modules that are not plugged.
+    """
+    may_be_absent = bool(device.slots) or (sm is not None and bool(sm.virtual))
     by_index: dict[int | None, list[AvailablePdo]] = {}
     for candidate in candidates:
         by_index.setdefault(candidate.pdo.pdo_index, []).append(candidate)
-    once = dict.fromkeys(indices)
-    remarks += [f"PDO 0x{index:04X} is listed but not described" for index in once if index not in by_index]
-    return [by_index[index] for index in once if index in by_index]
+    for index in dict.fromkeys(indices):
+        if index in by_index:
+            yield by_index[index]
+            continue
+        remarks.append(f"PDO 0x{index:04X} is listed but not described")
+        if not may_be_absent:
+            yield [_undescribed(sm, index)]
+
+
+def _undescribed(sm: SyncManager | None, index: int) -> AvailablePdo:
+    """A PDO of which nothing is known but its index; its direction is that of the SyncManager, else of the index."""
+    role = sm_role(sm) if sm is not None else None
+    by_index = "RxPdo" if index in PDO_MAPPINGS["RxPdo"] else "TxPdo"
+    direction = role.pdo_direction if role is not None else None
+    return AvailablePdo(direction or by_index, None, Pdo(pdo_index=index), None, None)
 
 
 def _fitting(

@@ -39,8 +39,11 @@ class PdoFacts(Record):
     entry_count: Annotated[int, Doc("Number of entries, padding included")] = 0
 
 
-Mapped = tuple[int | None, int, int | None]
-"""Index, subindex and bit length of an entry; of padding only the length counts."""
+Mapped = tuple[int | None, int | str, int | None]
+"""Index, subindex and bit length of an entry; of padding only the length counts.
+
+The subindex is a text where the document has one that cannot be read: it is unknown and no other's.
+"""
 
 
 class EntryFacts(Record):
@@ -59,6 +62,14 @@ def pdo_bits(pdo: Pdo) -> int:
     return sum([max(entry.bit_length or 0, 0) for entry in pdo.entries])
 
 
+def bits_words(pdo: Pdo) -> str:
+    """Bits of one sample as sheets and pages say it: ``12``, ``?`` or ``at least 12`` where not all are described."""
+    bits = pdo_bits(pdo)
+    if is_described(pdo):
+        return str(bits)
+    return f"at least {bits}" if bits else "?"
+
+
 def pdo_facts(pdo: Pdo) -> PdoFacts:
     """Size and number of entries of a PDO; a sum of 2^63 or more counts as none (ESI-FACTS section 1.1)."""
     bits = pdo_bits(pdo)
@@ -75,13 +86,23 @@ _PADDING, _NO_PADDING = EntryFacts(is_padding=True), EntryFacts(is_padding=False
 
 def mapped(entry: Entry) -> Mapped:
     """What an entry maps."""
-    return (entry.entry_index, entry.subindex or 0 if entry.entry_index != 0 else 0, entry.bit_length)
+    subindex: int | str | None = entry.subindex if entry.entry_index != 0 else 0
+    if subindex is None:
+        subindex = (entry.spelling or {})["subindex"] if unreadable(entry, "subindex") is not None else 0
+    return (entry.entry_index, subindex, entry.bit_length)
 
 
-def mapped_words(index: int | None, subindex: int, bit_length: int | None) -> str:
-    """What an entry maps, e.g. ``0x6041:00 (16 bit)``."""
-    target = "padding" if index == 0 else f"{index_words(index)}:{subindex:02X}"
+def mapped_words(index: int | None, subindex: int | str | None, bit_length: int | None) -> str:
+    """What an entry maps, e.g. ``0x6041:00 (16 bit)``; None is a subindex that cannot be read."""
+    target = "padding" if index == 0 else f"{index_words(index)}:{subindex_words(subindex)}"
     return f"{target} ({'no length' if bit_length is None else f'{bit_length} bit'})"
+
+
+def subindex_words(subindex: int | str | None) -> str:
+    """A subindex as two digits; a question mark for one that cannot be read, with what stands there if it is given."""
+    if isinstance(subindex, int):
+        return f"{subindex:02X}"
+    return "?" if subindex is None else f"? {subindex!r}"
 
 
 def has_length(entry: Entry) -> bool:

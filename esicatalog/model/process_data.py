@@ -79,12 +79,19 @@ class ProcessData:
 
         None for PDOs without SyncManagers, and where the length of one of these is not known.
         """
+        images = self._known_images(transfer_direction)
+        return sum(image.described_bytes for image in images) if images is not None else None
+
+    def bit_size(self, transfer_direction: str) -> int | None:
+        """The same in bits, of which each SyncManager rounds its own up to bytes."""
+        images = self._known_images(transfer_direction)
+        return sum(image.bit_size for image in images) if images is not None else None
+
+    def _known_images(self, transfer_direction: str) -> list[SmImage] | None:
         images = [image for image in self.images if image.transfer_direction == transfer_direction]
         pdos = (self.rx_pdos, self.tx_pdos, *(module.rx_pdos or module.tx_pdos for module in self.modules))
-        sizes = [image.byte_size for image in images if image.byte_size is not None]
-        if len(sizes) < len(images) or (any(pdos) and not self.sync_managers):
-            return None
-        return sum(sizes)
+        is_known = all(image.has_known_size for image in images)
+        return images if is_known and (self.sync_managers or not any(pdos)) else None
 
     @cached_property
     def image_signature(self) -> str | None:

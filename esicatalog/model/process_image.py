@@ -2,8 +2,8 @@
 
 PDOs follow each other bit by bit in document order; a SyncManager is as long as all its bits, rounded up once.
 An oversampled PDO repeats its entries: as often as the OpMode says, else by its own OSFac, each sample OSIndexInc
-further. How long a PDO with variable content is, or one with an entry without BitLen, is not known, nor where lies
-what follows it.
+further. How long a PDO with variable content is, one with an entry without BitLen or one that is listed and not
+described, is not known, nor where lies what follows it.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -47,7 +47,8 @@ class PlacedEntry(NamedTuple):
 class PlacedPdo(NamedTuple):
     """An assigned PDO; ``repeat`` is the oversampling factor, ``slot_number`` None for a PDO of the device itself.
 
-    ``position`` is the PDO's among those of its direction in the device or module, None for a filler between groups.
+    ``position`` is the PDO's among those of its direction in the device or module, None for a filler between groups and
+    for one that is listed and not described.
     ``entries`` are those of ``pdo`` once for each sample.
     """
 

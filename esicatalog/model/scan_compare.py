@@ -120,7 +120,8 @@ def _described_mapping(pdo: Pdo) -> _Mapping:
 def _fits(printed: Mapped, described: Mapped) -> bool:
     """Whether an entry is as described; what the description leaves open may be anything."""
     index, subindex, bits = described
-    return (index is None or printed[:2] == (index, subindex)) and (bits is None or printed[2] == bits)
+    is_same = index is None or (printed[0] == index and (isinstance(subindex, str) or printed[1] == subindex))
+    return is_same and (bits is None or printed[2] == bits)
 
 
 def _pdo_differences(pdo: ScannedPdo, known: Mapping[tuple[bool, int], Collection[_Mapping]]) -> Iterator[str]:

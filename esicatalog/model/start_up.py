@@ -1,6 +1,6 @@
 """What InitCmds have written when a device is in operation, and which of the device's own yield to those of modules.
 
-A command that does not tell where it writes to is sent by nobody, so it writes nothing.
+A command that does not tell where it writes to, what or when is sent by nobody, so it writes nothing.
 """
 
 from collections.abc import Collection, Iterable
@@ -80,8 +80,14 @@ def written_places(modules: Iterable[Module]) -> set[tuple[int | None, int]]:
         (command.object_index, command.subindex or 0)
         for module in modules
         for command in (module.mailbox.coe_init_cmds if module.mailbox is not None else ())
-        if unusable_part(command) is None
+        if _is_sent(command)
     }
+
+
+def _is_sent(command: InitCmd) -> bool:
+    """Whether a command tells all that it takes to send it: where it writes to, what, and when."""
+    is_due = any(transition_of(transition) in TRANSITIONS for transition in command.transitions)
+    return is_due and unusable_part(command) is None and bool(decode_hex_binary(command.data))
 
 
 def yields(command: InitCmd, places: Collection[tuple[int | None, int]]) -> bool:

@@ -8,7 +8,7 @@ from esicatalog.lint.registry import WARNING, Found, Place, rule
 from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject
 from esicatalog.model.access import states_to_write
 from esicatalog.model.base_types import BASE_TYPES
-from esicatalog.model.start_up import SENT_IN, TRANSITIONS, transition_of
+from esicatalog.model.start_up import SENT_IN, TRANSITIONS, transition_of, unusable_part
 from esicatalog.model.sync import listed_pdos
 from esicatalog.model.values import fills
 
@@ -54,7 +54,7 @@ def _words(command: InitCmd) -> str:
 
 def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete: bool) -> str | None:
     index = command.object_index
-    if index is None or index < FIRST_OBJECT:
+    if index is None or index < FIRST_OBJECT or unusable_part(command) is not None:
         return None
     entries = dictionaries.entries(index)
     if entries is None:

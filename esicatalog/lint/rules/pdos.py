@@ -1,6 +1,6 @@
 """Rules about PDOs: index, assignment, exclusions, entries (ESI-FACTS section 9)."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.pdo import Exclude, Pdo
@@ -104,7 +104,7 @@ def exclusion_one_sided(subject: ProcessSubject | ModuleSubject) -> Iterator[Fou
 
 @rule("L31", ERROR, "ETG.2000 Exclude: the PDOs may not be assigned at the same time")
 def exclusive_defaults(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
-    """Two PDOs that exclude each other are both assigned by default, or a PDO excludes itself."""
+    """Two PDOs that exclude each other are both assigned by default or by an OpMode, or a PDO excludes itself."""
     if not _any_excludes(subject):
         return
     for placed in subject.pdos:
@@ -114,21 +114,46 @@ def exclusive_defaults(subject: ProcessSubject | ModuleSubject) -> Iterator[Foun
                     f"{_words(placed.direction, item.pdo_index)} excludes itself: remove that Exclude",
                     (*placed.place, "excludes", number),
                 )
-    assigned = _assigned_by_default(subject)
+    told: set[tuple[int | None, int]] = set()
+    for assigned, words, field in _assignments(subject):
+        for placed, other in _exclusive(assigned):
+            index = placed.pdo.pdo_index
+            if (index, other) not in told:
+                told.add((index, other))
+                both = f"{_words(placed.direction, index)} and 0x{other:04X}"
+                yield Found(f"{both} exclude each other, but {words}", (*placed.place, *field))
+
+
+def _exclusive(assigned: Sequence[DeclaredPdo]) -> Iterator[tuple[DeclaredPdo, int]]:
+    """PDOs with the index of another one before them that may not be assigned beside them."""
     exclusions = symmetric_exclusions(placed.pdo for placed in assigned)
     before: list[int] = []
     for placed in assigned:
         index = placed.pdo.pdo_index
         rivals = exclusions.get(index, ())
-        for other in before:
-            if other in rivals:
-                yield Found(
-                    f"{_words(placed.direction, index)} and 0x{other:04X} exclude each other, "
-                    "but both are assigned by default: one of them must lose its Sm",
-                    (*placed.place, "sm"),
-                )
+        yield from ((placed, other) for other in before if other in rivals)
         if index is not None:
             before.append(index)
+
+
+def _assignments(subject: ProcessSubject | ModuleSubject) -> Iterator[tuple[list[DeclaredPdo], str, tuple[str, ...]]]:
+    """What is assigned together, with what assigns it in words and the field that does: by default, by each list."""
+    yield _assigned_by_default(subject), "both are assigned by default: one of them must lose its Sm", ("sm",)
+    if isinstance(subject, ModuleSubject):
+        return
+    for mode in subject.data.op_modes:
+        if indices := listed_pdos([mode]):
+            assigned = [
+                placed
+                for placed in subject.pdos
+                if not placed.pdo.virtual and (placed.pdo.pdo_index in indices or _stays(placed.pdo))
+            ]
+            yield assigned, f"the OpMode {mode.name!r} assigns both: take one of them out of its list", ()
+
+
+def _stays(pdo: Pdo) -> bool:
+    """Whether a PDO is assigned to its SyncManager whatever a list has."""
+    return bool(pdo.mandatory) and pdo.sm is not None
 
 
 def _any_excludes(subject: ProcessSubject | ModuleSubject) -> bool:
@@ -153,25 +178,29 @@ def _listing(mode: OpMode | None) -> dict[int | None, OpMode]:
 
 
 def _assigned_by_default(subject: ProcessSubject | ModuleSubject) -> list[DeclaredPdo]:
-    """PDOs that go by their Sm: the default OpMode lists neither them nor others for it, and something is exchanged."""
-    of_devices = [_taken_from_sm(data) for data in _processes(subject)]
-    sms = set.intersection(*[sms for sms, _ in of_devices]) if of_devices else set()
-    indices = set.intersection(*[indices for _, indices in of_devices]) if of_devices else set()
+    """PDOs that go by their Sm in a device that it can be a part of, and are exchanged there."""
+    of_devices = [_SmAttributes(data) for data in _processes(subject)]
     return [
         placed
         for placed in subject.pdos
-        if placed.pdo.sm is not None
-        and placed.pdo.sm not in sms
-        and placed.pdo.pdo_index not in indices
-        and not placed.pdo.virtual
+        if placed.pdo.sm is not None and not placed.pdo.virtual
+        if not of_devices or any(item.assign(placed.pdo) for item in of_devices)
     ]
 
 
-def _taken_from_sm(data: ProcessData) -> tuple[set[int | None], set[int]]:
-    """SyncManagers whose PDOs the default OpMode lists or that are virtual, and the PDOs that it lists."""
-    mode = data.default_op_mode
-    virtual = {number for number, sm in enumerate(data.sync_managers) if sm.virtual}
-    return virtual | set(_listing(mode)), listed_pdos([mode] if mode is not None else [])
+class _SmAttributes:
+    """Which PDOs the Sm attribute assigns in a device by default."""
+
+    def __init__(self, data: ProcessData) -> None:
+        mode = data.default_op_mode
+        self._virtual = {number for number, sm in enumerate(data.sync_managers) if sm.virtual}
+        self._listing = _listing(mode)
+        self._listed = listed_pdos([mode] if mode is not None else [])
+
+    def assign(self, pdo: Pdo) -> bool:
+        """Whether the default OpMode lists neither the PDO nor, unless it is mandatory, others for its SyncManager."""
+        stays = pdo.sm not in self._listing or bool(pdo.mandatory)
+        return stays and pdo.sm not in self._virtual and pdo.pdo_index not in self._listed
 
 
 @rule("L32", WARNING, "ETG.2000 Exclude: index of another PDO")

@@ -79,11 +79,13 @@ def outputs_without_watchdog(subject: ProcessSubject) -> Iterator[Found]:
 
 @rule("L22", WARNING, "ESC: a SyncManager of three buffers takes three times its length, one behind the other")
 def memory_overlap(subject: ProcessSubject) -> Iterator[Found]:
-    """SyncManagers overlap in memory, buffered ones counted three times."""
+    """SyncManagers overlap in memory, buffered ones counted three times.
+
+    Process data are as long as their PDOs make them where DefaultSize is less.
+    """
     sync_managers, of_images = subject.data.sync_managers, _image_bytes(subject)
     byte_sizes = {
-        number: sm.default_size if sm.default_size is not None else of_images.get(number)
-        for number, sm in enumerate(sync_managers)
+        number: max(sm.default_size or 0, of_images.get(number) or 0) for number, sm in enumerate(sync_managers)
     }
     for found in memory_overlaps(sync_managers, byte_sizes):
         yield Found(f"{found.words}; move one of them, or correct DefaultSize", ("sync_managers", found.number))

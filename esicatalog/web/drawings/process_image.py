@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.common import display_text
-from esicatalog.model.pdo_facts import entry_facts
+from esicatalog.model.pdo_facts import entry_facts, has_object, subindex_words
 from esicatalog.model.process_image import PlacedEntry, PlacedPdo, SmImage, byte_bit
 from esicatalog.web.drawings.style import PDO_COLOURS
 from esicatalog.web.drawings.svg import (
@@ -225,7 +225,7 @@ def _label(drawn: _Drawn, box: _Box) -> list[str]:
         ((name, details), (name, address), (f"{name} {address}",), (name,)) if name else ((details,),)
     )
     lines = first_that_fits(
-        [*choices, (address,), (f":{entry.subindex or 0:02X}",)], box.width - 6, box.height - 2, _TEXT_LINE
+        [*choices, (address,), (f":{address.rpartition(':')[2]}",)], box.width - 6, box.height - 2, _TEXT_LINE
     )
     top = box.y + (box.height - _TEXT_LINE * len(lines)) / 2 + 11
     return [text(box.x + box.width / 2, top + _TEXT_LINE * at, line, "label") for at, line in enumerate(lines)]
@@ -233,7 +233,7 @@ def _label(drawn: _Drawn, box: _Box) -> list[str]:
 
 def _address(drawn: _Drawn) -> str:
     entry = drawn.placed.entry
-    return f"{hexadecimal(entry.entry_index)}:{entry.subindex or 0:02X}"
+    return f"{hexadecimal(entry.entry_index)}:{subindex_words(entry.subindex or 0 if has_object(entry) else None)}"
 
 
 def _title_lines(drawn: _Drawn) -> list[str]:

@@ -22,7 +22,7 @@ from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.module_choice import module_choices, module_labels
-from esicatalog.model.pdo_facts import object_words, pdo_bits, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import bits_words, object_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import fitting_modules, numbered_slots
@@ -259,7 +259,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
             "index": pdo.pdo_index,
             "name": display_text(pdo.names) or "",
             "sm": sms.get((direction, position)),
-            "bits": pdo_bits(pdo),
+            "bits": bits_words(pdo),
             "flags": [flag for flag in ("fixed", "mandatory", "virtual") if getattr(pdo, flag)],
             "excludes": exclusions.get(pdo.pdo_index, ()),
             "entries": [
