@@ -94,9 +94,9 @@ def test_layouts_that_differ(left, right):
 
 _PLACE = re.compile(r"SM(\d+) byte (\d+\.\d) is (.+) here, (.+) there")
 _BY_DIFFERENCE = {
-    "size": "described bits are|in PDOs of unknown length|SyncManagers without PDOs have",
+    "size": "described bits are|in PDOs of unknown length|of unknown length are|SyncManagers without PDOs have",
     "direction": "SyncManagers with PDOs are",
-    "without known place": "in PDOs of unknown length|SyncManagers without PDOs have|too long for a SyncManager",
+    "without known place": "in PDOs of unknown length|SyncManagers without PDOs have|too long or listed",
 }
 
 
