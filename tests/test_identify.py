@@ -567,7 +567,7 @@ def test_openapi_says_what_the_routes_do(data_db):
                 cases = cases.filter(names_no_slot_twice)
 
             @given(case=cases)
-            @settings(max_examples=40, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+            @settings(max_examples=15, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
             def answered_as_promised(case):
                 # OpenAPI has no words for a parameter that needs another one; the descriptions say it
                 assume(all(any(case.query.get(of, "")) for name, of in SHARPENS.items() if case.query.get(name)))

@@ -520,7 +520,7 @@ STEPS = st.lists(
 )
 
 
-@settings(max_examples=6, deadline=None, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=4, deadline=None, phases=[Phase.explicit, Phase.generate])
 @given(STEPS)
 def test_any_history_equals_a_fresh_ingest(tmp_path_factory, steps):
     tmp_path = tmp_path_factory.mktemp("history")

@@ -97,10 +97,10 @@ def small(tmp_path_factory) -> dict[str, Case]:
     ("kind", "moment", "target"),
     [
         ("new", 0.45, "group"),
-        ("new", 0.7, "parent"),
+        pytest.param("new", 0.7, "parent", marks=pytest.mark.faults),
         ("new", 0.6, "worker"),
-        ("changed", 0.5, "group"),
-        ("changed", 0.75, "group"),
+        pytest.param("changed", 0.5, "group", marks=pytest.mark.faults),
+        pytest.param("changed", 0.75, "group", marks=pytest.mark.faults),
         ("changed", 0.6, "parent"),
     ],
 )

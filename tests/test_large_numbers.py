@@ -1,6 +1,7 @@
 """Numbers as large as a database takes, wherever a document has one: no sum of them ends an ingest."""
 
 import re
+from itertools import islice
 
 import msgspec
 import pytest
@@ -25,10 +26,13 @@ def numbers(held: object) -> list[int]:
     return [held] if isinstance(held, int) else []
 
 
-@pytest.mark.parametrize("text", [str(LARGEST), pytest.param(str(-LARGEST), marks=pytest.mark.faults)])
-def test_one_large_number_anywhere(text, tmp_path):
+@pytest.mark.parametrize(
+    ("text", "step"),
+    [(str(LARGEST), 4), *(pytest.param(str(number), 1, marks=pytest.mark.faults) for number in (LARGEST, -LARGEST))],
+)
+def test_one_large_number_anywhere(text, step, tmp_path):
     worker, content = DocumentWorker(), MAXIMAL.read_bytes()
-    for found in NUMBER.finditer(content):
+    for found in islice(NUMBER.finditer(content), 0, None, step):
         place = content[max(found.start() - 60, 0) : found.end() + 30]
         (tmp_path / "d.xml").write_bytes(content[: found.start()] + text.encode() + content[found.end() :])
         outcome = worker.handle(Task(0, str(tmp_path), False, (), "d.xml"))
