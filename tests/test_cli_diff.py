@@ -51,7 +51,7 @@ def test_two_revisions_of_a_catalog(two_revisions):
         "  ! RxPDO 0x1600 entry 1  0x7000:01 (8 bit) e1 -> 0x7000:01 (16 bit) e1",
         "",
         "Process image",
-        "  ! SM2 size    1 byte (8 bit) -> 2 bytes (16 bit)",
+        "  ! SM2 size    1 byte (8 bits) -> 2 bytes (16 bits)",
         "  ! SM2 at 0.0  0x7000:01 (8 bit) e1 -> 0x7000:01 (16 bit) e1",
         "",
         "! counts: a master's configuration made for the left device may not fit the right one",

@@ -61,7 +61,7 @@ def test_sizes_that_are_not_known_are_no_numbers():
     known = "<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1601", 8, attributes='Sm="0"')
     empty = '<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name></RxPdo>'
     found = {item.place: item for item in compared(esi(device(known)), esi(device(known + empty)))}
-    assert (found["SM0 size"].left, found["SM0 size"].right) == ("1 byte (8 bit)", "at least 1 byte (8 bit)")
+    assert (found["SM0 size"].left, found["SM0 size"].right) == ("1 byte (8 bits)", "at least 1 byte (8 bits)")
     assert not [place for place in found if place.startswith("SM0 at")], "what lies before it stays"
     found = {item.place: item for item in compared(esi(device("<Sm>Outputs</Sm>" + empty)), esi(device(known)))}
     assert found["SM0 size"].left == "unknown length"

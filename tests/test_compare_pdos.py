@@ -37,7 +37,7 @@ def test_another_object_at_the_same_place():
 def test_an_entry_put_between_others_moves_those_behind_it():
     assert told(tx(STATUS, POSITION), tx(STATUS, MODE, POSITION)) == [
         ("TxPDO 0x1A00 entry 2", None, "0x6061:00 (8 bit) e", True),
-        ("SM3 size", "6 bytes (48 bit)", "7 bytes (56 bit)", True),
+        ("SM3 size", "6 bytes (48 bits)", "7 bytes (56 bits)", True),
         ("SM3 at 2.0", "0x6064:00 (32 bit) e", "0x6061:00 (8 bit) e", True),
         ("SM3 at 3.0", "inside 0x6064:00 (32 bit) from 2.0", "0x6064:00 (32 bit) e", True),
     ]
@@ -46,7 +46,7 @@ def test_an_entry_put_between_others_moves_those_behind_it():
 def test_an_entry_taken_out_at_the_end():
     assert told(tx(STATUS, MODE), tx(STATUS)) == [
         ("TxPDO 0x1A00 entry 2", "0x6061:00 (8 bit) e", None, True),
-        ("SM3 size", "3 bytes (24 bit)", "2 bytes (16 bit)", True),
+        ("SM3 size", "3 bytes (24 bits)", "2 bytes (16 bits)", True),
         ("SM3 at 2.0", "0x6061:00 (8 bit) e", None, True),
     ]
 
@@ -138,7 +138,7 @@ def test_assignment_and_flags():
         ("TxPDO 0x1A01 assignment", "not assigned", "SM3", True),
         ("TxPDO 0x1A01 Fixed", "no", "yes", True),
     ]
-    assert found[2][:3] == ("SM3 size", "2 bytes (16 bit)", "3 bytes (24 bit)")
+    assert found[2][:3] == ("SM3 size", "2 bytes (16 bits)", "3 bytes (24 bits)")
     back = told(tx(STATUS) + other, tx(STATUS) + other.replace('Fixed="1"', ""))
     assert back == [("TxPDO 0x1A01 Fixed", "yes", "no", False)]
 
@@ -168,7 +168,7 @@ def test_the_image_is_that_of_the_default_op_mode():
     pdos = SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("RxPdo", "#x1601", 16)
     listed = op_mode("m", content='<Sm No="2"><Pdo>#x1601</Pdo></Sm>')
     found = told(f"{pdos}<Dc>{op_mode('m')}</Dc>", f"{pdos}<Dc>{listed}</Dc>")
-    assert ("SM2 size", "1 byte (8 bit)", "2 bytes (16 bit)", True) in found
+    assert ("SM2 size", "1 byte (8 bits)", "2 bytes (16 bits)", True) in found
 
 
 def test_predefined_assignments():

@@ -82,7 +82,7 @@ def test_a_finding_says_what_and_where_in_one_line(rule_id):
 @pytest.mark.parametrize(
     ("type_name", "bits", "data", "words"),
     [
-        ("INT", 16, "FF", "1 bytes; INT has 2, and the missing ones are read as 0"),
+        ("INT", 16, "FF", "1 byte; INT has 2, and the missing ones are read as 0"),
         ("INT", 16, "FFFF0000", "4 bytes; INT has 2, and the first 2 are read"),
         ("REAL", 32, "0000003F00000000", "8 bytes; REAL has 4, and the first 4 are read"),
         ("DINT", 16, "FFFFFFFF", "4 bytes; DINT has 2"),  # as many as a DINT has: all are read

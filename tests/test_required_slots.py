@@ -87,7 +87,7 @@ def test_an_image_that_lacks_required_modules_is_another_layout():
     signatures = [derive(*item).facts.image_signature for item in (required, optional)]
     assert signatures[0] != signatures[1]
     places = {item.place: (item.left, item.right) for item in compare_devices(*required, *optional)}
-    assert places["SM2 size"] == ("at least 2 bytes (16 bit)", "2 bytes (16 bit)")
+    assert places["SM2 size"] == ("at least 2 bytes (16 bits)", "2 bytes (16 bits)")
 
 
 def test_catalog_sheet_and_scan(tmp_path):

@@ -11,7 +11,7 @@ from esicatalog.export.headings import choice_lines
 from esicatalog.export.igh import igh_header
 from esicatalog.export.sii_remarks import image_remarks
 from esicatalog.export.soem import soem_header
-from esicatalog.model.pdo_facts import object_words
+from esicatalog.model.pdo_facts import entry_words
 
 ABSENT = "; it cannot be read and counts as absent: correct the file"
 MAILBOX = '<Sm DefaultSize="128" StartAddress="#x1000" ControlByte="#x26" Enable="1">MBoxOut</Sm>'
@@ -178,7 +178,7 @@ def test_a_command_whose_place_cannot_be_read_is_left_out(command, words):
 def test_entries_that_map_something_unknown_are_no_padding():
     unknown = entry("#x607A", 32).replace(">0<", ">00h<")
     content = rx("#x1600", entry("607Ah", 32), unknown, entry("0", 8), entry("#x607A", 32, subindex=10))
-    words = [object_words(item) for item in only_device(esi(device(content))).rx_pdos[0].entries]
+    words = [entry_words(item) for item in only_device(esi(device(content))).rx_pdos[0].entries]
     assert words == ["unknown", "0x607A:?", "padding", "0x607A:0A"]
 
 

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, reference_clock_words, slave_words
 from esicatalog.catalog.results import hex32
 from esicatalog.cli.common import table_lines
+from esicatalog.model.counting import counted
 
 _HEAD = ("pos", "alias", "identity", "ESI", "device", "revision", "E-bus left", "out", "in", "source")
 
@@ -64,7 +65,10 @@ def _summary(bus: BusReport) -> Iterator[str]:
     facts = [
         ("slaves", f"{len(bus.slaves)}, {known} with exact ESI"),
         ("without", slave_words(bus.not_exact_at)),
-        ("process data", f"{summary.output_bytes} bytes out, {summary.input_bytes} bytes in{unknown}"),
+        (
+            "process data",
+            f"{counted(summary.output_bytes, 'byte')} out, {counted(summary.input_bytes, 'byte')} in{unknown}",
+        ),
         ("reference clock", reference_clock_words(bus)),
         ("no LRW", slave_words(summary.no_lrw_at)),
         ("E-bus exceeded", slave_words(summary.e_bus_exceeded_at)),

@@ -18,7 +18,7 @@ from esicatalog.cli.common import (
     print_table,
     reporting_errors,
 )
-from esicatalog.model.compare_words import counted
+from esicatalog.model.counting import counted
 
 _CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant", "vendor", "type", "name", "evidence")
 

@@ -20,7 +20,7 @@ from esicatalog.model.compare import compare_devices, summary_words
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.model.compare_documents import DescribedDevice, described_devices, paired_devices
 from esicatalog.model.compare_facts import ADDED, CHANGED, REMOVED, Difference, excerpts
-from esicatalog.model.compare_words import counted
+from esicatalog.model.counting import counted
 
 _TOLD = ("L01", "L60")
 """Findings that bear on a comparison: the document had to be repaired, or a part of it was not found."""

@@ -15,7 +15,7 @@ from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels
-from esicatalog.model.pdo_facts import bits_words, object_words, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
@@ -169,7 +169,7 @@ def _process_image(images: list[SmImage], heading: str) -> Iterator[str]:
             [
                 byte_bit(placed.bit_offset),
                 _text(placed.entry.bit_length),
-                object_words(placed.entry),
+                entry_words(placed.entry),
                 placed.entry.data_type or "",
                 display_text(placed.entry.names) or "",
                 _hex(pdo.pdo.pdo_index)

@@ -6,6 +6,7 @@ from esicatalog.catalog.results import hex32
 from esicatalog.esi.records.common import display_text
 from esicatalog.export.clocks import Clocks
 from esicatalog.export.configuration import Configuration
+from esicatalog.model.counting import counted
 from esicatalog.model.sync import is_superseded
 from esicatalog.version import __version__
 
@@ -55,8 +56,11 @@ def choice_lines(configuration: Configuration) -> Iterator[str]:
     for sm in configuration.sync_managers:
         if sm.pdos:
             indices = ", ".join(f"0x{pdo.pdo_index:04X}" for pdo in sm.pdos)
-            unit = "byte" if sm.byte_size == 1 else "bytes"
-            what = f"{sm.byte_size} {unit} {sm.direction}" if sm.is_described else f"{sm.direction} of unknown length"
+            what = (
+                f"{counted(sm.byte_size, 'byte')} {sm.direction}"
+                if sm.is_described
+                else f"{sm.direction} of unknown length"
+            )
             yield f"SM{sm.number}:      {what}: {indices}"
 
 

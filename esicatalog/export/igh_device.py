@@ -22,6 +22,7 @@ from esicatalog.export.configuration import Configuration
 from esicatalog.export.igh_limits import check_limits, pieces
 from esicatalog.export.igh_startup import Startup, startup
 from esicatalog.export.sm_configuration import AssignedPdo, MappedEntry, SmConfiguration
+from esicatalog.model.counting import counted
 from esicatalog.model.sm_facts import OUTPUT, sm_facts
 
 _DIRECTIONS = {OUTPUT: "EC_DIR_OUTPUT"}
@@ -199,7 +200,7 @@ def _members(registrations: Iterable[Registration]) -> Iterator[str]:
         where = f"SM{item.sm}"
         where += f" byte {entry.bit_offset // 8}" if entry.is_placed else ", place not known"
         where += f" bit {entry.bit_offset % 8}" if entry.is_placed and item.has_bit_position else ""
-        bits = f"{entry.bit_length} bit{'s' if entry.bit_length > 1 else ''}"
+        bits = counted(entry.bit_length, "bit")
         yield f"unsigned int {entry.identifier}; /* {entry.place}, {bits}, {where} */"
         if item.has_bit_position:
             yield f"unsigned int {entry.identifier}_bit_position;"

@@ -22,6 +22,7 @@ from esicatalog.export.soem_startup import (
     register_remarks,
     soem_clocks,
 )
+from esicatalog.model.counting import counted
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 
 _USED_BY_CLASS = frozenset(("property", "from_address", "from_buffer", "from_buffer_copy", "from_param", "in_dll"))
@@ -107,7 +108,7 @@ def pysoem_module(configuration: Configuration) -> str:
 
 def _sharing(layout: IoMap) -> Iterable[str]:
     if layout.bit_size and layout.starts_inside_byte:
-        bits = "1 bit" if layout.bit_size == 1 else f"{layout.bit_size} bits"
+        bits = counted(layout.bit_size, "bit")
         yield (
             f"the {layout.direction}s take {bits}: where SOEM packs several such devices into one byte, pysoem reads "
             "and writes that byte as a whole, and they may begin at another bit"

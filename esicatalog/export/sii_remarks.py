@@ -22,7 +22,7 @@ from esicatalog.export.sii_merge import PDI_BYTES
 from esicatalog.export.sii_texts import storable
 from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
-from esicatalog.model.pdo_facts import entry_facts, has_length, has_object, object_words
+from esicatalog.model.pdo_facts import entry_facts, entry_words, has_length, has_object
 from esicatalog.model.sm_facts import sm_facts, sm_role
 from esicatalog.sii.checksum import CHECKSUM_OFFSET
 from esicatalog.sii.decode import decode_sii
@@ -270,7 +270,7 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
         "PDOs are wrong: {}.",
     ),
     (
-        _entries_without(has_length, lambda number, entry: object_words(entry)),
+        _entries_without(has_length, lambda number, entry: entry_words(entry)),
         "Entries without a usable BitLen, stored with length 0; do not write this image, the lengths of its process "
         "data are wrong: {}.",
     ),

@@ -12,7 +12,7 @@ from esicatalog.esi.unreadable import unreadable
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.pdo_objects import PdoObject
 from esicatalog.model.assignable_pdos import declares_pdo_assign
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, has_length, has_object, is_described, object_words
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, entry_words, has_length, has_object, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_direction
 
@@ -275,7 +275,7 @@ def _problem(entry: Entry, number: int) -> str | None:
             f"has an entry, number {number}, without a usable {element}{_reason(entry, field)}: what it maps is unknown"
         )
     if not has_length(entry):
-        what = object_words(entry) if entry.entry_index else "a gap"
+        what = entry_words(entry) if entry.entry_index else "a gap"
         reason = _reason(entry, "bit_length")
         return f"maps {what} without a usable BitLen{reason}, and nothing tells where the entries behind it lie"
     return None

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from esicatalog.catalog.results import FoundDevice, Identification
 from esicatalog.export.sii_verify import ImageDifference
-from esicatalog.model.compare_words import counted
+from esicatalog.model.counting import counted
 
 
 class Verification(NamedTuple):

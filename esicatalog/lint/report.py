@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from esicatalog.esi.notes import Finding
 from esicatalog.lint.registry import SEVERITY_WORDS, Rule
+from esicatalog.model.counting import counted
 
 
 class DocumentFinding(NamedTuple):
@@ -43,6 +44,4 @@ def rule_json(rule: Rule) -> dict[str, str]:
 def summary(findings: Iterable[Finding]) -> str:
     """``2 errors, 1 warning, 0 infos``."""
     counts = Counter(finding.severity for finding in findings)
-    return ", ".join(
-        f"{counts[severity]} {word}{'' if counts[severity] == 1 else 's'}" for severity, word in SEVERITY_WORDS.items()
-    )
+    return ", ".join(counted(counts[severity], word) for severity, word in SEVERITY_WORDS.items())

@@ -24,7 +24,7 @@ from esicatalog.model.compare_mailbox import compare_init_cmds, compare_mailboxe
 from esicatalog.model.compare_objects import compare_objects
 from esicatalog.model.compare_pdos import compare_pdos, compare_predefined_assignments
 from esicatalog.model.compare_slots import compare_slots
-from esicatalog.model.compare_words import counted
+from esicatalog.model.counting import counted
 
 
 def compare_devices(

@@ -31,7 +31,6 @@ from esicatalog.model.compare_facts import (
 )
 from esicatalog.model.compare_words import (
     byte_count,
-    counted,
     h2,
     h4,
     h8,
@@ -46,6 +45,7 @@ from esicatalog.model.compare_words import (
     value_of,
     yes_no,
 )
+from esicatalog.model.counting import counted
 from esicatalog.model.revision_check import accepts, is_known
 from esicatalog.model.sm_facts import sm_facts
 

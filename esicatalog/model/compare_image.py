@@ -7,7 +7,8 @@ from typing import NamedTuple
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.compare_facts import PROCESS_IMAGE, Difference, difference, either, matched
-from esicatalog.model.compare_words import counted, shown_text
+from esicatalog.model.compare_words import shown_text
+from esicatalog.model.counting import counted
 from esicatalog.model.image_layout import ImageLayout, entries_with_place, image_layout
 from esicatalog.model.pdo_facts import Mapped, mapped, mapped_words
 from esicatalog.model.process_image import SmImage, byte_bit, default_process_image
@@ -33,7 +34,7 @@ def compare_images(
         if layout == other:
             continue
         place = f"SM{either(ours, theirs).sm}"
-        size, other_size = _size_words(ours), _size_words(theirs)
+        size, other_size = (image.size_words if image is not None else None for image in (ours, theirs))
         if size != other_size:
             yield difference(PROCESS_IMAGE, f"{place} size", size, other_size, True)
         if ours is not None and theirs is not None:
@@ -50,12 +51,6 @@ def _compare_layouts(place: str, left: ImageLayout, right: ImageLayout) -> Itera
     ):
         if said != also:
             yield difference(PROCESS_IMAGE, f"{place} {words}", said, also, True)
-
-
-def _size_words(image: SmImage | None) -> str | None:
-    if image is None or not (image.bit_size or image.has_known_size):
-        return image.byte_words if image is not None else None
-    return f"{image.byte_words} ({image.bit_size} bit)"
 
 
 def _compare_places(place: str, left: SmImage, right: SmImage) -> Iterator[Difference]:

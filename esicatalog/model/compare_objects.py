@@ -25,7 +25,6 @@ from esicatalog.model.compare_facts import (
     raised,
 )
 from esicatalog.model.compare_words import (
-    counted,
     h4,
     h8,
     listed,
@@ -37,6 +36,7 @@ from esicatalog.model.compare_words import (
     value_of,
     yes_no,
 )
+from esicatalog.model.counting import counted
 from esicatalog.model.dictionary import (
     OBJECT_CODES,
     ObjectEntry,

@@ -22,7 +22,6 @@ from esicatalog.model.compare_facts import (
     never,
 )
 from esicatalog.model.compare_words import (
-    counted,
     h4,
     listed,
     shown_text,
@@ -32,6 +31,7 @@ from esicatalog.model.compare_words import (
     value_of,
     yes_no,
 )
+from esicatalog.model.counting import counted
 from esicatalog.model.pdo_facts import (
     Mapped,
     bits_words,

@@ -11,6 +11,7 @@ import msgspec
 
 from esicatalog.esi.binding import Record
 from esicatalog.esi.records.common import Name, display_text
+from esicatalog.model.counting import counted
 
 Show = Callable[[Any], str | None]
 """A value in words, None where it is not there. So ``#x10`` and ``16`` are equal, and an absent flag and ``0``."""
@@ -62,11 +63,6 @@ def hexadecimal(digits: int) -> Show:
 def unit(name: str) -> Show:
     """Numbers with their unit."""
     return lambda value: f"{value} {name}" if isinstance(value, int) else text(value)
-
-
-def counted(number: int, one: str, many: str | None = None) -> str:
-    """A number of things."""
-    return f"{number} {one if number == 1 else many or one + 's'}"
 
 
 def byte_count(value: Any) -> str | None:

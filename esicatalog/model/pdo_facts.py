@@ -116,7 +116,7 @@ def has_object(entry: Entry) -> bool:
     return is_padding or (entry.entry_index is not None and unreadable(entry, "subindex") is None)
 
 
-def object_words(entry: Entry) -> str:
+def entry_words(entry: Entry) -> str:
     """What an entry maps, e.g. ``0x6041:00``."""
     if entry_facts(entry).is_padding:
         return "padding"

@@ -18,6 +18,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.model.assignable_pdos import AvailablePdo, without_rivals
+from esicatalog.model.counting import counted
 from esicatalog.model.pdo_assignment import Assignment, SmAssignment, assigned_pdos, has_default_image
 from esicatalog.model.pdo_facts import (
     has_length,
@@ -107,13 +108,17 @@ class SmImage(NamedTuple):
         """Its length as all sheets and pages say it: "6 bytes", "at least 6 bytes" or "unknown length"."""
         if not self.bit_size and not self.has_known_size:
             return "unknown length"
-        words = f"{self.described_bytes} byte" + ("" if self.described_bytes == 1 else "s")
+        words = counted(self.described_bytes, "byte")
         return words if self.has_known_size else f"at least {words}"
 
     @property
     def size_words(self) -> str:
         """The same with the bits that are described."""
-        return f"{self.byte_words} ({self.bit_size} bits)" if self.bit_size or self.has_known_size else self.byte_words
+        return (
+            f"{self.byte_words} ({counted(self.bit_size, 'bit')})"
+            if self.bit_size or self.has_known_size
+            else self.byte_words
+        )
 
 
 class NamedAssignment(NamedTuple):

@@ -13,7 +13,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.access import STATE_WORDS, access_text
 from esicatalog.model.base_types import base_type
-from esicatalog.model.compare_words import counted
+from esicatalog.model.counting import counted
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.pdo_facts import Mapped, has_length, is_described, mapped, mapped_words

@@ -8,6 +8,7 @@ from esicatalog.lint.registry import WARNING, Found, Place, rule
 from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject
 from esicatalog.model.access import states_to_write
 from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.model.counting import counted
 from esicatalog.model.start_up import SENT_IN, TRANSITIONS, transition_of, unusable_part
 from esicatalog.model.sync import listed_pdos
 from esicatalog.model.values import fills
@@ -75,7 +76,7 @@ def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete:
         return None
     if fills(len(data), BASE_TYPES[entry.base_type] if entry.base_type is not None else None, entry.bit_size):
         return None
-    return f"has {len(data)} bytes of Data, {entry.data_type} has {(entry.bit_size + 7) // 8}: correct Data"
+    return f"has {counted(len(data), 'byte')} of Data, {entry.data_type} has {(entry.bit_size + 7) // 8}: correct Data"
 
 
 @rule("L61", WARNING, "ETG.2000 Mailbox/CoE: objects are read and written through CoE")

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, ProcessSubject, is_absent
+from esicatalog.model.counting import counted
 from esicatalog.model.sm_facts import SM_ROLES, SmRole, sm_facts, sm_role
 from esicatalog.model.sm_memory import memory_overlaps, size_conflict
 
@@ -118,7 +119,7 @@ def default_size_against_pdos(subject: ProcessSubject) -> Iterator[Found]:
         if size and size != sm.default_size:
             yield Found(
                 f"SM {number} {sm.usage} has DefaultSize {sm.default_size}; "
-                f"its assigned PDOs take {size} bytes: correct one of them",
+                f"its assigned PDOs take {counted(size, 'byte')}: correct one of them",
                 ("sync_managers", number),
             )
 

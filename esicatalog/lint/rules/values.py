@@ -6,6 +6,7 @@ from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.lint.dictionaries import ObjectValues
 from esicatalog.lint.registry import WARNING, Found, Place, listed, rule
 from esicatalog.model.base_types import BASE_TYPES, BaseType
+from esicatalog.model.counting import counted
 from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
 from esicatalog.model.values import fills, number_size
 
@@ -43,7 +44,8 @@ def _length_problem(entry: ObjectEntry) -> str | None:
     if data is None or fills(len(data), base, entry.bit_size):
         return None
     wanted = (entry.bit_size + 7) // 8
-    return f"has DefaultData of {len(data)} bytes; {entry.data_type} has {wanted}{_reading(len(data), entry, base)}"
+    given, reading = counted(len(data), "byte"), _reading(len(data), entry, base)
+    return f"has DefaultData of {given}; {entry.data_type} has {wanted}{reading}"
 
 
 def _fit_problem(entry: ObjectEntry) -> str | None:

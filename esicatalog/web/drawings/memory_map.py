@@ -9,12 +9,12 @@ from itertools import combinations
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.model.counting import counted
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.sm_facts import SmFacts, sm_facts, sm_role
 from esicatalog.web.drawings.svg import (
     WIDTH,
     clipped,
-    count,
     drawing,
     element,
     first_that_fits,
@@ -114,7 +114,7 @@ def _area(number: int, sync_manager: SyncManager, image: SmImage | None) -> _Are
 def _size_words(default_size: int | None, image: SmImage | None) -> str:
     known = []
     if default_size:
-        known.append(f"DefaultSize {count(default_size, 'byte', 'bytes')}")
+        known.append(f"DefaultSize {counted(default_size, 'byte', 'bytes')}")
     if image is not None and image.byte_size != default_size:
         known.append(f"process image {'of ' if not image.has_known_size else ''}{image.byte_words}")
     return ", ".join(known) or "no DefaultSize"
@@ -137,7 +137,7 @@ def _overlaps(areas: Sequence[_Area]) -> Iterator[_Overlap]:
     for one, other in combinations(enabled, 2):
         first, end = max(one.start, other.start), min(one.end, other.end)
         if first < end:
-            shared = f"{_span(first, end)} ({count(end - first, 'byte', 'bytes')})"
+            shared = f"{_span(first, end)} ({counted(end - first, 'byte', 'bytes')})"
             yield _Overlap((one.sm, other.sm), first, end, f"{one.name} and {other.name} overlap at {shared}.")
 
 
@@ -229,7 +229,7 @@ def _colour(area: _Area) -> str:
 def _title_lines(area: _Area) -> list[str]:
     if not area.size:
         return [area.name, f"starts at {hexadecimal(area.start)}, size unknown: {area.size_words}"]
-    buffers = f"{count(area.buffers, 'buffer', 'buffers')} of {count(area.size, 'byte', 'bytes')}"
+    buffers = f"{counted(area.buffers, 'buffer', 'buffers')} of {counted(area.size, 'byte', 'bytes')}"
     lines = [area.name, f"{_span(area.start, area.end)}, {buffers}", area.size_words]
     mode = area.facts.buffer_mode
     lines.append(f"{mode} mode" if mode else "ControlByte does not tell buffered from mailbox: drawn as one buffer")
@@ -239,7 +239,7 @@ def _title_lines(area: _Area) -> list[str]:
 
 
 def _labels(area: _Area, places: dict[int, int], x: float, width: float) -> Iterator[str]:
-    size = count(area.size, "byte", "bytes") if area.size else "size unknown"
+    size = counted(area.size, "byte", "bytes") if area.size else "size unknown"
     details = size + (f" × {area.buffers}" if area.buffers > 1 else "") + ("" if area.enabled else ", not enabled")
     choices = ((f"{area.name}: {details}",), (area.name, details), (area.name,), (f"SM{area.sm}",))
     for at, (start, end) in enumerate(area.parts):
@@ -250,7 +250,7 @@ def _labels(area: _Area, places: dict[int, int], x: float, width: float) -> Iter
 
 
 def _map_label(areas: Sequence[_Area], overlaps: Sequence[_Overlap]) -> str:
-    words = f"Memory map: {count(len(areas), 'SyncManager', 'SyncManagers')}"
+    words = f"Memory map: {counted(len(areas), 'SyncManager', 'SyncManagers')}"
     if areas:
         words += f" from {hexadecimal(min(area.start for area in areas))}"
-    return f"{words}, {count(len(overlaps), 'overlap', 'overlaps') if overlaps else 'no overlap'}"
+    return f"{words}, {counted(len(overlaps), 'overlap', 'overlaps') if overlaps else 'no overlap'}"

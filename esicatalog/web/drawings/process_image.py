@@ -4,13 +4,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.common import display_text
+from esicatalog.model.counting import counted
 from esicatalog.model.pdo_facts import entry_facts, has_object, subindex_words
 from esicatalog.model.process_image import PlacedEntry, PlacedPdo, SmImage, byte_bit
 from esicatalog.web.drawings.style import PDO_COLOURS
 from esicatalog.web.drawings.svg import (
     WIDTH,
     clipped,
-    count,
     drawing,
     element,
     escaped,
@@ -119,9 +119,9 @@ def image_label(image: SmImage) -> str:
     """What the drawing shows, in words: "Outputs, SM2: 12 bytes, 5 entries"."""
     gaps = sum(entry_facts(placed.entry).is_padding for pdo in image.pdos for placed in pdo.entries)
     total = sum(len(pdo.entries) for pdo in image.pdos)
-    facts = [image.byte_words, count(total - gaps, "entry", "entries")]
+    facts = [image.byte_words, counted(total - gaps, "entry", "entries")]
     if gaps:
-        facts.append(count(gaps, "gap", "gaps"))
+        facts.append(counted(gaps, "gap", "gaps"))
     usage = f"{clipped(image.usage)}, " if image.usage else ""
     return f"{usage}SM{image.sm}: {', '.join(facts)}"
 
@@ -238,7 +238,7 @@ def _address(drawn: _Drawn) -> str:
 
 def _title_lines(drawn: _Drawn) -> list[str]:
     entry = drawn.placed.entry
-    where = f"{count(drawn.end_bit - drawn.first_bit, 'bit', 'bits')} at {byte_bit(drawn.first_bit)}"
+    where = f"{counted(drawn.end_bit - drawn.first_bit, 'bit', 'bits')} at {byte_bit(drawn.first_bit)}"
     if entry_facts(entry).is_padding:
         return [f"Gap, {where}", f"PDO {_pdo_words(drawn.pdo)}"]
     lines = [f"{_address(drawn)} {clipped(display_text(entry.names) or '')}".rstrip()]
@@ -262,7 +262,7 @@ def _left_out(image: SmImage, rest: Sequence[_Drawn], bottom: float) -> tuple[li
     pdos = dict.fromkeys(hexadecimal(drawn.pdo.pdo.pdo_index) for drawn in rest)
     named = ", ".join(list(pdos)[:8]) + (" and more" if len(pdos) > 8 else "")
     words = (
-        f"Not drawn: {count(len(rest), 'more entry', 'more entries')} from {byte_bit(rest[0].first_bit)} to the end "
+        f"Not drawn: {counted(len(rest), 'more entry', 'more entries')} from {byte_bit(rest[0].first_bit)} to the end "
         f"of the {image.described_bytes} bytes, PDO {named}."
     )
     lines, end = paragraphs(bottom + 8, [words])

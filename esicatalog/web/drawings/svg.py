@@ -122,11 +122,6 @@ def _is_wide(character: str) -> bool:
     return unicodedata.east_asian_width(character) in "WF"
 
 
-def count(amount: int, one: str, several: str) -> str:
-    """An amount with its word."""
-    return f"{amount} {one if amount == 1 else several}"
-
-
 def hexadecimal(value: int | None, absent: str = "without index") -> str:
     """An index or address as engineers write it."""
     return f"0x{value:04X}" if value is not None else absent

@@ -19,10 +19,11 @@ from esicatalog.export.sii_remarks import image_remarks
 from esicatalog.export.sii_summary import WHY_MERGE
 from esicatalog.export.subject import subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
+from esicatalog.model.counting import counted
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.module_choice import module_choices, module_labels
-from esicatalog.model.pdo_facts import bits_words, object_words, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import fitting_modules, numbered_slots
@@ -218,7 +219,8 @@ def _process_data_words(facts: DeviceFacts) -> str:
     if facts.output_bytes is None and facts.input_bytes is None:
         return "unknown"
     out, into = (
-        f"{size} bytes" if size is not None else "unknown length" for size in (facts.output_bytes, facts.input_bytes)
+        counted(size, "byte") if size is not None else "unknown length"
+        for size in (facts.output_bytes, facts.input_bytes)
     )
     return f"{out} out, {into} in by default"
 
@@ -235,7 +237,7 @@ def _image(image: SmImage) -> dict[str, Any]:
             {
                 "place": byte_bit(placed.bit_offset),
                 "bits": placed.entry.bit_length,
-                "entry": object_words(placed.entry),
+                "entry": entry_words(placed.entry),
                 "type": placed.entry.data_type or "",
                 "name": display_text(placed.entry.names) or "",
                 "pdo": f"0x{pdo.pdo.pdo_index or 0:04X}" + (f" in slot {pdo.slot_number}" if pdo.module else ""),
@@ -264,7 +266,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
             "excludes": exclusions.get(pdo.pdo_index, ()),
             "entries": [
                 {
-                    "object": object_words(entry),
+                    "object": entry_words(entry),
                     "bits": entry.bit_length,
                     "type": entry.data_type or "",
                     "name": display_text(entry.names) or "",
