@@ -6,7 +6,7 @@ thousand, and the statements below are all it takes.
 
 import functools
 from collections.abc import Callable, Iterable
-from typing import Any, NamedTuple
+from typing import Any, Generic, NamedTuple, TypeVar
 
 import msgspec
 
@@ -19,7 +19,7 @@ from esicatalog.model.sm_facts import SM_ROLES, TRANSFER_DIRECTIONS
 
 NEAREST = 10
 """How many other candidates an answer names."""
-_MOST_PRODUCTS = 4096
+_MOST_KEPT = 4096
 
 _COLUMNS = "d.id, d.vendor_id, d.product_code, d.revision_no, d.variant, v.name, d.type, d.name, d.hidden"
 _OF_PRODUCT = (
@@ -132,6 +132,29 @@ _AT_BUS = (
 """The rest is ``= ?`` or ``IS NULL``: an index serves either everywhere, ``IS NOT DISTINCT FROM`` not on PostgreSQL."""
 
 
+Key = TypeVar("Key")
+Value = TypeVar("Value")
+
+
+class _Kept(Generic[Key, Value]):
+    """What was read from the database, for as long as nobody changes it."""
+
+    def __init__(self) -> None:
+        self._held: dict[Key, tuple[int, Value]] = {}
+
+    def get(self, key: Key, changes: int | None, read: Callable[[], Value]) -> Value:
+        """The value of a key, read anew unless it was with the same ``changes``, which were counted before reading."""
+        known = self._held.get(key)
+        if known is not None and known[0] == changes:
+            return known[1]
+        value = read()
+        if changes is not None:
+            if len(self._held) >= _MOST_KEPT:
+                self._held.clear()
+            self._held[key] = (changes, value)
+        return value
+
+
 class IdentityLookup:
     """Answers identities on one connection to the database."""
 
@@ -139,15 +162,22 @@ class IdentityLookup:
         """``changes`` gives a number that grows whenever the database was changed, None where nobody counts that."""
         self._query = query
         self._changes = changes
-        self._products: dict[tuple[int, int], tuple[int, list[_Row]]] = {}
-        """Rows of products and the changes that there were before: revisions of one are asked for together."""
+        self._products: _Kept[tuple[int, int], list[_Row]] = _Kept()
+        """Rows of products: revisions of one are asked for together."""
+        self._answers: _Kept[tuple[int, int, int | None], Identification] = _Kept()
+        """The slaves of a bus are often the same."""
         # Signatures are digests of layouts: the words for a pair of them never change.
         self._difference = functools.lru_cache(4096)(self._layout_difference)
 
     def identify(self, vendor_id: int, product_code: int, revision_no: int | None) -> Identification:
         """The descriptions of an identity, preferred first, or the nearest ones; see :func:`rank` for the order."""
-        rows = self._of_product((vendor_id, product_code))
         query = (vendor_id, product_code, revision_no)
+        changes = self._changes()
+        return self._answers.get(query, changes, lambda: self._identify(query, changes))
+
+    def _identify(self, query: tuple[int, int, int | None], changes: int | None) -> Identification:
+        vendor_id, product_code, revision_no = query
+        rows = self._of_product((vendor_id, product_code), changes)
         if not rows:
             return self._unknown_product(query)
         exact = [row for row in rows if row.revision_no == revision_no] if revision_no is not None else []
@@ -170,23 +200,14 @@ class IdentityLookup:
         )
         return Identification(*query, match, reason, variants[0], variants, candidates, of_variants, of_revisions)
 
-    def _of_product(self, key: tuple[int, int]) -> list[_Row]:
-        changes = self._changes()
-        known = self._products.get(key)
-        if known is not None and known[0] == changes:
-            return known[1]
-        rows = list(map(_Row._make, self._query(_OF_PRODUCT, key)))
-        if changes is not None:
-            if len(self._products) >= _MOST_PRODUCTS:
-                self._products.clear()
-            self._products[key] = (changes, rows)
-        return rows
+    def _of_product(self, key: tuple[int, int], changes: int | None) -> list[_Row]:
+        return self._products.get(key, changes, lambda: list(map(_Row._make, self._query(_OF_PRODUCT, key))))
 
     def other_variants(self, device: FoundDevice) -> str | None:
         """How variants of the identity of a described device exchange something else; None if none does."""
         if device.vendor_id is None or device.product_code is None:
             return None
-        rows = self._of_product((device.vendor_id, device.product_code))
+        rows = self._of_product((device.vendor_id, device.product_code), self._changes())
         alike = sorted((row for row in rows if row.revision_no == device.revision_no), key=lambda row: row.variant)
         ours = next((row for row in alike if row.variant == device.variant), None)
         return self._variant_warning(ours, [row for row in alike if row is not ours]) if ours is not None else None
