@@ -1,12 +1,13 @@
 """Everything that a description implies without any choice: default process image, drive modes, facts."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.device_facts import DeviceFacts, device_facts
 from esicatalog.model.dictionary_views import DictionaryViews
+from esicatalog.model.drive_evidence import ModeEvidence
 from esicatalog.model.drive_modes import DriveModes, drive_modes
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.process_data import ProcessData, SharedProcessData
@@ -62,6 +63,14 @@ class Derivation:
     def modes(self) -> DriveModes:
         """What the description says about drive modes."""
         return drive_modes(self._device, self._modules, self._views, self.images)
+
+    @cached_property
+    def evidence_of_modules(self) -> Mapping[int | None, Sequence[ModeEvidence]]:
+        """The evidence on drive modes by the ModuleIdent that it is of, None for that of the device itself."""
+        found: dict[int | None, list[ModeEvidence]] = {}
+        for item in self.modes.evidence:
+            found.setdefault(item.module_ident, []).append(item)
+        return found
 
     @cached_property
     def facts(self) -> DeviceFacts:

@@ -31,8 +31,8 @@ def mode_against_name(subject: ModuleSubject) -> Iterator[Found]:
     against = {
         (item.mode, item.axis): item
         for host in subject.hosts
-        for item in reversed(host.derivation.modes.evidence)
-        if item.rank == _AGAINST_NAME and item.module_ident == subject.module.module_ident
+        for item in reversed(host.derivation.evidence_of_modules.get(subject.module.module_ident, ()))
+        if item.rank == _AGAINST_NAME
     }
     for _, item in sorted(against.items()):
         place: Place = ("mailbox", "coe_init_cmds", _writing(subject, item))
@@ -61,11 +61,7 @@ def drive_objects(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
         if subject.derivation.modes.evidence:
             yield from _missing_objects(subject)
             yield from _doubtful_modes(subject)
-    elif any(
-        item.module_ident == subject.module.module_ident
-        for host in subject.hosts
-        for item in host.derivation.modes.evidence
-    ):
+    elif any(subject.module.module_ident in host.derivation.evidence_of_modules for host in subject.hosts):
         yield from _doubtful_modes(subject)
 
 
