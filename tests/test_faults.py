@@ -404,10 +404,12 @@ def test_an_interrupt_is_one_line_and_leaves_nobody(tmp_path, library, expected,
 
 
 INTERRUPTED_IN_A_CALLBACK = """
-import os, sys, weakref
+import os, signal, sys, weakref
 from esicatalog.cli.main import cli
 
 number = int(sys.argv.pop())
+# Where a shell has started the tests in the background they, and what they start, ignore it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 class Gone:
     pass
