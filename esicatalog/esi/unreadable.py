@@ -57,6 +57,12 @@ def unreadable(record: Record, name: str) -> str | None:
     return next((_problem(record, field, None) for field in fields_of(type(record)) if field.name == name), None)
 
 
+def reason_words(record: Record, name: str) -> str:
+    """What :func:`unreadable` says, in brackets behind the name of the value; empty where it says nothing."""
+    problem = unreadable(record, name)
+    return f" ({problem})" if problem is not None else ""
+
+
 def _place(field: Field) -> str:
     element, _, attribute = field.xml.path.partition("@")
     return "/".join(filter(None, (element.removeprefix("."), f"@{attribute}" if attribute else "")))

@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
-from esicatalog.identity import ModuleChoice, parse_mapped, parse_number
+from esicatalog.identity import UINT32_MAX, ModuleChoice, parse_mapped, parse_number
 
 DEFAULT_CYCLE_NS = 1_000_000
-_MAX_INDEX, _UINT32_MAX = 0xFFFF, 0xFFFF_FFFF
+_MAX_INDEX = 0xFFFF
 
 
 class PdoChoice(NamedTuple):
@@ -38,8 +38,8 @@ class Choice(NamedTuple):
 
 def check_numbers(choice: Choice) -> None:
     """Raise :class:`InputError` for a bus cycle or a place on the bus that no master can have."""
-    if choice.cycle_ns is not None and not 0 < choice.cycle_ns <= _UINT32_MAX:
-        raise InputError(f"a bus cycle of {choice.cycle_ns} ns cannot be; give 1 to {_UINT32_MAX} ns")
+    if choice.cycle_ns is not None and not 0 < choice.cycle_ns <= UINT32_MAX:
+        raise InputError(f"a bus cycle of {choice.cycle_ns} ns cannot be; give 1 to {UINT32_MAX} ns")
     for what, number in (("alias", choice.alias), ("position", choice.position)):
         if not 0 <= number <= _MAX_INDEX:
             raise InputError(f"{what} {number} is no 16 bit number")

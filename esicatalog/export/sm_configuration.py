@@ -8,7 +8,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.pdo import Entry
-from esicatalog.esi.unreadable import unreadable
+from esicatalog.esi.unreadable import reason_words, unreadable
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.pdo_objects import PdoObject
 from esicatalog.model.assignable_pdos import declares_pdo_assign
@@ -271,16 +271,10 @@ def _problem(entry: Entry, number: int) -> str | None:
     """Why nothing can be made of an assigned entry."""
     if not has_object(entry):
         field, element = ("entry_index", "Index") if entry.entry_index is None else ("subindex", "SubIndex")
-        return (
-            f"has an entry, number {number}, without a usable {element}{_reason(entry, field)}: what it maps is unknown"
-        )
+        reason = reason_words(entry, field)
+        return f"has an entry, number {number}, without a usable {element}{reason}: what it maps is unknown"
     if not has_length(entry):
         what = entry_words(entry) if entry.entry_index else "a gap"
-        reason = _reason(entry, "bit_length")
+        reason = reason_words(entry, "bit_length")
         return f"maps {what} without a usable BitLen{reason}, and nothing tells where the entries behind it lie"
     return None
-
-
-def _reason(entry: Entry, field: str) -> str:
-    problem = unreadable(entry, field)
-    return f" ({problem})" if problem is not None else ""

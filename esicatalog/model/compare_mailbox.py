@@ -30,6 +30,7 @@ from esicatalog.model.compare_words import (
     value_of,
     yes_no,
 )
+from esicatalog.model.words import soe_target
 
 _MAILBOX = (
     Fact("data_link_layer", "DataLinkLayer", lost, yes_no),
@@ -148,11 +149,15 @@ def _target(command: InitCmd) -> str:
     idn, channel, index, subindex, eoe_type = (
         value_of(command, field) for field in ("idn", "channel", "object_index", "subindex", "eoe_type")
     )
-    words = [f"IDN {idn}" if idn is not None else None, f"channel {channel}" if channel is not None else None]
+    words = []
+    if idn is not None:
+        words.append(soe_target(f"IDN {idn}", channel))
+    elif channel is not None:
+        words.append(f"channel {channel}")
     if index is not None:
         words.append(f"{h4(index)}:{(h2(subindex or 0) or '').removeprefix('0x')}")
     elif subindex is not None:
         words.append(f"subindex {subindex}")
     if eoe_type is not None:
         words.append(f"type {eoe_type}")
-    return " ".join(filter(None, words))
+    return " ".join(words)

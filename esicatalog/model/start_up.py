@@ -9,7 +9,7 @@ from typing import TypeVar
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.unreadable import unreadable
+from esicatalog.esi.unreadable import reason_words
 from esicatalog.model.access import PREOP, SAFEOP
 
 SENT_IN = {"IP": PREOP, "PS": PREOP, "SO": SAFEOP}
@@ -48,15 +48,10 @@ def unusable_part(command: InitCmd, index_field: str = "object_index") -> str | 
     """
     index = getattr(command, index_field)
     if index is None or not 0 <= index <= 0xFFFF:
-        return _unread_part(command, index_field, _WORDS[index_field]) or _WORDS[index_field]
+        return _WORDS[index_field] + reason_words(command, index_field)
     if not 0 <= (command.subindex or 0) <= 0xFF:
         return "subindex"
-    return next(filter(None, (_unread_part(command, field, words) for field, words in _PARTS)), None)
-
-
-def _unread_part(command: InitCmd, field: str, words: str) -> str | None:
-    problem = unreadable(command, field)
-    return f"{words} ({problem})" if problem is not None else None
+    return next((words + reason for field, words in _PARTS if (reason := reason_words(command, field))), None)
 
 
 def written_data(command: InitCmd, index: int) -> bytes | None:

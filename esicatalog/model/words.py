@@ -35,7 +35,7 @@ def coe_details(mailbox: Mailbox | None) -> list[str]:
     return [words for field, words in _COE_DETAILS.items() if mailbox is not None and getattr(mailbox, field)]
 
 
-def soe_target(idn: str, channel: int | None) -> str:
+def soe_target(idn: str, channel: int | str | None) -> str:
     """An IDN with the drive of the device that it is of, as InitCmd/@Chn says it: most devices have a single one."""
     return f"{idn} channel {channel}" if channel is not None else idn
 
