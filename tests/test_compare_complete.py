@@ -112,20 +112,23 @@ def documents() -> Iterator[etree._Element]:
     yield etree.fromstring(AFTER_1_17.encode())
 
 
+@pytest.mark.parametrize("step", [3, pytest.param(1, marks=pytest.mark.faults)])
 @pytest.mark.parametrize("root", list(documents()), ids=["1.17", "later"])
-def test_every_value_is_a_difference(root):
+def test_every_value_is_a_difference(root, step):
     before = described(root)
     assert not differs(before, described(root))
     overlooked = []
-    for element, attribute in list(values(root)):
+    for element, attribute in list(values(root))[::step]:
         old = (element.get(attribute) if attribute else element.text) or ""
         change(element, attribute, other(old))
         if not differs(before, described(root)):
             overlooked.append(path(element, attribute))
         change(element, attribute, old)
     assert [item for item in overlooked if not any(part in item for part in NOT_COMPARED)] == []
-    assert root.find(".//DataTypes/DataType/EnumInfo") is None or all(
-        any(part in item for item in overlooked) for part in NOT_COMPARED
+    assert (
+        step > 1
+        or root.find(".//DataTypes/DataType/EnumInfo") is None
+        or all(any(part in item for item in overlooked) for part in NOT_COMPARED)
     )
 
 

@@ -671,8 +671,12 @@ def test_hpmicro_sample(corpus):
 
 
 def all_devices(corpus: Path):
+    return devices_of(sorted((corpus / "esi").glob("*.zip")))
+
+
+def devices_of(archives):
     reader = Reader()
-    for path in sorted((corpus / "esi").glob("*.zip")):
+    for path in archives:
         opened = Archive(path)
         for member, _ in opened.members():
             try:

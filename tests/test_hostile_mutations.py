@@ -14,7 +14,7 @@ from esicatalog import Catalog
 from fuzz import pipeline, reader, scan, sii
 from fuzz.seeds import own_documents, real_documents
 
-EXAMPLES = {reader: 300, pipeline: 120, sii: 300, scan: 800}
+EXAMPLES = {reader: 200, pipeline: 60, sii: 300, scan: 800}
 MAX_SEED_BYTES = 40_000
 
 

@@ -98,7 +98,7 @@ def small(tmp_path_factory) -> dict[str, Case]:
     [
         ("new", 0.45, "group"),
         pytest.param("new", 0.7, "parent", marks=pytest.mark.faults),
-        ("new", 0.6, "worker"),
+        pytest.param("new", 0.6, "worker", marks=pytest.mark.faults),
         pytest.param("changed", 0.5, "group", marks=pytest.mark.faults),
         pytest.param("changed", 0.75, "group", marks=pytest.mark.faults),
         ("changed", 0.6, "parent"),
