@@ -18,6 +18,7 @@ from esicatalog.catalog import database
 from esicatalog.catalog.schema import metadata
 from esicatalog.catalog.views import FULL_TEXT, FULL_TEXT_DOC, create_views, views
 from esicatalog.cli.main import cli
+from esicatalog.model.cia402 import DRIVE_MODES
 
 ROOT = Path(__file__).parent.parent
 YAML_WIDTH = 110
@@ -120,21 +121,16 @@ VIEW_TABLES = {
 RELATED_TABLES = ("pdos", "devices", "modules", "objects", "vendors")
 
 VIEW_COLUMNS = {
+    **{mode.lower(): f"Devices with {mode}" for mode in DRIVE_MODES},
     "bit_offset_in_pdo": "Bits of the PDO's entries before this one",
     "assigned_by_default": "1 = the PDO is in the default process image",
-    "csp": "Devices with CSP",
-    "csv": "Devices with CSV",
-    "cst": "Devices with CST",
-    "cstca": "Devices with CSTCA",
     "dc_modes": "Number of OpModes",
     "device_id": "Key in devices",
     "device_overview.sync0": "1 = some OpMode generates SYNC0",
     "device_overview.sync1": "1 = some OpMode generates SYNC1",
     "drives": "Devices with any finding about a drive mode",
     "first_source": "First document that carries it",
-    "hm": "Devices with HM",
     "image_byte_bit": "Place in the default process image of the SyncManager: byte.bit",
-    "ip": "Devices with IP",
     "is_default": "1 = the device's default OpMode",
     "layout_changed": "1 = another default process image than the next lower revision (of the same type if any) has",
     "maximum": "Maximum that the object dictionary gives",
@@ -151,10 +147,8 @@ VIEW_COLUMNS = {
     "other_type": "Type of the other device",
     "pdo_position": "Position of the PDO, from 0",
     "position": "Position in document order, from 0",
-    "pp": "Devices with PP",
     "previous_id": "Key in devices of the revision that it is compared with",
     "profile": "Position of the profile whose dictionary holds the object, from 0",
-    "pv": "Devices with PV",
     "revision_text": "Revision in the vendor's own style, where one is known (Beckhoff: -0016)",
     "rx_pdos": "Number of its own RxPdo",
     "same_pdo_set": "1 = all PDOs have the same layout, assigned or not",
@@ -162,10 +156,8 @@ VIEW_COLUMNS = {
     "slots": "Number of Slot elements",
     "source_id": "Key in sources",
     "sources": "Number of documents that carry it",
-    "tq": "Devices with TQ",
     "tx_pdos": "Number of its own TxPdo",
     "vendor": "Vendor's name",
-    "vl": "Devices with VL",
 }
 """Columns that only views have, and those that views, or one that is named, use for something of their own."""
 
