@@ -2,10 +2,14 @@
 
 from typing import Any
 
+from esicatalog.model.drive_evidence import YES
+from esicatalog.model.drive_modes import LIKELY, accepted_verdicts
+
 _IDENTITY = "vendor, device_type, device_name, vendor_id_hex, product_code_hex, revision_no_hex"
 _ORDER = "vendor_id, product_code, revision_no"
 _SHOWN = "(hidden = 0 or :include_hidden not in ('', '0'))"
 """Rows of revisions that ``esicatalog devices`` lists, with and without ``--include-hidden``."""
+_ACCEPTED = "({})".format(", ".join(f"'{word}'" for word in accepted_verdicts()))
 _HIDDEN_DOC = "include_hidden: 1 = also revisions that another description supersedes (empty = without them)."
 
 CANNED_QUERIES: dict[str, dict[str, Any]] = {
@@ -84,7 +88,7 @@ select device_id, {_IDENTITY},
   axis, mode, verdict, conflict, evidence, recipe
 from device_drive_modes
 where mode = upper(ifnull(nullif(trim(:mode), ''), 'CSV')) and kind = 'CiA 402' and variant = 1 and {_SHOWN}
-  and verdict in ('yes', case when :strict in ('', '0') then 'likely' end)
+  and verdict in ('{YES}', case when :strict in ('', '0') then '{LIKELY}' end)
 order by {_ORDER}, axis
 """,
     },
@@ -100,7 +104,7 @@ select device_id, {_IDENTITY},
   (select group_concat(ifnull(c.name || ' ', '') || hex0x(c.assign_activate), ', ') from dc_modes c
     where c.device_id = m.device_id and c.sync1 = 1) as sync1_op_modes
 from device_drive_modes m
-where mode = 'CSV' and kind = 'CiA 402' and verdict in ('yes', 'likely') and variant = 1 and {_SHOWN}
+where mode = 'CSV' and kind = 'CiA 402' and verdict in {_ACCEPTED} and variant = 1 and {_SHOWN}
   and device_id in (select device_id from device_facts where supports_sync1 = 1)
 order by {_ORDER}, axis
 """,
@@ -117,7 +121,7 @@ order by {_ORDER}, axis
 select m.device_id, {_IDENTITY},
   axis, verdict, evidence, fsoe, fsoe_evidence
 from device_drive_modes m join device_facts f on f.device_id = m.device_id
-where mode = 'CSP' and kind = 'CiA 402' and verdict in ('yes', 'likely') and variant = 1 and {_SHOWN}
+where mode = 'CSP' and kind = 'CiA 402' and verdict in {_ACCEPTED} and variant = 1 and {_SHOWN}
   and fsoe is not null
 order by {_ORDER}, axis
 """,

@@ -10,6 +10,7 @@ from esicatalog.catalog.conditions import Condition, Evidence, by_row, stated, t
 from esicatalog.catalog.schema import dc_modes, device_facts, devices, drive_modes, mailboxes
 from esicatalog.identity import Bounds
 from esicatalog.model.cia402 import CIA402
+from esicatalog.model.drive_modes import accepted_verdicts
 from esicatalog.model.sync_parameters import MINIMUM_CYCLE, SYNC_PARAMETERS
 from esicatalog.model.words import protocol_name
 
@@ -97,8 +98,7 @@ def _of_device(column: sa.Column[Any], *fits: Any, evidence: Evidence) -> Condit
 def drive_mode(mode: str, strict: bool) -> Condition:
     """Devices that can run a CiA 402 mode on some axis: verdict yes, or likely unless strict."""
     columns = drive_modes.c
-    verdicts = ("yes",) if strict else ("yes", "likely")
-    fits = (columns.mode == mode, columns.verdict.in_(verdicts), columns.kind == CIA402)
+    fits = (columns.mode == mode, columns.verdict.in_(accepted_verdicts(strict)), columns.kind == CIA402)
     query = sa.select(columns.device_id, columns.axis, columns.verdict, columns.evidence, columns.recipe)
     query = query.where(*fits).order_by(columns.device_id, columns.position)
 

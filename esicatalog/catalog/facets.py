@@ -21,6 +21,7 @@ from esicatalog.catalog.schema import (
 )
 from esicatalog.catalog.search import ADDRESSED, conditions, fulfilled, matching_ids
 from esicatalog.model.cia402 import CIA402
+from esicatalog.model.drive_modes import accepted_verdicts
 from esicatalog.model.words import MAILBOX_PROTOCOLS, protocol_name
 
 _MOST_VENDORS, _MOST_PROFILES = 30, 20
@@ -130,10 +131,9 @@ def _vendor_label(vendor_id: int, name: str | None, is_shared: bool) -> str:
 
 def _modes(connection: sa.Connection, ids: Any, strict: bool) -> tuple[FacetValue, ...]:
     columns = drive_modes.c
-    verdicts = ("yes",) if strict else ("yes", "likely")
     query = (
         sa.select(columns.mode, sa.func.count(columns.device_id.distinct()))
-        .where(columns.device_id.in_(ids), columns.kind == CIA402, columns.verdict.in_(verdicts))
+        .where(columns.device_id.in_(ids), columns.kind == CIA402, columns.verdict.in_(accepted_verdicts(strict)))
         .group_by(columns.mode)
     )
     counted = {row[0]: row[1] for row in connection.execute(query)}

@@ -12,8 +12,7 @@ from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import device_facts, devices, drive_modes
 from esicatalog.catalog.search import ADDRESSED, NOT_ADDRESSED, conditions, device_query, found_devices
 from esicatalog.model.cia402 import CIA402
-
-_SHOWN_VERDICTS = ("yes", "likely")
+from esicatalog.model.drive_modes import accepted_verdicts
 
 
 class ListedDevice(NamedTuple):
@@ -66,7 +65,7 @@ def _listed(connection: sa.Connection, found: list[tuple[int, FoundDevice]]) -> 
     verdicts: dict[int, dict[str, str]] = {}
     for number, mode, verdict in connection.execute(
         sa.select(modes.device_id, modes.mode, modes.verdict)
-        .where(modes.device_id.in_(numbers), tested(modes.kind) == CIA402, modes.verdict.in_(_SHOWN_VERDICTS))
+        .where(modes.device_id.in_(numbers), tested(modes.kind) == CIA402, modes.verdict.in_(accepted_verdicts()))
         .order_by(modes.device_id, modes.position)
     ):
         verdicts.setdefault(number, {}).setdefault(mode, verdict)

@@ -10,6 +10,7 @@ import sqlalchemy as sa
 from esicatalog.catalog.schema import metadata
 from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.model.cia402 import CIA402, DRIVE_MODES
+from esicatalog.model.drive_modes import accepted_verdicts
 from esicatalog.model.revisions import BECKHOFF
 
 FULL_TEXT = "device_search"
@@ -275,7 +276,8 @@ def _capabilities(dialect: str) -> list[View]:
 
 
 def _devices_with(mode: str) -> str:
-    return f"count(DISTINCT CASE WHEN m.mode = '{mode}' AND m.verdict IN ('yes', 'likely') THEN d.id END)"
+    verdicts = ", ".join(f"'{word}'" for word in accepted_verdicts())
+    return f"count(DISTINCT CASE WHEN m.mode = '{mode}' AND m.verdict IN ({verdicts}) THEN d.id END)"
 
 
 def _previous(condition: str) -> str:

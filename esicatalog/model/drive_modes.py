@@ -27,6 +27,7 @@ from esicatalog.model.process_image import SmImage, default_process_image
 from esicatalog.model.profile_facts import is_motion_terminal
 from esicatalog.model.slots import default_modules
 
+LIKELY = "likely"
 YES_FROM, LIKELY_FROM, POSSIBLE_FROM = 0.8, 0.5, 0.2
 _CAP_AGAINST_DECLARATION = 0.2
 """Names and inference count little where 0x6502 declares the mode absent."""
@@ -56,6 +57,11 @@ class DriveModes(Record):
 
     evidence: tuple[ModeEvidence, ...] = ()
     verdicts: tuple[DriveModeVerdict, ...] = ()
+
+
+def accepted_verdicts(strict: bool = False) -> tuple[str, ...]:
+    """Verdicts by which a drive counts as one that runs a mode: yes, and likely unless strict."""
+    return (YES,) if strict else (YES, LIKELY)
 
 
 def drive_modes(
@@ -189,7 +195,7 @@ def _verdict(axis: int, mode: DriveMode, findings: list[ModeEvidence]) -> DriveM
             return DriveModeVerdict(
                 axis=axis,
                 mode=mode.name,
-                verdict="no",
+                verdict=NO,
                 score=against.score,
                 conflict=conflict or contradicted,
                 evidence=against.evidence,
@@ -204,7 +210,7 @@ def _verdict(axis: int, mode: DriveMode, findings: list[ModeEvidence]) -> DriveM
 
 def _word(score: float) -> str:
     """The verdict that a score means."""
-    words = ((YES, YES_FROM), ("likely", LIKELY_FROM), ("possible", POSSIBLE_FROM))
+    words = ((YES, YES_FROM), (LIKELY, LIKELY_FROM), ("possible", POSSIBLE_FROM))
     return next((word for word, least in words if score >= least), "unknown")
 
 
