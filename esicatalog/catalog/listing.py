@@ -13,6 +13,7 @@ from esicatalog.catalog.schema import device_facts, devices, drive_modes
 from esicatalog.catalog.search import ADDRESSED, NOT_ADDRESSED, conditions, device_query, found_devices
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.drive_modes import accepted_verdicts
+from esicatalog.sii.words import signal_names
 
 
 class ListedDevice(NamedTuple):
@@ -72,6 +73,6 @@ def _listed(connection: sa.Connection, found: list[tuple[int, FoundDevice]]) -> 
     listed = []
     for number, device in found:
         row = rows[number]
-        signals = [name for name, on in (("SYNC0", row.supports_sync0), ("SYNC1", row.supports_sync1)) if on]
-        listed.append(ListedDevice(device, row.image_sha256, tuple(verdicts.get(number, {}).items()), tuple(signals)))
+        signals = tuple(signal_names(row.supports_sync0, row.supports_sync1))
+        listed.append(ListedDevice(device, row.image_sha256, tuple(verdicts.get(number, {}).items()), signals))
     return tuple(listed)

@@ -29,6 +29,7 @@ from esicatalog.model.words import (
     mailbox_protocols,
     profile_words,
 )
+from esicatalog.sii.words import signal_names
 
 _MOST_ALIKE = 10
 """Devices of the same layout that a sheet names."""
@@ -245,7 +246,7 @@ def _dc_modes(device: Device, default: int | None) -> Iterator[str]:
     rows = []
     for position, mode in enumerate(device.op_modes):
         signals = generated_signals(mode, device.dc_time_loop_control_only)
-        words = [name for name, on in (("SYNC0", signals.sync0), ("SYNC1", signals.sync1)) if on]
+        words = signal_names(signals.sync0, signals.sync1)
         if signals.time_only:
             words.append("DC time only")
         rows.append(

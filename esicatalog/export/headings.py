@@ -8,6 +8,7 @@ from esicatalog.export.clocks import Clocks
 from esicatalog.export.configuration import Configuration
 from esicatalog.model.counting import counted
 from esicatalog.model.sync import is_superseded
+from esicatalog.sii.words import signal_names
 from esicatalog.version import __version__
 
 DRIVE_WARNING = (
@@ -76,6 +77,6 @@ def op_mode_words(configuration: Configuration) -> str:
 
 def clock_words(found: Clocks) -> str:
     """What the OpMode makes the slave controller do."""
-    signals = [name for name, on in (("SYNC0", found.signals.sync0), ("SYNC1", found.signals.sync1)) if on]
-    what = " and ".join(signals) or ("time without pulses" if found.signals.dc_active else "sync unit off")
+    generated = " and ".join(signal_names(found.signals.sync0, found.signals.sync1))
+    what = generated or ("time without pulses" if found.signals.dc_active else "sync unit off")
     return f"AssignActivate 0x{found.assign_activate:04X}, {what}"

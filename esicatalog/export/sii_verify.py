@@ -14,12 +14,11 @@ from esicatalog.export.sii_changes import CHECK_SUM, NOT_CONFIGURED, Change, ima
 from esicatalog.export.sii_header import configuration_bytes, whole_image
 from esicatalog.export.sii_merge import merged_general, merged_header
 from esicatalog.export.subject import Subject
-from esicatalog.model.sync import SYNC0_PULSE, SYNC1_PULSE
 from esicatalog.sii.checksum import is_loaded
 from esicatalog.sii.image import Category, DistributedClocks, General, SiiImage, SyncManagers
 from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.records import DcMode, SyncManager
-from esicatalog.sii.words import SmEnable
+from esicatalog.sii.words import AssignActivate, SmEnable
 
 _OWN = {"serial number", "station alias", CHECK_SUM}
 """What is the device's own and in no description, and the check sum over it, which is held against the image itself."""
@@ -99,7 +98,7 @@ def _sync_manager(computed: SyncManager, said: EsiSyncManager, own: SyncManager 
 
 def _dc_mode(computed: DcMode, said: OpMode, own: DcMode | None) -> DcMode:
     is_said = said.cycle_time_sync0_ns is not None or said.cycle_time_sync0_factor is not None
-    if own is None or (is_said and computed.assign_activate & (SYNC0_PULSE | SYNC1_PULSE)):
+    if own is None or (is_said and computed.assign_activate & (AssignActivate.SYNC0 | AssignActivate.SYNC1)):
         return computed
     return msgspec.structs.replace(computed, cycle_time_sync0_factor=own.cycle_time_sync0_factor)
 

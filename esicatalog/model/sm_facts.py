@@ -6,16 +6,12 @@ from typing import Annotated, NamedTuple
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.device import SyncManager
+from esicatalog.sii.words import SM_DIRECTIONS, SM_MODES, SmControl
 
-OUTPUT, INPUT = "output", "input"
-"""Transfer directions: the master writes, the master reads."""
+INPUT, OUTPUT = SM_DIRECTIONS[0b00], SM_DIRECTIONS[0b01]
+"""Transfer directions: the master reads, the master writes."""
 TRANSFER_DIRECTIONS = {"RxPdo": OUTPUT, "TxPdo": INPUT}
 """By the direction of a PDO, which is named from the device's side."""
-_MODES = {0b00: "buffered", 0b10: "mailbox"}
-_DIRECTIONS = {0b00: INPUT, 0b01: OUTPUT}
-_WATCHDOG = 0x40
-_PDI_INTERRUPT = 0x20
-_ECAT_INTERRUPT = 0x10
 
 
 class SmRole(NamedTuple):
@@ -89,9 +85,9 @@ def _control_facts(control: int | None) -> SmFacts:
     if control is None:
         return SmFacts()
     return SmFacts(
-        buffer_mode=_MODES.get(control & 0b11),
-        transfer_direction=_DIRECTIONS.get(control >> 2 & 0b11),
-        ecat_interrupt=bool(control & _ECAT_INTERRUPT),
-        pdi_interrupt=bool(control & _PDI_INTERRUPT),
-        watchdog_trigger=bool(control & _WATCHDOG),
+        buffer_mode=SM_MODES.get(control & 0b11),
+        transfer_direction=SM_DIRECTIONS.get(control >> 2 & 0b11),
+        ecat_interrupt=bool(control & SmControl.ECAT_INTERRUPT),
+        pdi_interrupt=bool(control & SmControl.PDI_INTERRUPT),
+        watchdog_trigger=bool(control & SmControl.WATCHDOG),
     )

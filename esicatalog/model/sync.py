@@ -13,13 +13,7 @@ from esicatalog.esi.canonical import elements_naming
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-
-SYNC_UNIT_ACTIVE = 0x0100
-SYNC0_PULSE = 0x0200
-SYNC1_PULSE = 0x0400
-SYNC_UNIT_PDI = 0x0001
-LATCH0_PDI = 0x0010
-LATCH1_PDI = 0x0020
+from esicatalog.sii.words import AssignActivate
 
 
 class SyncSignals(Record):
@@ -39,15 +33,15 @@ def sync_signals(assign_activate: int | None) -> SyncSignals:
     """Decode AssignActivate; everything is None when the OpMode does not give it."""
     if assign_activate is None:
         return SyncSignals()
-    active = bool(assign_activate & SYNC_UNIT_ACTIVE)
+    active = bool(assign_activate & AssignActivate.SYNC_UNIT)
     return SyncSignals(
         dc_active=active,
-        sync0=active and bool(assign_activate & SYNC0_PULSE),
-        sync1=active and bool(assign_activate & SYNC1_PULSE),
-        time_only=active and not assign_activate & (SYNC0_PULSE | SYNC1_PULSE),
-        sync_unit_pdi=bool(assign_activate & SYNC_UNIT_PDI),
-        latch0_pdi=bool(assign_activate & LATCH0_PDI),
-        latch1_pdi=bool(assign_activate & LATCH1_PDI),
+        sync0=active and bool(assign_activate & AssignActivate.SYNC0),
+        sync1=active and bool(assign_activate & AssignActivate.SYNC1),
+        time_only=active and not assign_activate & (AssignActivate.SYNC0 | AssignActivate.SYNC1),
+        sync_unit_pdi=bool(assign_activate & AssignActivate.SYNC_UNIT_PDI),
+        latch0_pdi=bool(assign_activate & AssignActivate.LATCH0_PDI),
+        latch1_pdi=bool(assign_activate & AssignActivate.LATCH1_PDI),
     )
 
 

@@ -4,6 +4,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.profile_facts import profile_numbers
+from esicatalog.sii.words import signal_names
 
 MAILBOX_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
 INIT_CMD_PROTOCOLS = ("CoE", "SoE", "EoE", "AoE")
@@ -63,7 +64,7 @@ def clock_words(device: Device, facts: DeviceFacts) -> str:
     nothing of it, nor does a description without Dc (couplers have clocks and rarely a Dc element).
     """
     if facts.dc_supported:
-        signals = [name for name, on in (("SYNC0", facts.supports_sync0), ("SYNC1", facts.supports_sync1)) if on]
+        signals = signal_names(facts.supports_sync0, facts.supports_sync1)
         return ", ".join(["DC needed" if facts.dc_needed else "DC optional", *signals])
     if device.dc_potential_reference_clock:
         return "can be the reference clock"

@@ -15,6 +15,7 @@ from esicatalog.sii.words import (
     SM_DIRECTIONS,
     SM_MODES,
     SM_USAGES,
+    AssignActivate,
     EscConfiguration,
     MailboxProtocols,
     PdoFlags,
@@ -189,19 +190,23 @@ class DcMode(SiiRecord):
     reserved_20: Annotated[int, Part("I", "Bytes 20 to 23")] = 0
 
     @property
+    def _activated(self) -> AssignActivate:
+        return AssignActivate(self.assign_activate)
+
+    @property
     def dc_active(self) -> bool:
         """Whether the sync unit is active."""
-        return bool(self.assign_activate & 0x0100)
+        return AssignActivate.SYNC_UNIT in self._activated
 
     @property
     def sync0(self) -> bool:
         """Whether SYNC0 is generated."""
-        return self.assign_activate & 0x0300 == 0x0300
+        return AssignActivate.SYNC_UNIT | AssignActivate.SYNC0 in self._activated
 
     @property
     def sync1(self) -> bool:
         """Whether SYNC1 is generated."""
-        return self.assign_activate & 0x0500 == 0x0500
+        return AssignActivate.SYNC_UNIT | AssignActivate.SYNC1 in self._activated
 
 
 HEADER = Layout(Header)

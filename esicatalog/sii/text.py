@@ -6,7 +6,7 @@ from esicatalog.sii.checksum import header_checksum, is_loaded
 from esicatalog.sii.encode import category_offsets
 from esicatalog.sii.image import General, RawCategory, SiiImage, Strings
 from esicatalog.sii.records import DcMode, Header, Pdo
-from esicatalog.sii.words import category_title, flag_words
+from esicatalog.sii.words import category_title, flag_words, signal_names
 
 _HEX_BYTES_A_LINE = 16
 _MOST_HEX_BYTES = 256
@@ -208,8 +208,7 @@ def _dc_modes(image: SiiImage) -> Iterator[str]:
 
 
 def _signals(mode: DcMode) -> str:
-    signals = [name for name, on in (("SYNC0", mode.sync0), ("SYNC1", mode.sync1)) if on]
-    return ", ".join(signals) or ("no pulses" if mode.dc_active else "off")
+    return ", ".join(signal_names(mode.sync0, mode.sync1)) or ("no pulses" if mode.dc_active else "off")
 
 
 def _others(image: SiiImage) -> Iterator[str]:

@@ -62,6 +62,17 @@ class SmControl(IntFlag):
     WATCHDOG = 0x40
 
 
+class AssignActivate(IntFlag):
+    """AssignActivate of an OpMode, registers 0x0980 (low byte) and 0x0981 (high byte; ESC data sheet)."""
+
+    SYNC_UNIT_PDI = 0x0001
+    LATCH0_PDI = 0x0010
+    LATCH1_PDI = 0x0020
+    SYNC_UNIT = 0x0100
+    SYNC0 = 0x0200
+    SYNC1 = 0x0400
+
+
 class SmEnable(IntFlag):
     """Enable byte of a sync manager (ETG.2010; OP_ONLY in real images as 0x09)."""
 
@@ -178,6 +189,11 @@ def flag_words(flags: IntFlag) -> list[str]:
 def _in_words(name: str) -> str:
     words = name.split("_")
     return " ".join(word.lower() if word.isupper() and word not in _ABBREVIATIONS else word for word in words)
+
+
+def signal_names(sync0: bool | None, sync1: bool | None) -> list[str]:
+    """The signals that are generated, by name."""
+    return [name for name, generated in (("SYNC0", sync0), ("SYNC1", sync1)) if generated]
 
 
 def category_title(category_type: int) -> str:

@@ -8,7 +8,8 @@ from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, 
 from esicatalog.lint.subjects import DeclaredPdo, ModuleSubject, ProcessSubject, is_absent
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
-from esicatalog.model.sync import SYNC0_PULSE, SYNC1_PULSE, is_superseded, sync_signals
+from esicatalog.model.sync import is_superseded, sync_signals
+from esicatalog.sii.words import AssignActivate
 
 
 def _words(number: int, mode: OpMode) -> str:
@@ -24,7 +25,7 @@ def assign_activate(subject: ProcessSubject) -> Iterator[Found]:
         if value is None:
             if is_absent(mode, "assign_activate"):
                 yield Found(f"{_words(number, mode)} has no AssignActivate: give it, #x0 for no clocks", _at(number))
-        elif value & (SYNC0_PULSE | SYNC1_PULSE) and not sync_signals(value).dc_active:
+        elif value & (AssignActivate.SYNC0 | AssignActivate.SYNC1) and not sync_signals(value).dc_active:
             yield Found(
                 f"{_words(number, mode)} has AssignActivate 0x{value:04X}: SYNC pulses without the sync unit (0x0100); "
                 "no pulse is made",
@@ -47,7 +48,9 @@ def sync1_times(subject: ProcessSubject) -> Iterator[Found]:
                     _at(number),
                     WARNING,
                 )
-        elif not mode.assign_activate & SYNC1_PULSE and (mode.cycle_time_sync1_ns or mode.cycle_time_sync1_factor):
+        elif not mode.assign_activate & AssignActivate.SYNC1 and (
+            mode.cycle_time_sync1_ns or mode.cycle_time_sync1_factor
+        ):
             yield Found(
                 f"{_words(number, mode)} has CycleTimeSync1, but AssignActivate 0x{mode.assign_activate:04X} "
                 "makes no SYNC1",
