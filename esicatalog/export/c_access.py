@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from esicatalog.export.sm_configuration import MappedEntry
+from esicatalog.model.values import byte_length
 
 
 class Place(NamedTuple):
@@ -30,7 +31,7 @@ def c_type(entry: MappedEntry) -> str:
 
 def byte_count(entry: MappedEntry) -> int:
     """Bytes that the value takes, the last one perhaps in part."""
-    return (entry.bit_length + 7) // 8
+    return byte_length(entry.bit_length)
 
 
 def on_byte(entry: MappedEntry) -> bool:

@@ -26,7 +26,6 @@ from esicatalog.model.counting import counted
 from esicatalog.model.sm_facts import OUTPUT, sm_facts
 
 _DIRECTIONS = {OUTPUT: "EC_DIR_OUTPUT"}
-_BITS_OF_BYTE = 8
 
 
 class Registration(NamedTuple):
@@ -188,7 +187,7 @@ def _registrations(configuration: Configuration) -> Iterator[Registration]:
             for entry in pdo.entries:
                 if not entry.is_gap:
                     place = (entry.entry_index, entry.subindex)
-                    inside_byte = not on_byte(entry) or entry.bit_length < _BITS_OF_BYTE
+                    inside_byte = not on_byte(entry) or entry.bit_length < 8
                     yield Registration(entry, inside_byte, sm.number, pdo_position, row, place in known)
                     known.add(place)
                 row += sum(1 for _ in pieces(entry.bit_length))

@@ -11,8 +11,7 @@ from esicatalog.export.c_access import byte_count, whole_bytes
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.names import unique_names
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
-
-_BITS_OF_BYTE = 8
+from esicatalog.model.values import byte_length
 
 
 class Member(NamedTuple):
@@ -38,7 +37,7 @@ class IoMap(NamedTuple):
     @property
     def starts_inside_byte(self) -> bool:
         """Whether SOEM may let the image begin at any bit: it packs images that do not fill a byte."""
-        return self.bit_size < _BITS_OF_BYTE
+        return self.bit_size < 8
 
 
 def io_map(configuration: Configuration, direction: str) -> IoMap:
@@ -50,8 +49,8 @@ def io_map(configuration: Configuration, direction: str) -> IoMap:
     for sm in images:
         for entry in sm.entries:
             if entry.is_placed:
-                entries.append(entry._replace(bit_offset=entry.bit_offset + byte_size * _BITS_OF_BYTE))
-        byte_size += _bytes(sm.placed_bit_size)
+                entries.append(entry._replace(bit_offset=entry.bit_offset + byte_size * 8))
+        byte_size += byte_length(sm.placed_bit_size)
         bit_size += sm.placed_bit_size
         if not sm.is_described:
             # Of a direction without any PDO the remark about the SyncManager says all.
@@ -59,7 +58,7 @@ def io_map(configuration: Configuration, direction: str) -> IoMap:
                 remarks.append(_end_words(direction, byte_size, _end(sm)))
             break
     else:
-        needed = _bytes(bit_size)
+        needed = byte_length(bit_size)
         if byte_size != needed:
             remarks.append(
                 f"the {direction}s take {byte_size} bytes in {len(images)} SyncManagers, and SOEM maps only the "
@@ -73,10 +72,6 @@ def io_map(configuration: Configuration, direction: str) -> IoMap:
         tuple(entry for entry in entries if not _is_member(entry)),
         tuple(remarks),
     )
-
-
-def _bytes(bits: int) -> int:
-    return -(-bits // _BITS_OF_BYTE)
 
 
 def _end(sm: SmConfiguration) -> str:
@@ -99,7 +94,7 @@ def _is_member(entry: MappedEntry) -> bool:
 
 def _members(entries: Sequence[MappedEntry], byte_size: int) -> Iterator[Member]:
     """Members for whole values, and arrays of bytes for what lies between them."""
-    whole = {entry.bit_offset // _BITS_OF_BYTE: entry for entry in entries if _is_member(entry)}
+    whole = {entry.bit_offset // 8: entry for entry in entries if _is_member(entry)}
     gaps = []
     at = 0
     for start in (*sorted(whole), byte_size):

@@ -44,7 +44,6 @@ _TARGET_POSITION = 0x607A
 _HELD_BY = {0x6061, 0x6064}
 """Mapped, they let the CiA 402 plugin hold the actual position."""
 _NOT_PLAIN = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null"))
-_BITS_OF_BYTE = 8
 _SDO_TYPES = {1: "uint8", 2: "uint16", 4: "int32", 8: "int64"}
 """By length; the driver reads values as 32 bit signed integers."""
 
@@ -193,10 +192,10 @@ def _default(entry: MappedEntry, modes: Mapping[int, bytes]) -> int:
 
 def _value(entry: MappedEntry, side: Side) -> str:
     """Type, mask and factor for a value that the driver can read and write, else empty."""
-    value, bit = entry.value, entry.bit_offset % _BITS_OF_BYTE
+    value, bit = entry.value, entry.bit_offset % 8
     if on_byte(entry) and value.kind != "bytes" and value.fills_container:
         return f"type: {value.kind}{value.bit_length}"
-    if bit + entry.bit_length > _BITS_OF_BYTE or value.kind not in ("int", "uint"):
+    if bit + entry.bit_length > 8 or value.kind not in ("int", "uint"):
         return ""
     mask, scale = ((1 << entry.bit_length) - 1) << bit, 1 << bit
     if entry.bit_length == 1:

@@ -15,6 +15,7 @@ from esicatalog.model.assignable_pdos import declares_pdo_assign
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, entry_words, has_length, has_object, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_direction
+from esicatalog.model.values import byte_length
 
 _CONTROL_BYTES = range(0x100)
 _MAX_INDEX, _MAX_SUBINDEX = 0xFFFF, 0xFF
@@ -99,7 +100,7 @@ class SmConfiguration(NamedTuple):
     @property
     def byte_size(self) -> int:
         """Length in bytes: all bits, rounded up once."""
-        return (self.bit_size + 7) // 8
+        return byte_length(self.bit_size)
 
     @property
     def placed_bit_size(self) -> int:

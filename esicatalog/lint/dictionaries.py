@@ -9,6 +9,7 @@ from typing import NamedTuple
 from esicatalog.esi.records.dictionary import DataType, DeclaredValues, InfoSubItem, Object, SubItem
 from esicatalog.model.dictionary import ObjectEntry, ResolvedObject
 from esicatalog.model.resolver import Resolver, TypeSet
+from esicatalog.model.values import byte_length
 
 _Pairs = Sequence[tuple[InfoSubItem, int | None]]
 
@@ -122,7 +123,7 @@ def _is_harmless(values: DeclaredValues, bit_size: int | None) -> bool:
                 return True
         elif bit_size is None or number < 0 or number.bit_length() >= bit_size:
             return False
-    elif bit_size is None or len(data) != 2 * ((bit_size + 7) // 8):
+    elif bit_size is None or len(data) != 2 * byte_length(bit_size):
         return False
     return (
         values.default_string is None

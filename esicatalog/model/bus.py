@@ -9,6 +9,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from esicatalog.model.values import byte_length
 from esicatalog.scan.records import ScannedSlave
 
 _E_BUS = "EBUS"
@@ -113,7 +114,7 @@ class _Size(NamedTuple):
     @property
     def byte_size(self) -> int | None:
         """As configured, else as described."""
-        return (self.configured_bits + 7) // 8 if self.configured_bits is not None else self.described_bytes
+        return byte_length(self.configured_bits) if self.configured_bits is not None else self.described_bytes
 
     def notes(self, way: str, described_bits: int | None) -> Iterator[str]:
         """A note where neither the bytes are the same nor the bits."""

@@ -32,6 +32,7 @@ from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.slots import MAX_INDEX, PluggedModule, default_modules
 from esicatalog.model.sm_facts import transfer_direction
 from esicatalog.model.sync import default_op_mode
+from esicatalog.model.values import byte_length
 
 MAX_SM_BYTES = 0xFFFF
 """A SyncManager's length is a 16 bit number of bytes (ESC register 0x0802)."""
@@ -101,7 +102,7 @@ class SmImage(NamedTuple):
     @property
     def described_bytes(self) -> int:
         """Bytes that the described bits take; the image may be longer."""
-        return (self.bit_size + 7) // 8
+        return byte_length(self.bit_size)
 
     @property
     def byte_words(self) -> str:

@@ -20,6 +20,11 @@ class Value(NamedTuple):
     text: str | None = None
 
 
+def byte_length(bits: int) -> int:
+    """Bytes that so many bits take, the last one perhaps in part."""
+    return (bits + 7) // 8
+
+
 def decode_data(raw: str, base: BaseType | None, bit_size: int | None) -> Value:
     """A value given as bytes: little-endian, two's complement, IEEE 754; texts without trailing NUL.
 
@@ -35,8 +40,8 @@ def number_size(given: int, base: BaseType, bit_size: int | None) -> int:
     The declared width decides, not the name of the type (ESI-FACTS section 6.3); where the two differ, bytes that fill
     the type are a whole number, too.
     """
-    own = ((base.bit_size or 0) + 7) // 8
-    return own if given == own or bit_size is None or bit_size <= 0 else (bit_size + 7) // 8
+    own = byte_length(base.bit_size or 0)
+    return own if given == own or bit_size is None or bit_size <= 0 else byte_length(bit_size)
 
 
 def fills(given: int, base: BaseType | None, bit_size: int) -> bool:
@@ -44,7 +49,7 @@ def fills(given: int, base: BaseType | None, bit_size: int) -> bool:
 
     Texts and domains may be shorter; those of no bits, as STRING(0), are of any length.
     """
-    wanted = (bit_size + 7) // 8
+    wanted = byte_length(bit_size)
     return given == wanted or (base is not None and base.of_any_width and (given < wanted or not bit_size))
 
 

@@ -11,7 +11,7 @@ from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.model.counting import counted
 from esicatalog.model.start_up import SENT_IN, TRANSITIONS, transition_of, unusable_part
 from esicatalog.model.sync import listed_pdos
-from esicatalog.model.values import fills
+from esicatalog.model.values import byte_length, fills
 
 _LEAST_EEPROM_BYTES = 128
 
@@ -76,7 +76,9 @@ def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete:
         return None
     if fills(len(data), BASE_TYPES[entry.base_type] if entry.base_type is not None else None, entry.bit_size):
         return None
-    return f"has {counted(len(data), 'byte')} of Data, {entry.data_type} has {(entry.bit_size + 7) // 8}: correct Data"
+    return (
+        f"has {counted(len(data), 'byte')} of Data, {entry.data_type} has {byte_length(entry.bit_size)}: correct Data"
+    )
 
 
 @rule("L61", WARNING, "ETG.2000 Mailbox/CoE: objects are read and written through CoE")

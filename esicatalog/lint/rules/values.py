@@ -8,7 +8,7 @@ from esicatalog.lint.registry import WARNING, Found, Place, listed, rule
 from esicatalog.model.base_types import BASE_TYPES, BaseType
 from esicatalog.model.counting import counted
 from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
-from esicatalog.model.values import fills, number_size
+from esicatalog.model.values import byte_length, fills, number_size
 
 _CHARACTER_BITS = {"string": 8, "unicode": 16}
 
@@ -43,7 +43,7 @@ def _length_problem(entry: ObjectEntry) -> str | None:
     base = BASE_TYPES[entry.base_type]
     if data is None or fills(len(data), base, entry.bit_size):
         return None
-    wanted = (entry.bit_size + 7) // 8
+    wanted = byte_length(entry.bit_size)
     given, reading = counted(len(data), "byte"), _reading(len(data), entry, base)
     return f"has DefaultData of {given}; {entry.data_type} has {wanted}{reading}"
 

@@ -7,6 +7,7 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.model.counting import counted
 from esicatalog.model.pdo_facts import entry_facts, has_object, subindex_words
 from esicatalog.model.process_image import PlacedEntry, PlacedPdo, SmImage, byte_bit
+from esicatalog.model.values import byte_length
 from esicatalog.web.drawings.style import PDO_COLOURS
 from esicatalog.web.drawings.svg import (
     WIDTH,
@@ -64,10 +65,10 @@ class _Rows:
 
     def add(self, entry: _Drawn) -> None:
         """Make room for an entry."""
-        first, end = (entry.first_bit + 7) // 8, entry.end_bit // 8
+        first, end = byte_length(entry.first_bit), entry.end_bit // 8
         if end - first > _WHOLE_BYTES:
             self._folds.append((first + 1, end - 2))
-        self._end_byte = max(self._end_byte, (entry.end_bit + 7) // 8)
+        self._end_byte = max(self._end_byte, byte_length(entry.end_bit))
 
     def row(self, byte: int) -> int:
         """Row of a byte."""
