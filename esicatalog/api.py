@@ -156,7 +156,7 @@ class Catalog:
 
         header = image.header
         answer = self.identify(header.vendor_id, header.product_code, header.revision_no)
-        if answer.match != "exact":
+        if not answer.is_exact:
             return Verification(answer, None, image.findings, ())
         described = [variant.device for variant in answer.variants]
         compared = [verify_image(image, self.export_subject(device.identity_text)) for device in described]

@@ -7,6 +7,8 @@ from typing import NamedTuple
 from esicatalog.errors import InputError
 
 UINT32_MAX = 0xFFFF_FFFF
+MAX_INDEX, MAX_SUBINDEX = 0xFFFF, 0xFF
+"""Of the objects of a dictionary."""
 NO_REVISION = "-"
 """Stands for the revision of a description that names none."""
 _MOST_DIGITS = 20
@@ -117,7 +119,7 @@ def identity_of_parts(vendor: str, product: str, revision: str | None = None, va
 def parse_mapped(text: str) -> tuple[int, int | None]:
     """An object written ``INDEX[:SUBINDEX]``, as :func:`parse_subindex` says. Raises :class:`InputError`."""
     index, colon, subindex = text.partition(":")
-    return parse_number(index, "index", 0xFFFF), parse_subindex(subindex) if colon else None
+    return parse_number(index, "index", MAX_INDEX), parse_subindex(subindex) if colon else None
 
 
 def parse_subindex(text: str) -> int:
@@ -128,7 +130,7 @@ def parse_subindex(text: str) -> int:
     digits = text.strip()
     if _COE_SUBINDEX.fullmatch(digits):
         return int(digits, 16)
-    value = parse_number(digits, "subindex", 0xFF)
+    value = parse_number(digits, "subindex", MAX_SUBINDEX)
     if digits.isdecimal() and 10 <= value <= 99:
         raise InputError(
             f"subindex {text[:_SHOWN]!r} is ambiguous: write 0x{value} if it is hexadecimal, 0x{value:02X} if decimal"

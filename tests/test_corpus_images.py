@@ -5,8 +5,9 @@ from collections import Counter
 import pytest
 from test_drive_modes import all_devices
 
+from esicatalog.identity import MAX_INDEX
 from esicatalog.model.process_image import SmImage, default_process_image, process_image
-from esicatalog.model.slots import MAX_INDEX, PluggedModule, accepts, expand_module, numbered_slots
+from esicatalog.model.slots import PluggedModule, accepts, expand_module, numbered_slots
 
 SLOTS_LOOKED_AT = 8
 """Expanding the first slots shows what a module becomes; couplers repeat one slot 254 times."""

@@ -8,20 +8,19 @@ from typing import Any, NamedTuple
 import msgspec
 
 from esicatalog.catalog.identity import IdentityLookup
-from esicatalog.catalog.results import FoundDevice, Identification, hex32
+from esicatalog.catalog.results import NONE, FoundDevice, Identification, hex32
 from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, look_at_bus
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.required_slots import missing_pdos
-from esicatalog.model.revision_check import EXACT
 from esicatalog.model.scan_compare import compare_objects, compare_pdos
 from esicatalog.model.slots import default_modules
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 from esicatalog.scan.records import Scan, ScanFinding, ScannedDictionary, ScannedPdos, ScannedSlave
 
-_NO_IDENTITY = Identification(None, None, None, "none", "the scan gives no identity of this slave", None, (), ())
+_NO_IDENTITY = Identification(None, None, None, NONE, "the scan gives no identity of this slave", None, (), ())
 
 
 class IdentifiedSlave(NamedTuple):
@@ -48,7 +47,7 @@ class IdentifiedSlave(NamedTuple):
         Of an exact match other variants count, for nothing tells which one the device is; other revisions do not.
         """
         answer = self.identification
-        exact = answer.match == EXACT
+        exact = answer.is_exact
         reasons = () if exact else (answer.reason,)
         warnings = (answer.variant_warning, None if exact else answer.revision_warning)
         told = (f"warning: {words}" for words in warnings if words is not None)
@@ -87,7 +86,7 @@ class BusReport(NamedTuple):
     @property
     def not_exact_at(self) -> tuple[int, ...]:
         """Positions of the slaves without exact ESI."""
-        return tuple(item.slave.position for item in self.slaves if item.identification.match != EXACT)
+        return tuple(item.slave.position for item in self.slaves if not item.identification.is_exact)
 
 
 def slave_words(positions: Sequence[int]) -> str:

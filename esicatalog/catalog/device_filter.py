@@ -6,7 +6,7 @@ from typing import Annotated
 import msgspec
 
 from esicatalog.errors import InputError
-from esicatalog.identity import UINT32_MAX, Bounds, Identity, checked
+from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX, UINT32_MAX, Bounds, Identity, checked
 from esicatalog.model.cia402 import DRIVE_MODES
 from esicatalog.model.words import MAILBOX_PROTOCOLS
 
@@ -18,7 +18,9 @@ AMOUNTS = ("bytes_in", "bytes_out", "min_cycle_ns", "e_bus_ma", "axes")
 """The filters that are bounds of an amount."""
 
 UInt32 = Annotated[int, msgspec.Meta(ge=0, le=UINT32_MAX)]
-Mapped = tuple[Annotated[int, msgspec.Meta(ge=0, le=0xFFFF)], Annotated[int, msgspec.Meta(ge=0, le=0xFF)] | None]
+Index = Annotated[int, msgspec.Meta(ge=0, le=MAX_INDEX)]
+Subindex = Annotated[int, msgspec.Meta(ge=0, le=MAX_SUBINDEX)]
+Mapped = tuple[Index, Subindex | None]
 """An object: index and subindex, None for every subindex."""
 
 

@@ -10,11 +10,11 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 import msgspec
 
-from esicatalog.catalog.results import DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
+from esicatalog.catalog.results import NONE, VENDOR, DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
 from esicatalog.model.bus import DeviceAtBus
 from esicatalog.model.pdo_facts import mapped_words
 from esicatalog.model.process_image import byte_bit
-from esicatalog.model.revision_check import EXACT, Described, rank
+from esicatalog.model.revision_check import EXACT, EXACT_REASON, Described, rank
 from esicatalog.model.sm_facts import SM_ROLES, TRANSFER_DIRECTIONS
 
 NEAREST = 10
@@ -184,7 +184,7 @@ class IdentityLookup:
         if exact:
             # No rule of CheckRevisionNo is asked, and the others are the neighbours by number: ranking all of them, as
             # for a revision that is not described, would take half as long again.
-            match, reason = EXACT, "the catalog describes exactly this revision"
+            match, reason = EXACT, EXACT_REASON
             chosen = sorted(exact, key=lambda row: row.variant)
             others = sorted(
                 (row for row in rows if row.revision_no != revision_no and row.variant == 1),
@@ -242,13 +242,13 @@ class IdentityLookup:
         vendor_id, product_code, _ = query
         name = next(iter(self._query(_VENDOR, (vendor_id,))), None)
         if name is None:
-            return Identification(*query, "none", f"vendor {hex32(vendor_id)} is not in the catalog", None, (), ())
+            return Identification(*query, NONE, f"vendor {hex32(vendor_id)} is not in the catalog", None, (), ())
         near = map(_device, self._query(_NEAR_PRODUCTS, (vendor_id, product_code) * 2))
         ranked = sorted(near, key=lambda device: _distance(device, product_code))
         candidates = tuple(ranked[:NEAREST])
         named = f" ({name[0]})" if name[0] else ""
         reason = f"vendor {hex32(vendor_id)}{named} is known, its product {hex32(product_code)} is not"
-        return Identification(*query, "vendor", reason, None, (), candidates)
+        return Identification(*query, VENDOR, reason, None, (), candidates)
 
     def _variant_warning(self, ours: _Row, variants: list[_Row]) -> str | None:
         return self._warning(ours, variants, "variants of this identity", lambda row: f"@{row.variant}")

@@ -6,7 +6,11 @@ from typing import Any
 import msgspec
 
 from esicatalog.identity import Identity
+from esicatalog.model.revision_check import ACCEPTED, EXACT, NEWER, OLDER, PRODUCT
 
+VENDOR, NONE = "vendor", "none"
+MATCHES = (EXACT, ACCEPTED, OLDER, NEWER, PRODUCT, VENDOR, NONE)
+"""How well the description fits that answers for an identity; with the last two none does."""
 _MOST_SHOWN = 12
 
 
@@ -100,7 +104,7 @@ class Identification(msgspec.Struct, frozen=True):
     product_code: int | None
     revision_no: int | None
     match: str
-    """exact, accepted, older, newer, product, vendor or none."""
+    """One of :data:`MATCHES`."""
     reason: str
     device: IdentifiedDevice | None
     variants: tuple[IdentifiedDevice, ...]
@@ -111,6 +115,11 @@ class Identification(msgspec.Struct, frozen=True):
     """How other variants than ``device`` of its identity exchange something else by default."""
     revision_warning: str | None = None
     """The same of other revisions."""
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether the very identity that was asked for is described."""
+        return self.match == EXACT
 
     @property
     def warnings(self) -> tuple[str, ...]:

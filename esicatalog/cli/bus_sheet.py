@@ -38,7 +38,7 @@ def _row(item: IdentifiedSlave) -> list[str]:
         item.identity_text,
         answer.match,
         (described.device.type or "" if described is not None else slave.name or "").strip(),
-        "" if described is None or answer.match == "exact" else hex32(described.device.revision_no) or "-",
+        "" if described is None or answer.is_exact else hex32(described.device.revision_no) or "-",
         "" if report.e_bus_left_ma is None else f"{report.e_bus_left_ma} mA",
         _bytes(report.output_bytes),
         _bytes(report.input_bytes),

@@ -58,7 +58,7 @@ class Inputs(NamedTuple):
         Raises :class:`NotFound`.
         """
         answer = catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no)
-        if identity.revision_no is None or answer.match == "exact":
+        if identity.revision_no is None or answer.is_exact:
             found = catalog.export_subject(identity)
         else:
             found = self._nearest(catalog, identity, answer)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from lxml import etree
 
 from esicatalog.errors import BrokenDocument, NotAnEsiDocument
-from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
+from esicatalog.esi.containers import MAX_DOCUMENT_BYTES, TOO_LARGE
 
 ESI_ROOTS = ("EtherCATInfo", "EtherCATInfoList", "EtherCATModule", "EtherCATDict", "EtherCATDiag")
 _OTHER_ROOTS = {"EtherCATConfig": "an ENI file (EtherCATConfig: master configuration), not ESI"}
@@ -22,6 +22,8 @@ MAX_ATTRIBUTES = 1_000
 """Of one element; the schema has 12 at most. Reading them takes time that grows with the square of their number."""
 MAX_NAMESPACES = 100
 """Prefixes declared in one document; real ones declare two. Each is written with every part of the document."""
+NAMESPACE_PREFIX = re.compile(rb"xmlns:([^\s=]+)")
+"""Declares one, in ASCII."""
 _BOMS = (codecs.BOM_UTF8, codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE, codecs.BOM_UTF32_BE)
 _LIMITS = {
     "amplification": "its entities and attribute defaults expand too far",
@@ -33,7 +35,6 @@ _LIMITS = {
 _LONGEST_REASON = 200
 _SHOWN = 60
 _PARAMETER_ENTITY = re.compile(rb"<!ENTITY\s+%")
-_PREFIX = re.compile(rb"xmlns:([^\s=]+)")
 _HAS_TOO_MANY_ATTRIBUTES = etree.XPath(f"boolean(/descendant::*/@*[{MAX_ATTRIBUTES + 1}])")
 _UNSAFE_ENCODINGS = ("UTF-7", "UTF7")
 """They spell the same text in many ways, so that no look at the bytes tells what it says."""
@@ -85,7 +86,7 @@ def parse_document(content: bytes) -> ParsedDocument:
     looks like ESI but nothing can be read.
     """
     if len(content) > MAX_DOCUMENT_BYTES:
-        raise BrokenDocument(f"larger than {MAX_DOCUMENT_BYTES // 2**20} MB; no ESI document is")
+        raise BrokenDocument(TOO_LARGE)
     if not content.strip():
         raise BrokenDocument("the file is empty")
     if not _looks_like_xml(content):
@@ -112,7 +113,7 @@ def parse_as_it_is(content: bytes) -> ParsedDocument | None:
 
 def _check_namespaces(content: bytes) -> None:
     text = _plain(content)
-    if text.count(b"xmlns") > MAX_NAMESPACES and len(set(_PREFIX.findall(text))) > MAX_NAMESPACES:
+    if text.count(b"xmlns") > MAX_NAMESPACES and len(set(NAMESPACE_PREFIX.findall(text))) > MAX_NAMESPACES:
         raise BrokenDocument(f"more than {MAX_NAMESPACES} namespaces declared; no ESI document does")
 
 

@@ -12,10 +12,11 @@ import re
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from esicatalog.identity import UINT32_MAX
+
 MAX_STORED = (1 << 63) - 1
 """Largest integer that every supported database keeps; anything above is kept as text only."""
 
-UINT32_MAX = 0xFFFF_FFFF
 _INT32 = range(-(1 << 31), 1 << 31)
 
 _HEX_DEC = re.compile(r"(?P<dec>[+-]?[0-9]+)|(?P<prefix>#x|#x0x|0x)(?P<hex>[0-9a-f]+)", re.IGNORECASE)

@@ -23,7 +23,7 @@ import msgspec
 from lxml import etree
 
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
-from esicatalog.esi.documents import declared_encoding, make_parser
+from esicatalog.esi.documents import NAMESPACE_PREFIX, declared_encoding, make_parser
 from esicatalog.esi.lines import Lines, Located
 
 MARK = f"repeated-{secrets.token_hex(8)}"
@@ -37,7 +37,6 @@ _LONGEST_HEAD = 10_000
 _SECTIONS = ((b"<!--", b"-->"), (b"<![CDATA[", b"]]>"))
 _LEADING = re.compile(rb"(?:[ \t\r\n]+|<!--.{0,1000}?-->)*", re.DOTALL)
 """Comments have a bounded length: none is sought for to the end of the document again and again."""
-_PREFIX = re.compile(rb"xmlns:([^\s=]+)")
 
 
 class _Kind:
@@ -109,7 +108,7 @@ class Cut:
         pieces: list[_Piece] = []
         pieces.append(content[self._cut_document(content, pieces) :])
         self.content = b"".join([piece if isinstance(piece, bytes) else self._mark(piece) for piece in pieces])
-        self._prefixes = {prefix + b":" for prefix in _PREFIX.findall(self.content)}
+        self._prefixes = {prefix + b":" for prefix in NAMESPACE_PREFIX.findall(self.content)}
 
     @property
     def is_empty(self) -> bool:

@@ -4,10 +4,10 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
-from esicatalog.identity import UINT32_MAX, ModuleChoice, parse_mapped, parse_number
+from esicatalog.identity import MAX_INDEX, UINT32_MAX, ModuleChoice, parse_mapped, parse_number
 
 DEFAULT_CYCLE_NS = 1_000_000
-_MAX_INDEX = 0xFFFF
+_UINT16_MAX = 0xFFFF
 
 
 class PdoChoice(NamedTuple):
@@ -41,7 +41,7 @@ def check_numbers(choice: Choice) -> None:
     if choice.cycle_ns is not None and not 0 < choice.cycle_ns <= UINT32_MAX:
         raise InputError(f"a bus cycle of {choice.cycle_ns} ns cannot be; give 1 to {UINT32_MAX} ns")
     for what, number in (("alias", choice.alias), ("position", choice.position)):
-        if not 0 <= number <= _MAX_INDEX:
+        if not 0 <= number <= _UINT16_MAX:
             raise InputError(f"{what} {number} is no 16 bit number")
 
 
@@ -62,6 +62,6 @@ def _parse_pdo(text: str) -> PdoChoice:
     index, equals, entries = text.partition("=")
     mapped = [parse_mapped(entry) for entry in entries.split("+")] if equals else []
     return PdoChoice(
-        parse_number(index, "PDO index", _MAX_INDEX),
+        parse_number(index, "PDO index", MAX_INDEX),
         tuple((entry_index, subindex or 0) for entry_index, subindex in mapped),
     )

@@ -15,6 +15,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.export.choice import DEFAULT_CYCLE_NS
+from esicatalog.identity import UINT32_MAX
 from esicatalog.model.sync import (
     SyncSignals,
     asked_op_modes,
@@ -24,7 +25,7 @@ from esicatalog.model.sync import (
     sync_signals,
 )
 
-_UINT32_MAX, _INT32_MAX = 0xFFFF_FFFF, 0x7FFF_FFFF
+_INT32_MAX = 0x7FFF_FFFF
 _ASSIGN_ACTIVATE = range(0x1_0000)
 _TIME_LOOP_CONTROL_ONLY = (
     "Dc/TimeLoopControlOnly: the device uses the DC time and no SYNC or LATCH signal, so that a master writes none of "
@@ -340,5 +341,5 @@ def _check_range(found: Clocks, name: str | None, cycle_ns: int) -> None:
             "and 0x0981: correct it, or choose another OpMode"
         )
     times = (found.sync0_cycle.in_ns(cycle_ns), found.sync1_delay.in_ns(cycle_ns))
-    if not all(0 <= time <= _UINT32_MAX for time in times) or abs(found.sync0_shift_ns) > _INT32_MAX:
+    if not all(0 <= time <= UINT32_MAX for time in times) or abs(found.sync0_shift_ns) > _INT32_MAX:
         raise InputError(f"OpMode {name!r} has times that do not fit the registers of the slave controller")

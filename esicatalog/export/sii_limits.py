@@ -24,10 +24,9 @@ from esicatalog.sii.image import (
     TxPdos,
 )
 from esicatalog.sii.layout import SiiRecord
-from esicatalog.sii.records import HEADER, DcMode, Pdo, PdoEntry
+from esicatalog.sii.records import HEADER, MAX_ENTRY_BITS, DcMode, Pdo, PdoEntry
 from esicatalog.sii.words import category_title
 
-MAX_ENTRY_BITS = 255
 MAX_PDO_ENTRIES = 255
 _FREE = bytes([FILLER])
 _ERASED = b"\0" + _FREE

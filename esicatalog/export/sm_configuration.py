@@ -11,6 +11,7 @@ from esicatalog.esi.records.pdo import Entry
 from esicatalog.esi.unreadable import reason_words, unreadable
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.pdo_objects import PdoObject
+from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX
 from esicatalog.model.assignable_pdos import declares_pdo_assign
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, entry_words, has_length, has_object, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage
@@ -18,7 +19,6 @@ from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_dir
 from esicatalog.model.values import byte_length
 
 _CONTROL_BYTES = range(0x100)
-_MAX_INDEX, _MAX_SUBINDEX = 0xFFFF, 0xFF
 _MAX_MAPPED_BITS = 255
 
 
@@ -224,7 +224,7 @@ def _direction(number: int, described: SyncManager | None, pdos: Sequence[Assign
 def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: ObjectTable) -> AssignedPdo:
     pdo = placed.pdo
     name = " ".join((display_text(pdo.names) or "").split())
-    if pdo.pdo_index is None or not 0 < pdo.pdo_index <= _MAX_INDEX:
+    if pdo.pdo_index is None or not 0 < pdo.pdo_index <= MAX_INDEX:
         named = f"{placed.direction} {name or pdo.ref or 'without name'!r}"
         unread = unreadable(pdo, "pdo_index")
         why = "has no index; its content is not described, take a newer file"
@@ -240,7 +240,7 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
         index, subindex, bit_length = item.entry.entry_index or 0, item.entry.subindex or 0, item.entry.bit_length or 0
         if not bit_length:
             continue
-        if not 0 <= index <= _MAX_INDEX or not 0 <= subindex <= _MAX_SUBINDEX:
+        if not 0 <= index <= MAX_INDEX or not 0 <= subindex <= MAX_SUBINDEX:
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:04X}:{subindex:02X}, which is no object")
         text = " ".join((display_text(item.entry.names) or "").split())
         value = value_type(objects.base_type(placed.first_sample(number), placed.slot_number), bit_length)

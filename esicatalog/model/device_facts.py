@@ -10,7 +10,7 @@ from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.safety import FsoeEvidence
 from esicatalog.model.sm_facts import INPUT, OUTPUT
-from esicatalog.model.sync_parameters import SYNC_TYPES, min_cycle_ns, sync_parameters
+from esicatalog.model.sync_parameters import INPUT_SYNC, OUTPUT_SYNC, SYNC_TYPES, min_cycle_ns, sync_parameters
 
 _BOOTSTRAP_BYTES = slice(2 * 0x14, 2 * 0x18)
 
@@ -72,8 +72,8 @@ def device_facts(
         supports_sync0=any(signal.sync0 for signal in signals),
         supports_sync1=any(signal.sync1 for signal in signals),
         uses_latch=any(signal.latch0_pdi or signal.latch1_pdi or signal.time_only for signal in signals),
-        output_sync_types=sync[0x1C32].get(SYNC_TYPES),
-        input_sync_types=sync[0x1C33].get(SYNC_TYPES),
+        output_sync_types=sync[OUTPUT_SYNC].get(SYNC_TYPES),
+        input_sync_types=sync[INPUT_SYNC].get(SYNC_TYPES),
         min_cycle_ns=min_cycle_ns(device, sync),
         axis_count=len({item.axis for item in modes.evidence}),
         has_bootstrap=device.eeprom is not None and _has_bootstrap(device.eeprom),

@@ -17,6 +17,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.identity import MAX_INDEX
 from esicatalog.model.assignable_pdos import AvailablePdo, without_rivals
 from esicatalog.model.counting import counted
 from esicatalog.model.pdo_assignment import Assignment, SmAssignment, assigned_pdos, has_default_image
@@ -29,7 +30,7 @@ from esicatalog.model.pdo_facts import (
     symmetric_exclusions,
 )
 from esicatalog.model.required_slots import missing_pdos
-from esicatalog.model.slots import MAX_INDEX, PluggedModule, default_modules
+from esicatalog.model.slots import PluggedModule, default_modules
 from esicatalog.model.sm_facts import transfer_direction
 from esicatalog.model.sync import default_op_mode
 from esicatalog.model.values import byte_length

@@ -12,6 +12,7 @@ _ABOVE = 1 << 32
 """Puts what is newer than the device behind everything older."""
 _LOW_WORD = 0xFFFF
 EXACT, ACCEPTED, OLDER, NEWER, PRODUCT = "exact", "accepted", "older", "newer", "product"
+EXACT_REASON = "the catalog describes exactly this revision"
 
 
 class Described(NamedTuple):
@@ -97,7 +98,7 @@ def _latest(position: int, item: Described) -> Ranked:
 def _ranked(position: int, item: Described, found: int) -> Ranked:
     configured = item.revision_no
     if configured == found:
-        return Ranked((0, False, 0, item.variant), EXACT, position, "the catalog describes exactly this revision")
+        return Ranked((0, False, 0, item.variant), EXACT, position, EXACT_REASON)
     step, distance, match, because = _not_exact(item, found)
     hidden = " (hidden by its vendor)" if item.hidden else ""
     reason = f"no exact ESI; nearest shown because {because}{hidden}"

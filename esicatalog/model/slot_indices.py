@@ -8,7 +8,8 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Object
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.slots import MAX_INDEX, ModuleIndex, Step, accepts, slot_runs, slot_steps
+from esicatalog.identity import MAX_INDEX
+from esicatalog.model.slots import ModuleIndex, Step, accepts, slot_runs, slot_steps
 
 
 def _reaches(wanted: int, moving: ModuleIndex, step: Step, numbers: Container[int]) -> bool:

@@ -17,9 +17,9 @@ from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.records.slots import Slot
+from esicatalog.identity import MAX_INDEX
 from esicatalog.model.pdo_facts import is_pdo_mapping
 
-MAX_INDEX = 0xFFFF
 _MAX_INSTANCES = 255
 
 Shifted = TypeVar("Shifted", Entry, InitCmd, Object)

@@ -10,6 +10,7 @@ from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.unreadable import reason_words
+from esicatalog.identity import MAX_INDEX
 from esicatalog.model.access import PREOP, SAFEOP
 
 SENT_IN = {"IP": PREOP, "PS": PREOP, "SO": SAFEOP}
@@ -47,7 +48,7 @@ def unusable_part(command: InitCmd, index_field: str = "object_index") -> str | 
     ``index_field`` has its object or, with ``idn``, its IDN. A subindex and the like that is absent counts as 0.
     """
     index = getattr(command, index_field)
-    if index is None or not 0 <= index <= 0xFFFF:
+    if index is None or not 0 <= index <= MAX_INDEX:
         return _WORDS[index_field] + reason_words(command, index_field)
     if not 0 <= (command.subindex or 0) <= 0xFF:
         return "subindex"

@@ -9,7 +9,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.sync import valid_op_modes
 
-SYNC_PARAMETERS = (0x1C32, 0x1C33)
+OUTPUT_SYNC, INPUT_SYNC = SYNC_PARAMETERS = (0x1C32, 0x1C33)
 SYNC_TYPES, MINIMUM_CYCLE = 4, 5
 """Subindices."""
 _COUNT = re.compile(r"\s*\d{1,18}\s*")

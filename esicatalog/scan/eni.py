@@ -11,6 +11,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi import documents
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
 from esicatalog.esi.documents import local_name
+from esicatalog.esi.numbers import BOOL
 from esicatalog.identity import parse_number
 from esicatalog.scan.records import Scan, ScanError, ScanFinding, ScannedSlave
 from esicatalog.scan.text import in_order, quoted
@@ -18,7 +19,6 @@ from esicatalog.scan.text import in_order, quoted
 FORMAT = "ENI"
 
 _ROOT = "EtherCATConfig"
-_BOOLEANS = {"1": True, "true": True, "0": False, "false": False}
 _IDENTITY = {"vendor_id": "VendorId", "product_code": "ProductCode", "revision_no": "RevisionNo"}
 
 
@@ -128,8 +128,7 @@ def _clocks(element: etree._Element) -> dict[str, Any]:
     clocks = element.find("DC")
     if clocks is None:
         return {}
-    chosen = (clocks.findtext("ReferenceClock") or "").strip().lower()
-    return {"dc_capable": True, "reference_clock": _BOOLEANS.get(chosen)}
+    return {"dc_capable": True, "reference_clock": BOOL.read(clocks.findtext("ReferenceClock") or "").value}
 
 
 def _process_data(element: etree._Element, numbers: _Numbers) -> dict[str, Any]:

@@ -25,6 +25,8 @@ from esicatalog.sii.words import (
 
 SIZE_UNIT_BYTES = 128
 """The size word counts KiBit; 0 means one."""
+MAX_ENTRY_BITS = 255
+"""One byte holds the length of an entry."""
 _NO_PRIVATE_WORDS = bytes(66)
 
 

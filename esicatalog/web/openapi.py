@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from esicatalog.catalog.filter_texts import FALSE_WORDS, PARAMETERS, SHARPENS, TRUE_WORDS, Parameter, parse_flag
+from esicatalog.catalog.results import MATCHES
 from esicatalog.identity import UINT32_MAX, parse_bounds, parse_identity, parse_mapped, parse_number
 from esicatalog.version import __version__
 
@@ -29,10 +30,9 @@ _VARIANT_NUMBER = f"[0#][xX]0*[1-9a-fA-F][0-9a-fA-F]{{0,7}}|0*({_decimals(UINT32
 _SUBINDEX = "[0-9][a-fA-F]|[a-fA-F][0-9a-fA-F]|[0#][xX]0*[0-9a-fA-F]{1,2}|0*([0-9]|1[0-9]{2}|2[0-4][0-9]|25[0-5])"
 """What ``parse_subindex`` takes: two hexadecimal digits of which one is a letter, or a number, but not 10 to 99."""
 _NUMBER = {"type": "string", "pattern": f"^({_UINT32_NUMBER})$", "examples": ["0x1097", "#x1097", "4247"]}
-_UINT32 = {"type": ["integer", "null"], "minimum": 0, "maximum": 0xFFFF_FFFF}
+_UINT32 = {"type": ["integer", "null"], "minimum": 0, "maximum": UINT32_MAX}
 _TEXT = {"type": ["string", "null"]}
 _HEX = {"type": ["string", "null"], "pattern": "^0x[0-9a-f]{8}$"}
-_MATCHES = ["exact", "accepted", "older", "newer", "product", "vendor", "none"]
 
 
 _MAPPED = {
@@ -105,7 +105,7 @@ _DEVICE = {
 _SOURCE = _object({"member": {"type": "string"}, "line": {"type": "integer"}, "group_type": _TEXT})
 _ANSWER = {
     "query": _object(_IDENTITY),
-    "match": {"enum": _MATCHES},
+    "match": {"enum": list(MATCHES)},
     "reason": {"type": "string"},
     "device": {"oneOf": [_ref("DescribedDevice"), {"type": "null"}]},
     "variants": _list(_ref("DescribedDevice")),
@@ -123,12 +123,12 @@ _ANSWER = {
 }
 _ERROR = {"error": {"type": "string"}}
 _ASKED_PRODUCT = {
-    name: {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER]}
+    name: {"oneOf": [{"type": "integer", "minimum": 0, "maximum": UINT32_MAX}, _NUMBER]}
     for name in ("vendor", "product")
 }
 _ASKED = {
     **_ASKED_PRODUCT,
-    "revision": {"oneOf": [{"type": "integer", "minimum": 0, "maximum": 0xFFFF_FFFF}, _NUMBER, {"type": "null"}]},
+    "revision": {"oneOf": [{"type": "integer", "minimum": 0, "maximum": UINT32_MAX}, _NUMBER, {"type": "null"}]},
 }
 _SCHEMAS = {
     "Device": _object(_DEVICE),

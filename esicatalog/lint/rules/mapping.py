@@ -11,12 +11,13 @@ from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.pdo_facts import entry_facts
 from esicatalog.model.pdo_mapping import MAPPABLE_IN
 from esicatalog.model.resolver import TypeSet
+from esicatalog.model.sync_parameters import SYNC_PARAMETERS
 
 _KINDS_OF_BITS = frozenset({"bool", "uint", "bits"})
 """Kinds that differ in name only: the same bits without sign."""
 _BOOL_SIZES = frozenset({1, 8})
 """A BOOL is mapped as one bit and often declared as the byte that an SDO carries."""
-_SYNC_ERRORS = frozenset({(0x1C32, 0x20), (0x1C33, 0x20)})
+_SYNC_ERRORS = frozenset((index, 0x20) for index in SYNC_PARAMETERS)
 """Mappable by the standard (ETG.1020), and mapped by many devices whose dictionary does not say so."""
 _OTHER_NAMES = frozenset({"BOOLEAN", "BIT"})
 """Names that tables of the base types list beside BOOL."""

@@ -10,8 +10,7 @@ from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_FIELDS, PDO_MAPPINGS
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
-
-_MAX_SII_BITS = 255
+from esicatalog.sii.records import MAX_ENTRY_BITS
 
 
 def _words(direction: str, index: int | None) -> str:
@@ -276,10 +275,10 @@ def _place(direction: str, position: int) -> tuple[str, int]:
 def too_long_for_eeprom(pdo: Pdo) -> Iterator[Found]:
     """An entry is longer than 255 bits."""
     for number, entry in enumerate(pdo.entries):
-        if entry.bit_length is not None and entry.bit_length > _MAX_SII_BITS:
+        if entry.bit_length is not None and entry.bit_length > MAX_ENTRY_BITS:
             yield Found(
                 f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} has {entry.bit_length} bits; "
-                "an EEPROM image holds 255 at most: split it",
+                f"an EEPROM image holds {MAX_ENTRY_BITS} at most: split it",
                 ("entries", number, "bit_length"),
             )
 
