@@ -116,7 +116,7 @@ def identity_of_parts(vendor: str, product: str, revision: str | None = None, va
     )
 
 
-def parse_mapped(text: str) -> tuple[int, int | None]:
+def parse_object(text: str) -> tuple[int, int | None]:
     """An object written ``INDEX[:SUBINDEX]``, as :func:`parse_subindex` says. Raises :class:`InputError`."""
     index, colon, subindex = text.partition(":")
     return parse_number(index, "index", MAX_INDEX), parse_subindex(subindex) if colon else None

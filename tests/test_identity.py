@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from esicatalog.errors import InputError
-from esicatalog.identity import Identity, checked, parse_identity, parse_mapped, parse_number, parse_subindex
+from esicatalog.identity import Identity, checked, parse_identity, parse_number, parse_object, parse_subindex
 
 UINT32 = st.integers(0, 0xFFFF_FFFF)
 
@@ -71,17 +71,17 @@ def test_what_can_be_no_identity(identity, words):
 
 
 def test_mapped_objects():
-    assert parse_mapped("0x6040") == (0x6040, None)
-    assert parse_mapped("#x6040:0") == (0x6040, 0)
-    assert parse_mapped("24640:0x10") == (0x6040, 16)
+    assert parse_object("0x6040") == (0x6040, None)
+    assert parse_object("#x6040:0") == (0x6040, 0)
+    assert parse_object("24640:0x10") == (0x6040, 16)
     for text in ("", "0x6040:", ":1", "0x6040:10", "0x10000", "0x6040:256", "0x6040:1:2", "x"):
         with pytest.raises(InputError):
-            parse_mapped(text)
+            parse_object(text)
 
 
 @given(st.text())
 def test_no_text_breaks_the_parsers(text):
-    for parse in (parse_number, parse_identity, parse_mapped):
+    for parse in (parse_number, parse_identity, parse_object):
         try:
             parse(text)
         except InputError as error:

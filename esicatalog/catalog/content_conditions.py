@@ -6,7 +6,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.conditions import Condition, among, tested
-from esicatalog.catalog.device_filter import Mapped
+from esicatalog.catalog.device_filter import AskedObject
 from esicatalog.catalog.schema import devices, pdo_entries, pdos, profiles
 from esicatalog.model.pdo_facts import subindex_words
 
@@ -37,7 +37,7 @@ def profile(profile_no: int) -> Condition:
     return _own_or_modular(found, fits, f"ProfileNo {profile_no}", f"ProfileNo {profile_no} in a module")
 
 
-def has_object(item: Mapped) -> Condition:
+def has_object(item: AskedObject) -> Condition:
     """Devices with an object in their dictionary or in that of a reachable module."""
     index, subindex = item
     objects, held = schema.objects.c, schema.dictionary_objects.c
@@ -100,7 +100,7 @@ def _own_or_modular(found: sa.Select[Any], holds: Any, own_words: str, module_wo
     return Condition(among(found), evidence, _owns(profiles, holds))
 
 
-def maps(mapped: Mapped, bits: int | None) -> Condition:
+def maps(mapped: AskedObject, bits: int | None) -> Condition:
     """Devices with a PDO, their own or of a reachable module, that maps an entry (of this length).
 
     What is assigned by default is told first.
@@ -136,7 +136,7 @@ def maps(mapped: Mapped, bits: int | None) -> Condition:
     return Condition(among(_mapping_devices(mapped, bits)), evidence, _maps(mapped, bits))
 
 
-def not_maps(mapped: Mapped) -> Condition:
+def not_maps(mapped: AskedObject) -> Condition:
     """Devices of which no PDO maps an entry, not even one of a reachable module.
 
     One whose SubIndex cannot be read may map it: nobody can say that it does not.
@@ -148,7 +148,7 @@ def not_maps(mapped: Mapped) -> Condition:
     return Condition(sa.and_(*(sa.not_(among(item)) for item in found)), of_one=sa.not_(sa.or_(*of_one)))
 
 
-def _entry_fits(entry_index: sa.ColumnElement[int], mapped: Mapped, bits: int | None) -> list[Any]:
+def _entry_fits(entry_index: sa.ColumnElement[int], mapped: AskedObject, bits: int | None) -> list[Any]:
     index, subindex = mapped
     fits: list[Any] = [entry_index == index]
     if subindex is not None:
@@ -158,12 +158,12 @@ def _entry_fits(entry_index: sa.ColumnElement[int], mapped: Mapped, bits: int | 
     return fits
 
 
-def _mapping_devices(mapped: Mapped, bits: int | None, *further: sa.ColumnElement[bool]) -> sa.Select[Any]:
+def _mapping_devices(mapped: AskedObject, bits: int | None, *further: sa.ColumnElement[bool]) -> sa.Select[Any]:
     fits = _entry_fits(pdo_entries.c.entry_index, mapped, bits)
     return _owning_devices(pdos).where(pdos.c.id.in_(sa.select(pdo_entries.c.pdo_id).where(*fits, *further)))
 
 
-def _maps(mapped: Mapped, bits: int | None, *further: sa.ColumnElement[bool]) -> sa.ColumnElement[bool]:
+def _maps(mapped: AskedObject, bits: int | None, *further: sa.ColumnElement[bool]) -> sa.ColumnElement[bool]:
     fits = _entry_fits(tested(pdo_entries.c.entry_index), mapped, bits)
     return _owns(pdos, sa.select(pdo_entries.c.id).where(_OF_PDO, *fits, *further).exists())
 

@@ -20,7 +20,7 @@ AMOUNTS = ("bytes_in", "bytes_out", "min_cycle_ns", "e_bus_ma", "axes")
 UInt32 = Annotated[int, msgspec.Meta(ge=0, le=UINT32_MAX)]
 Index = Annotated[int, msgspec.Meta(ge=0, le=MAX_INDEX)]
 Subindex = Annotated[int, msgspec.Meta(ge=0, le=MAX_SUBINDEX)]
-Mapped = tuple[Index, Subindex | None]
+AskedObject = tuple[Index, Subindex | None]
 """An object: index and subindex, None for every subindex."""
 
 
@@ -65,12 +65,12 @@ class DeviceFilter(msgspec.Struct, frozen=True, kw_only=True):
     e_bus_ma: Bounds | None = None
     """E-bus current consumed in mA; negative = supplied."""
     axes: Bounds | None = None
-    maps: tuple[Mapped, ...] = ()
+    maps: tuple[AskedObject, ...] = ()
     """Some PDO of the device, or of a module that its slots can reach, maps each of these."""
-    not_maps: tuple[Mapped, ...] = ()
+    not_maps: tuple[AskedObject, ...] = ()
     bits: UInt32 | None = None
     """BitLen of the entries that ``maps`` names."""
-    objects: tuple[Mapped, ...] = ()
+    objects: tuple[AskedObject, ...] = ()
     like: Identity | None = None
     """Same layout of the default process image as this device."""
     all_variants: bool = False

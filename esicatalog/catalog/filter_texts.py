@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from esicatalog.catalog.device_filter import IDENTIFICATIONS, MODES, PROTOCOLS, SYNC_SIGNALS, DeviceFilter
 from esicatalog.errors import InputError
-from esicatalog.identity import parse_bounds, parse_identity, parse_mapped, parse_modes, parse_number
+from esicatalog.identity import parse_bounds, parse_identity, parse_modes, parse_number, parse_object
 from esicatalog.parameters import given_texts
 
 TRUE_WORDS, FALSE_WORDS = ("1", "true", "yes", "on"), ("0", "false", "no", "off")
@@ -63,10 +63,10 @@ PARAMETERS: dict[str, Parameter] = {
     "min-cycle-ns": Parameter("min_cycle_ns", parse_bounds),
     "e-bus-ma": Parameter("e_bus_ma", parse_bounds),
     "axes": Parameter("axes", parse_bounds),
-    "maps": Parameter("maps", parse_mapped, repeated=True),
-    "not-maps": Parameter("not_maps", parse_mapped, repeated=True),
+    "maps": Parameter("maps", parse_object, repeated=True),
+    "not-maps": Parameter("not_maps", parse_object, repeated=True),
     "bits": Parameter("bits", parse_number),
-    "object": Parameter("objects", parse_mapped, repeated=True),
+    "object": Parameter("objects", parse_object, repeated=True),
     "like": Parameter("like", parse_identity),
     "all-variants": Parameter("all_variants", parse_flag),
     "include-hidden": Parameter("include_hidden", parse_flag),

@@ -18,9 +18,9 @@ from esicatalog.identity import (
     Identity,
     parse_bounds,
     parse_identity,
-    parse_mapped,
     parse_modes,
     parse_number,
+    parse_object,
     parse_plugged,
 )
 
@@ -154,7 +154,7 @@ def _identity(text: str) -> Identity:
 
 NUMBER = _Parsed("number", parse_number, takes_name=True)
 IDENTITY = _Parsed("identity", _identity)
-MAPPED = _Parsed("index[:subindex]", parse_mapped)
+OBJECT = _Parsed("index[:subindex]", parse_object)
 BOUNDS = _Parsed("amount", parse_bounds, takes_name=True)
 MODES = _Parsed("modes", parse_modes)
 PLUGGED = _Parsed("slot=ident[/type]", parse_plugged)

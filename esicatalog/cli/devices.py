@@ -8,9 +8,9 @@ from esicatalog.catalog.device_filter import IDENTIFICATIONS, PROTOCOLS, SYNC_SI
 from esicatalog.cli.common import (
     BOUNDS,
     IDENTITY,
-    MAPPED,
     MODES,
     NUMBER,
+    OBJECT,
     Command,
     db_option,
     format_option,
@@ -56,10 +56,10 @@ _CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant
 @click.option("--min-cycle-ns", metavar="[<=|>=]N", type=BOUNDS, help="Smallest bus cycle that the file tells.")
 @click.option("--e-bus-ma", metavar="[<=|>=]N", type=BOUNDS, help="E-bus current; negative = supplies.")
 @click.option("--axes", metavar="[<=|>=]N", type=BOUNDS, help="Number of CiA 402 axes.")
-@click.option("--maps", metavar="IDX[:SUB]", multiple=True, type=MAPPED, help="A PDO maps this; may be repeated.")
-@click.option("--not-maps", metavar="IDX[:SUB]", multiple=True, type=MAPPED, help="No PDO maps this.")
+@click.option("--maps", metavar="IDX[:SUB]", multiple=True, type=OBJECT, help="A PDO maps this; may be repeated.")
+@click.option("--not-maps", metavar="IDX[:SUB]", multiple=True, type=OBJECT, help="No PDO maps this.")
 @click.option("--bits", metavar="N", type=NUMBER, help="Length of the entries named by --maps.")
-@click.option("--object", "objects", metavar="IDX[:SUB]", multiple=True, type=MAPPED, help="The dictionary has this.")
+@click.option("--object", "objects", metavar="IDX[:SUB]", multiple=True, type=OBJECT, help="The dictionary has this.")
 @click.option("--like", metavar="IDENTITY", type=IDENTITY, help="Same process-image layout as this device.")
 @click.option("--all-variants", is_flag=True, help="Also the descriptions that are not preferred.")
 @click.option("--include-hidden", is_flag=True, help="Also revisions that their vendor hides (HideType).")

@@ -114,7 +114,7 @@ def fields_in_order(record_type: type[Record]) -> list[Field]:
     return sorted(fields_of(record_type), key=rank)
 
 
-class Slot(msgspec.Struct, frozen=True):
+class Target(msgspec.Struct, frozen=True):
     """Where a value goes: field name, its scalar, and whether it repeats."""
 
     name: str
@@ -130,16 +130,16 @@ class _Node:
     def __init__(self) -> None:
         self.rank = 0
         """Place among its siblings in the schema."""
-        self.attributes: dict[str, Slot] = {}
+        self.attributes: dict[str, Target] = {}
         self.children: dict[str, _Node] = {}
-        self.text: Slot | None = None
+        self.text: Target | None = None
         self.record: type[Record] | None = None
         self.whole: str | None = None
         """Field that takes the element as a whole (record, raw XML or presence)."""
         self.many = False
         self.raw = False
-        self.plain: Slot | None = None
-        """The text slot of an element that has nothing but text: the common case, read without descending."""
+        self.plain: Target | None = None
+        """The target of the text of an element that has nothing but text: the common case, read without descending."""
         self.lists: tuple[str, ...] = ()
         """Fields of a record that collect repeated children."""
         self.leaves: dict[tuple[Any, ...], Record] = {}
@@ -167,9 +167,9 @@ def _compile(record_type: type[Record]) -> _Node:
             node.record = field.item if is_record(field.item) else None
             node.raw = field.xml.kind is RAW
         elif attribute:
-            node.attributes[attribute] = Slot(field.name, field.xml.kind, False)
+            node.attributes[attribute] = Target(field.name, field.xml.kind, False)
         else:
-            node.text = Slot(field.name, field.xml.kind, field.many)
+            node.text = Target(field.name, field.xml.kind, field.many)
     _finish(root)
     root.lists = tuple(field.name for field in fields_of(record_type) if field.many)
     _compiled[record_type] = root
@@ -209,19 +209,19 @@ def read_record(record_type: type[R], element: etree._Element, notes: Notes) -> 
 
 def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: Notes) -> None:
     for name, text in element.items():
-        slot = node.attributes.get(name)
-        if slot is None:
+        target = node.attributes.get(name)
+        if target is None:
             if name != MARK and not name.startswith(_SCHEMA_INSTANCE):
                 notes.unmapped_attribute(element, name, text)
-        elif slot.name in values:
+        elif target.name in values:
             notes.unmapped_attribute(element, name, text, repeated=True)
         else:
-            if (remark := store(slot, text, values)) is not None:
+            if (remark := store(target, text, values)) is not None:
                 notes.remark(element, remark, name)
-    text_slot = node.text
-    if text_slot is not None:
-        if text_slot.name not in values or text_slot.many:
-            if (remark := store(text_slot, element.text or "", values)) is not None:
+    text_target = node.text
+    if text_target is not None:
+        if text_target.name not in values or text_target.many:
+            if (remark := store(text_target, element.text or "", values)) is not None:
                 notes.remark(element, remark)
         elif element.text:
             notes.unmapped_text(element, element.text, repeated=True)
@@ -309,11 +309,11 @@ def _read_leaf(node: _Node, record_type: type[Record], element: etree._Element, 
     return record
 
 
-def store(slot: Slot, text: str, values: dict[str, Any]) -> Remark | None:
+def store(target: Target, text: str, values: dict[str, Any]) -> Remark | None:
     """Put what a text means among the values of a record; returns what is wrong with it."""
-    scalar: Scalar = slot.scalar
-    name = slot.name
-    if slot.many:
+    scalar: Scalar = target.scalar
+    name = target.name
+    if target.many:
         held = values.setdefault(name, [])
         value, raw, remark = scalar.read(text)
         name = f"{name}.{len(held)}"

@@ -17,7 +17,7 @@ from typing import Any, ClassVar
 
 from lxml import etree
 
-from esicatalog.esi.binding import Field, Record, Slot, fields_of, is_record, read_record, shared, store
+from esicatalog.esi.binding import Field, Record, Target, fields_of, is_record, read_record, shared, store
 from esicatalog.esi.documents import make_parser
 from esicatalog.esi.notes import Notes
 from esicatalog.esi.numbers import TEXT, Remark
@@ -183,7 +183,7 @@ class _Layout:
     """How a record is made from texts; ``places`` are those of the numbers that its specimen has instead of them."""
 
     __slots__ = (
-        "_collected", "_constants", "_lists", "_parts", "_record_type", "_slots", "_spelling", "_texts",
+        "_collected", "_constants", "_lists", "_parts", "_record_type", "_spelling", "_targets", "_texts",
         "places", "runs",
     )  # fmt: skip
 
@@ -195,7 +195,7 @@ class _Layout:
             raise _Unfit  # They would have to stand between those of texts.
         self._constants: dict[str, Any] = {}
         self._texts: list[tuple[str, int]] = []
-        self._slots: list[tuple[Slot, int]] = []
+        self._targets: list[tuple[Target, int]] = []
         self._collected: list[str] = []
         """Fields of several texts each."""
         self._parts: list[tuple[str, _Part]] = []
@@ -209,11 +209,11 @@ class _Layout:
                 self._parts.append((field.name, _part(value, places, known)))
             elif value is not None and value != ():
                 self._take(field, value, places)
-        self._slots.sort(key=itemgetter(1))
+        self._targets.sort(key=itemgetter(1))
         parts = [part for _, part in self._parts + self._lists]
         self.runs: list[int] = sorted(place for part in parts for place in part.runs)
         """Places of records instead of texts."""
-        found = [place for _, place in [*self._texts, *self._slots]]
+        found = [place for _, place in [*self._texts, *self._targets]]
         self.places: list[int] = sorted([*found, *(place for part in parts for place in part.places)])
         """Of everything that goes into the record."""
 
@@ -222,13 +222,13 @@ class _Layout:
             if not places.keys() >= set(value):
                 raise _Unfit
             self._collected.append(field.name)
-            self._slots += [(Slot(field.name, field.xml.kind, True), places[item]) for item in value]
+            self._targets += [(Target(field.name, field.xml.kind, True), places[item]) for item in value]
         elif value not in places:
             self._constants[field.name] = value
         elif field.xml.kind is TEXT:
             self._texts.append((field.name, places[value]))
         else:
-            self._slots.append((Slot(field.name, field.xml.kind, False), places[value]))
+            self._targets.append((Target(field.name, field.xml.kind, False), places[value]))
 
     def record(self, texts: Sequence[Any]) -> Record:
         """The record; raises :class:`_Unfit` for texts that bring a finding."""
@@ -237,8 +237,8 @@ class _Layout:
             values["spelling"] = self._spelling.copy()
         for name, place in self._texts:
             values[name] = texts[place].strip()
-        for slot, place in self._slots:
-            if store(slot, texts[place], values) is not None:
+        for target, place in self._targets:
+            if store(target, texts[place], values) is not None:
                 raise _Unfit
         for name in self._collected:
             values[name] = tuple(values[name])

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
-from esicatalog.identity import MAX_INDEX, UINT32_MAX, ModuleChoice, parse_mapped, parse_number
+from esicatalog.identity import MAX_INDEX, UINT32_MAX, ModuleChoice, parse_number, parse_object
 
 DEFAULT_CYCLE_NS = 1_000_000
 _UINT16_MAX = 0xFFFF
@@ -60,7 +60,7 @@ def parse_pdo_choice(text: str) -> tuple[PdoChoice, ...]:
 
 def _parse_pdo(text: str) -> PdoChoice:
     index, equals, entries = text.partition("=")
-    mapped = [parse_mapped(entry) for entry in entries.split("+")] if equals else []
+    mapped = [parse_object(entry) for entry in entries.split("+")] if equals else []
     return PdoChoice(
         parse_number(index, "PDO index", MAX_INDEX),
         tuple((entry_index, subindex or 0) for entry_index, subindex in mapped),

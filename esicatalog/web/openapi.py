@@ -5,7 +5,7 @@ from typing import Any
 
 from esicatalog.catalog.filter_texts import FALSE_WORDS, PARAMETERS, SHARPENS, TRUE_WORDS, Parameter, parse_flag
 from esicatalog.catalog.results import MATCHES
-from esicatalog.identity import UINT32_MAX, parse_bounds, parse_identity, parse_mapped, parse_number
+from esicatalog.identity import UINT32_MAX, parse_bounds, parse_identity, parse_number, parse_object
 from esicatalog.version import __version__
 
 
@@ -35,7 +35,7 @@ _TEXT = {"type": ["string", "null"]}
 _HEX = {"type": ["string", "null"], "pattern": "^0x[0-9a-f]{8}$"}
 
 
-_MAPPED = {
+_INDEX_SUBINDEX = {
     "type": "string",
     "pattern": f"^(({_number(4)})(\\s*:\\s*({_SUBINDEX}))?)?$",
     "examples": ["0x60FF", "0x6040:0", "0x6000:0A"],
@@ -59,7 +59,7 @@ _BY_PARSER: dict[Callable[[str], Any], dict[str, Any]] = {
     parse_number: _OPTIONAL_NUMBER,
     parse_flag: _FLAG,
     parse_bounds: _BOUNDS,
-    parse_mapped: _MAPPED,
+    parse_object: _INDEX_SUBINDEX,
     parse_identity: _IDENTITY_TEXT,
     str: {"type": "string"},
 }

@@ -50,7 +50,7 @@ class SharedPdo(Pdo):
 
 
 class EsiInfo(Record):
-    """EtherCATInfo or EtherCATModule element: a vendor with groups, devices and modules."""
+    """EtherCATInfo element: a vendor with groups, devices and modules."""
 
     schema_version: Annotated[str | None, Xml("@Version", doc="Schema version that the author used")] = None
     info_references: Annotated[tuple[str, ...], Xml("InfoReference", doc="Module documents it refers to")] = ()
