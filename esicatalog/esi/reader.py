@@ -18,7 +18,7 @@ from esicatalog.esi.lines import Lines
 from esicatalog.esi.notes import Finding, Notes
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.diagnostics import DiagMessage, Diagnostics
+from esicatalog.esi.records.diagnostics import DiagMessage, joined_diagnostics
 from esicatalog.esi.records.dictionary import DataType, Dictionary, InfoSubItem, Object, SubItem
 from esicatalog.esi.records.document import (
     DiagInfo,
@@ -317,8 +317,7 @@ class _Puller:
             if dictionary is not None:
                 changes["dictionary"] = dictionary
         if profile.diag_files and profile.diag_messages is None:
-            pulled = [self._pull("DiagFile", text, element) for text in profile.diag_files]
-            merged = _merge_diagnostics([item for item in pulled if item is not None])
+            merged = joined_diagnostics([self._pull("DiagFile", text, element) for text in profile.diag_files])
             if merged is not None:
                 changes["diag_messages"] = merged
         return msgspec.structs.replace(profile, **changes) if changes else profile
@@ -354,17 +353,6 @@ def _seen_past(document: str, reference: str) -> str:
 
 def _same(new: Record, old: Record) -> bool:
     return new is old
-
-
-def _merge_diagnostics(parts: list[Diagnostics]) -> Diagnostics | None:
-    if len(parts) < 2:
-        return parts[0] if parts else None
-    return Diagnostics(
-        diag_resets=tuple(item for part in parts for item in part.diag_resets),
-        diag_reactions=tuple(item for part in parts for item in part.diag_reactions),
-        diag_types=tuple(item for part in parts for item in part.diag_types),
-        diag_messages=tuple(item for part in parts for item in part.diag_messages),
-    )
 
 
 def read_esi(path: str | Path) -> ReadDocument:

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from esicatalog.esi.records.device import Device, HideType, SyncManager
-from esicatalog.esi.records.diagnostics import CauseRemedy, Diagnostics
+from esicatalog.esi.records.diagnostics import CauseRemedy, Diagnostics, joined_diagnostics
 from esicatalog.esi.records.dictionary import EnumInfo
 from esicatalog.esi.records.profile import ChannelInfo, Profile
 from esicatalog.model.compare_facts import (
@@ -298,7 +298,7 @@ def compare_diagnostics(
     area: str, name: str, left: Iterable[Diagnostics | None], right: Iterable[Diagnostics | None]
 ) -> Iterator[Difference]:
     """Diagnosis texts by text id; one difference when a side has none at all. They never count."""
-    ours, theirs = _joined(left), _joined(right)
+    ours, theirs = (joined_diagnostics(side) or Diagnostics() for side in (left, right))
     messages, others = ours.diag_messages, theirs.diag_messages
     if not messages or not others:
         count, other_count = (counted(len(known), "text") if known else None for known in (messages, others))
@@ -309,14 +309,3 @@ def compare_diagnostics(
             place = f"{name} {h4(value_of(either(message, other), 'text_id'))}"
             yield from compare_whole(area, place, message, other, _MESSAGE, never)
     yield from compare_facts(area, f"{name}s", ours, theirs, _DIAGNOSTICS)
-
-
-def _joined(diagnostics: Iterable[Diagnostics | None]) -> Diagnostics:
-    """Several diagnosis texts as one."""
-    known = [item for item in diagnostics if item is not None]
-    return Diagnostics(
-        diag_resets=tuple(value for item in known for value in item.diag_resets),
-        diag_reactions=tuple(value for item in known for value in item.diag_reactions),
-        diag_types=tuple(value for item in known for value in item.diag_types),
-        diag_messages=tuple(message for item in known for message in item.diag_messages),
-    )

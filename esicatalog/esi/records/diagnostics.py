@@ -1,5 +1,6 @@
 """Diagnosis texts of DiagMessages and EtherCATDiag documents (EtherCATBase.xsd DiagnosticsType)."""
 
+from collections.abc import Iterable
 from typing import Annotated
 
 from esicatalog.esi.binding import Record, Xml
@@ -39,3 +40,16 @@ class Diagnostics(Record):
     diag_reactions: Annotated[tuple[EnumInfo, ...], Xml("DiagReaction", doc="Reactions of the device")] = ()
     diag_types: Annotated[tuple[EnumInfo, ...], Xml("DiagType", doc="Types of diagnosis")] = ()
     diag_messages: Annotated[tuple[DiagMessage, ...], Xml("DiagMessage", doc="Messages")] = ()
+
+
+def joined_diagnostics(parts: Iterable[Diagnostics | None]) -> Diagnostics | None:
+    """The diagnosis texts of several parts of a description as one; None where no part has any."""
+    found = [part for part in parts if part is not None]
+    if len(found) < 2:
+        return found[0] if found else None
+    return Diagnostics(
+        diag_resets=tuple(item for part in found for item in part.diag_resets),
+        diag_reactions=tuple(item for part in found for item in part.diag_reactions),
+        diag_types=tuple(item for part in found for item in part.diag_types),
+        diag_messages=tuple(item for part in found for item in part.diag_messages),
+    )
