@@ -151,7 +151,7 @@ class Catalog:
 
     def verify_sii(self, image: "SiiImage") -> "Verification":
         """An EEPROM image against the descriptions of its identity; the one that fits best counts."""
-        from esicatalog.export.sii_verify import verify_image
+        from esicatalog.export.sii_verify import best_fit
         from esicatalog.export.verification import Verification
 
         header = image.header
@@ -159,10 +159,8 @@ class Catalog:
         if not answer.is_exact:
             return Verification(answer, None, image.findings, ())
         described = [variant.device for variant in answer.variants]
-        compared = [verify_image(image, self.export_subject(device.identity_text)) for device in described]
-        weights = [(sum(item.used_by_master for item in found), len(found)) for found in compared]
-        best = weights.index(min(weights))
-        return Verification(answer, described[best], image.findings, compared[best])
+        best, differences = best_fit(image, (self.export_subject(device.identity_text) for device in described))
+        return Verification(answer, described[best], image.findings, differences)
 
     def _records(self, found: "FoundDevice") -> "tuple[Device, tuple[Module, ...]]":
         """Records of a described device that has vendor and product."""

@@ -16,7 +16,7 @@ from esicatalog.esi.records.document import EsiInfo, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.records.slots import Slot, SlotModuleClass, SlotModuleIdent
-from esicatalog.export.esi import DescribedDevice, export_esi, export_esi_files
+from esicatalog.export.esi import DeviceWithModules, export_esi, export_esi_files
 from esicatalog.model.slots import reachable_modules
 
 VENDOR = Vendor(vendor_id=0xE5C, names=(Name(text="Test vendor"),))
@@ -61,12 +61,12 @@ def info_of(document: bytes) -> EsiInfo:
 
 
 def exported(*devices: Device) -> EsiInfo:
-    return info_of(export_esi(VENDOR, (), [DescribedDevice(item) for item in devices]))
+    return info_of(export_esi(VENDOR, (), [DeviceWithModules(item) for item in devices]))
 
 
 def with_files(folder: Path, *devices: Device) -> tuple[tuple[Device, ...], list[str]]:
     """The devices as they read from the files of an export, and the names of the files."""
-    files = export_esi_files("drive.xml", VENDOR, (), [DescribedDevice(item) for item in devices])
+    files = export_esi_files("drive.xml", VENDOR, (), [DeviceWithModules(item) for item in devices])
     write(folder, files)
     return read_esi(folder / "drive.xml").document.infos[0].devices, list(files)
 
@@ -77,13 +77,13 @@ def with_files(folder: Path, *devices: Device) -> tuple[tuple[Device, ...], list
 def test_a_device_with_its_module_and_groups():
     groups = (group("Root"), group("G", parent="Root"), group("Other"))
     fitting = module(0x10, "M1")
-    info = info_of(export_esi(VENDOR, groups, [DescribedDevice(modular("T1", 0x10), [fitting])]))
+    info = info_of(export_esi(VENDOR, groups, [DeviceWithModules(modular("T1", 0x10), [fitting])]))
     assert info == EsiInfo(vendor=VENDOR, groups=groups[:2], devices=(modular("T1", 0x10),), modules=(fitting,))
 
 
 def test_the_first_group_of_a_type_counts():
     groups = (group("G", name="first"), group("G", name="second"))
-    assert info_of(export_esi(VENDOR, groups, [DescribedDevice(drive())])).groups == groups[:1]
+    assert info_of(export_esi(VENDOR, groups, [DeviceWithModules(drive())])).groups == groups[:1]
 
 
 def test_a_group_that_nobody_describes_is_not_invented():
@@ -92,19 +92,19 @@ def test_a_group_that_nobody_describes_is_not_invented():
 
 def test_groups_that_are_their_own_parents_end():
     groups = (group("G", parent="H"), group("H", parent="G"))
-    assert info_of(export_esi(VENDOR, groups, [DescribedDevice(drive())])).groups == groups
+    assert info_of(export_esi(VENDOR, groups, [DeviceWithModules(drive())])).groups == groups
 
 
 def test_devices_share_equal_modules():
-    both = [DescribedDevice(modular(name, 0x10), [module(0x10, "M1")]) for name in ("T1", "T2")]
+    both = [DeviceWithModules(modular(name, 0x10), [module(0x10, "M1")]) for name in ("T1", "T2")]
     assert info_of(export_esi(VENDOR, (), both)).modules == (module(0x10, "M1"),)
 
 
 def test_devices_with_different_modules_of_one_ident_stand_apart():
     both = [
-        DescribedDevice(modular("T1", 0x10), [module(0x10, "M1")]),
-        DescribedDevice(modular("T2", 0x10), [module(0x10, "M2")]),
-        DescribedDevice(drive()),
+        DeviceWithModules(modular("T1", 0x10), [module(0x10, "M1")]),
+        DeviceWithModules(modular("T2", 0x10), [module(0x10, "M2")]),
+        DeviceWithModules(drive()),
     ]
     with pytest.raises(InputError, match="'T2' cannot share a document"):
         export_esi(VENDOR, (), both)
@@ -116,8 +116,8 @@ def test_devices_with_different_modules_of_one_ident_stand_apart():
 
 
 def test_a_coupler_without_modules_does_not_get_those_of_another():
-    wide = DescribedDevice(modular("T1", module_class="C"), [module(0x10, "M1", "C"), module(0x11, "M2", "C")])
-    bare = DescribedDevice(modular("T2", module_class="C"))
+    wide = DeviceWithModules(modular("T1", module_class="C"), [module(0x10, "M1", "C"), module(0x11, "M2", "C")])
+    bare = DeviceWithModules(modular("T2", module_class="C"))
     files = export_esi_files("all.xml", VENDOR, (), [wide, bare])
     for content, (its_device, modules) in zip(files.values(), [wide, bare], strict=True):
         info = info_of(content)
@@ -126,7 +126,7 @@ def test_a_coupler_without_modules_does_not_get_those_of_another():
 
 def test_the_first_of_several_modules_with_one_ident_stays_the_first():
     one, two = module(0x10, "M1"), module(0x10, "M2")
-    both = [DescribedDevice(modular("T1", 0x10), [one, two]), DescribedDevice(modular("T2", 0x10), [two, one])]
+    both = [DeviceWithModules(modular("T1", 0x10), [one, two]), DeviceWithModules(modular("T2", 0x10), [two, one])]
     infos = [info_of(content) for content in export_esi_files("a.xml", VENDOR, (), both).values()]
     assert [info.modules for info in infos] == [(one, two), (two, one)]
 
@@ -200,7 +200,7 @@ def test_dictionaries_of_modules_are_written_beside_too(tmp_path):
     described = msgspec.structs.replace(
         module(0x10, "M1"), profiles=(Profile(dictionary_file="m.xml", dictionary=ONE_OBJECT),)
     )
-    files = export_esi_files("a.xml", VENDOR, (), [DescribedDevice(modular("T1", 0x10), [described])])
+    files = export_esi_files("a.xml", VENDOR, (), [DeviceWithModules(modular("T1", 0x10), [described])])
     assert list(files) == ["a.xml", "m.xml"]
     write(tmp_path, files)
     assert read_esi(tmp_path / "a.xml").document.infos[0].modules == (described,)
@@ -211,6 +211,6 @@ def test_a_document_goes_out_as_it_came_in():
     objects = "<Object><Index>8192</Index><Name>O</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
     info = info_of(esi(device(dictionary(types, objects))).encode())
     assert info.vendor is not None
-    document = export_esi(info.vendor, info.groups, [DescribedDevice(info.devices[0])])
+    document = export_esi(info.vendor, info.groups, [DeviceWithModules(info.devices[0])])
     assert info_of(document) == info
     assert b"<Index>8192</Index>" in document

@@ -13,7 +13,7 @@ from esicatalog.errors import DocumentError
 from esicatalog.esi.containers import Archive
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.records.document import EsiInfo, Group, Vendor
-from esicatalog.export.esi import DescribedDevice, export_esi, export_esi_files
+from esicatalog.export.esi import DeviceWithModules, export_esi, export_esi_files
 from esicatalog.model.slots import reachable_modules
 
 
@@ -36,7 +36,7 @@ class Held:
         return self._files[member]
 
 
-def described(archives: Sequence[Path]) -> Iterator[tuple[bytes, EsiInfo, list[DescribedDevice]]]:
+def described(archives: Sequence[Path]) -> Iterator[tuple[bytes, EsiInfo, list[DeviceWithModules]]]:
     """Every document with its devices and the modules that their slots reach."""
     reader = Reader()
     for path in archives:
@@ -49,7 +49,11 @@ def described(archives: Sequence[Path]) -> Iterator[tuple[bytes, EsiInfo, list[D
                 continue
             for info, referenced in zip(document.infos, document.referenced_modules, strict=True):
                 modules = (*info.modules, *referenced)
-                yield content, info, [DescribedDevice(item, reachable_modules(item, modules)) for item in info.devices]
+                yield (
+                    content,
+                    info,
+                    [DeviceWithModules(item, reachable_modules(item, modules)) for item in info.devices],
+                )
 
 
 def inline(owner: Any) -> Any:
@@ -107,7 +111,7 @@ def test_every_device_of_the_corpus(corpus, schemas):
 
 @pytest.mark.corpus
 def test_whole_vendors_of_the_corpus(corpus):
-    vendors: dict[int | None, list[DescribedDevice]] = defaultdict(list)
+    vendors: dict[int | None, list[DeviceWithModules]] = defaultdict(list)
     groups: dict[int | None, list[Group]] = defaultdict(list)
     for _, info, devices in described(sorted((corpus / "esi").glob("*.zip"))):
         number = info.vendor.vendor_id if info.vendor is not None else None

@@ -196,30 +196,16 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     stay, and what would change is told. It ends where that image ends, unless it needs more: what was not read is
     not written. Words about the image go to stderr.
     """
-    from esicatalog.export.sii import described_image
-    from esicatalog.export.sii_header import configuration_bytes, eeprom_bytes
-    from esicatalog.export.sii_limits import check_image, fit_image
-    from esicatalog.export.sii_merge import merge_image
+    from esicatalog.export.eeprom import eeprom_image
     from esicatalog.export.sii_summary import image_text
     from esicatalog.sii.encode import encode_sii
     from esicatalog.sii.files import read_sii
 
     subject = inputs.subject()
-    subject.required_codes()
-    image = described_image(subject, language=language)
-    dropped: tuple[str, ...] = ()
-    merged = dump = None
-    byte_size = eeprom_bytes(image.header, subject.device)
-    if merge is not None:
-        dump = read_as(Path(merge), read_sii)
-        merged = merge_image(image, dump, configuration_bytes(subject.device))
-        image, byte_size = merged.image, merged.byte_size
-    if fit:
-        image, dropped = fit_image(image, byte_size, dump)
-    else:
-        image = check_image(image, byte_size, dump)
-    click.echo(image_text(subject, image, merged=merged, dropped=dropped), err=True)
-    return encode_sii(image)
+    dump = read_as(Path(merge), read_sii) if merge is not None else None
+    made = eeprom_image(subject, language=language, dump=dump, fit=fit)
+    click.echo(image_text(subject, made.image, merged=made.merged, dropped=made.dropped), err=True)
+    return encode_sii(made.image)
 
 
 @_target(
@@ -233,28 +219,25 @@ def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: 
 
     Also of a device without revision (V:P:-); --vendor takes all, those without any codes too.
     """
-    from esicatalog.esi.records.document import Vendor
-    from esicatalog.export.esi import DescribedDevice, export_esi, export_esi_files
+    from esicatalog.export.esi import content_of, export_esi, export_esi_files
 
     if vendor is not None:
         inputs.check_no_device("--vendor")
     subjects = [inputs.subject()] if vendor is None else subjects_of_vendor(inputs.db, vendor)
-    groups = [group for subject in subjects for group in subject.groups]
-    devices = [DescribedDevice(subject.device, subject.modules) for subject in subjects]
-    named = subjects[0].document_vendor or Vendor(vendor_id=subjects[0].vendor_id)
+    content = content_of(subjects)
     if not with_files:
-        return export_esi(named, groups, devices)
+        return export_esi(*content)
     output = context.params["output"]
     if output is None:
         raise InputError("--with-files writes several files; say where with -o OUT")
     path = Path(output)
-    first, *others = export_esi_files(path.name, named, groups, devices).items()
+    first, *others = export_esi_files(path.name, *content).items()
     for name, _ in others:
         inputs.check_output(path.parent / name)
-    for name, content in others:
+    for name, made in others:
         beside = path.parent / name
         beside.parent.mkdir(parents=True, exist_ok=True)
-        _write(content, str(beside))
+        _write(made, str(beside))
     return first[1]
 
 

@@ -1,20 +1,17 @@
 """Where the devices of ``esicatalog export`` come from: the catalog, an ESI file, the listing of a bus."""
 
-from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from esicatalog.cli.common import read_text_as
 from esicatalog.errors import InputError, NotFound
-from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice
+from esicatalog.export.choice import Choice
 from esicatalog.identity import Identity
 
 if TYPE_CHECKING:
-    from esicatalog.api import Catalog
-    from esicatalog.catalog.results import Identification
     from esicatalog.export.configuration import Configuration
+    from esicatalog.export.scan_bus import BusConfigurations
     from esicatalog.export.subject import Subject
-    from esicatalog.scan.records import Scan, ScannedSlave
 
 
 class Inputs(NamedTuple):
@@ -41,6 +38,7 @@ class Inputs(NamedTuple):
     def subject(self) -> "Subject":
         """The device by its ESI file or by the catalog."""
         from esicatalog.api import Catalog
+        from esicatalog.export.scan_bus import subject_for
 
         if self.esi is not None:
             found, references = _subject_of_file(self.esi, self.identity)
@@ -50,31 +48,14 @@ class Inputs(NamedTuple):
         if self.identity is None:
             raise InputError("say which device: an IDENTITY, or --esi FILE")
         with Catalog.open(self.db) as catalog:
-            return self.subject_of(catalog, self.identity)
-
-    def subject_of(self, catalog: "Catalog", identity: Identity) -> "Subject":
-        """The exact description, or the one that the catalog ranks first where that is accepted.
-
-        Raises :class:`NotFound`.
-        """
-        answer = catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no)
-        if identity.revision_no is None or answer.is_exact:
-            found = catalog.export_subject(identity)
-        else:
-            found = self._nearest(catalog, identity, answer)
-        if found.ambiguity is not None:
-            self.notes.append(found.ambiguity)
+            found = subject_for(catalog, self.identity, self.accept_revision)
+        self.tell(found)
         return found
 
-    def _nearest(self, catalog: "Catalog", identity: Identity, answer: "Identification") -> "Subject":
-        if answer.device is None:
-            raise NotFound(f"{identity}: {answer.reason}")
-        found = answer.device.device
-        if not self.accept_revision:
-            raise NotFound(f"{identity}: {answer.reason}; --accept-revision takes {found.identity_text}")
-        words = f"asked for {identity}, described is {found.identity_text}: {answer.reason}"
-        self.notes.append(f"accepted, {words}")
-        return catalog.export_subject(found.identity_text).standing_in(words)
+    def tell(self, subject: "Subject") -> None:
+        """Note, once, what there is to know of the choice of a description."""
+        accepted = f"accepted, {subject.substitution}" if subject.substitution is not None else None
+        self.notes.extend(words for words in (accepted, subject.ambiguity) if words and words not in self.notes)
 
     def check_output(self, output: str | Path | None) -> None:
         """Raise :class:`InputError` where writing there would destroy a file that is read, or the catalog."""
@@ -87,9 +68,10 @@ class Inputs(NamedTuple):
             raise InputError(f"{option} says itself what it is about: give neither IDENTITY nor --esi")
 
 
-def configurations_of_scan(inputs: Inputs, name: str) -> "tuple[list[Configuration], list[str]]":
+def configurations_of_scan(inputs: Inputs, name: str) -> "BusConfigurations":
     """Configurations of the slaves that the catalog knows and that can be configured, and words about the others."""
     from esicatalog.api import Catalog
+    from esicatalog.export.scan_bus import bus_configurations
     from esicatalog.scan.front import read_scan
 
     inputs.check_no_device("--scan")
@@ -99,11 +81,11 @@ def configurations_of_scan(inputs: Inputs, name: str) -> "tuple[list[Configurati
     if choice.alias or choice.position:
         raise InputError("--scan addresses every slave by its ring position; give --alias or --position for one device")
     scan = read_text_as(Path(name), read_scan)
-    _check_single_bus(scan)
-    remarks: list[str] = []
     with Catalog.open(inputs.db) as catalog:
-        found = list(_known_slaves(inputs, catalog, scan.slaves, remarks))
-    return found, remarks
+        found = bus_configurations(catalog, scan, accept_revision=inputs.accept_revision, cycle_ns=choice.cycle_ns)
+    for configuration in found.configurations:
+        inputs.tell(configuration.subject)
+    return found
 
 
 def subjects_of_vendor(db: str, vendor_id: int) -> "list[Subject]":
@@ -115,56 +97,6 @@ def subjects_of_vendor(db: str, vendor_id: int) -> "list[Subject]":
     if not found:
         raise NotFound(f"vendor 0x{vendor_id:08x} has no device in the catalog")
     return found
-
-
-def _check_single_bus(scan: "Scan") -> None:
-    buses = {slave.bus for slave in scan.slaves}
-    if len(buses) > 1:
-        raise InputError(f"the listing holds {len(buses)} buses; give one of them")
-
-
-def _known_slaves(
-    inputs: Inputs, catalog: "Catalog", slaves: "Iterable[ScannedSlave]", remarks: list[str]
-) -> "Iterator[Configuration]":
-    from esicatalog.export.configuration import configure
-    from esicatalog.export.igh_limits import check_limits
-
-    cycle_ns = inputs.choice.cycle_ns if inputs.choice.cycle_ns is not None else DEFAULT_CYCLE_NS
-    known: dict[Identity, Subject | None] = {}
-    refused: list[str] = []
-    for slave in slaves:
-        identity = slave.identity
-        try:
-            if identity is not None and identity not in known:
-                known[identity] = _subject_of_scan(inputs, catalog, identity)
-        except NotFound as error:
-            refused.append(f"position {slave.position}: {error}")
-            continue
-        subject = known[identity] if identity is not None else None
-        if subject is None:
-            named = f" ({identity})" if identity is not None else ""
-            remarks.append(f"position {slave.position}: {slave.name or 'slave'}{named} is unknown and left out")
-            continue
-        try:
-            choice = inputs.choice._replace(alias=0, position=slave.position, name=None, cycle_ns=cycle_ns)
-            configuration = configure(subject, choice)
-            check_limits(configuration)
-        except InputError as error:
-            named = subject.device.type or slave.name or "slave"
-            remarks.append(f"position {slave.position}: {named} ({identity}) is left out: {error}")
-            continue
-        yield configuration
-    if refused:
-        raise NotFound("; ".join(refused))
-
-
-def _subject_of_scan(inputs: Inputs, catalog: "Catalog", identity: Identity) -> "Subject | None":
-    """The device of a slave, None when the catalog knows nothing near. Raises :class:`NotFound` when not accepted."""
-    if catalog.identify(identity.vendor_id, identity.product_code, identity.revision_no).device is None:
-        return None
-    if identity.revision_no is None and not inputs.accept_revision:
-        raise NotFound(f"{identity}: the listing gives no revision; --accept-revision takes the latest description")
-    return inputs.subject_of(catalog, identity)
 
 
 def _is_same_file(path: Path, other: Path) -> bool:

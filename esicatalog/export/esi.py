@@ -19,17 +19,36 @@ from esicatalog.esi.records.document import DiagInfo, DictInfo, EsiInfo, Group, 
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.write import write_esi
+from esicatalog.export.subject import Subject
 from esicatalog.model.slots import reachable_modules
 
 
-class DescribedDevice(NamedTuple):
+class DeviceWithModules(NamedTuple):
     """A device with the modules that its slots reach, in document order."""
 
     device: Device
     modules: Sequence[Module] = ()
 
 
-def export_esi(vendor: Vendor, groups: Iterable[Group], devices: Iterable[DescribedDevice]) -> bytes:
+class EsiContent(NamedTuple):
+    """What documents are made of."""
+
+    vendor: Vendor
+    groups: tuple[Group, ...]
+    devices: tuple[DeviceWithModules, ...]
+
+
+def content_of(subjects: Sequence[Subject]) -> EsiContent:
+    """What documents of some descriptions of one vendor are made of; the first one names the vendor."""
+    first = subjects[0]
+    return EsiContent(
+        first.document_vendor or Vendor(vendor_id=first.vendor_id),
+        tuple(group for subject in subjects for group in subject.groups),
+        tuple(DeviceWithModules(subject.device, subject.modules) for subject in subjects),
+    )
+
+
+def export_esi(vendor: Vendor, groups: Iterable[Group], devices: Iterable[DeviceWithModules]) -> bytes:
     """One EtherCATInfo document of devices, their modules and the groups they name, everything inline.
 
     ``groups`` may hold more than is needed; the first of a type counts. Raises :class:`InputError` when devices
@@ -46,7 +65,7 @@ def export_esi(vendor: Vendor, groups: Iterable[Group], devices: Iterable[Descri
 
 
 def export_esi_files(
-    name: str, vendor: Vendor, groups: Iterable[Group], devices: Iterable[DescribedDevice]
+    name: str, vendor: Vendor, groups: Iterable[Group], devices: Iterable[DeviceWithModules]
 ) -> dict[str, bytes]:
     """The documents of devices with the dictionaries and diagnosis texts beside them, by relative file name.
 
@@ -99,7 +118,7 @@ def _by_ident(modules: dict[bytes, Module]) -> list[bytes]:
     return sorted(modules, key=lambda key: modules[key].module_ident or 0)
 
 
-def _documents(devices: Iterable[DescribedDevice]) -> list[_Document]:
+def _documents(devices: Iterable[DeviceWithModules]) -> list[_Document]:
     documents = [_Document()]
     for device, modules in devices:
         own = {digest(msgspec.msgpack.encode(module)): module for module in modules}

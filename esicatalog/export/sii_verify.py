@@ -55,6 +55,19 @@ def verify_image(image: SiiImage, subject: Subject) -> tuple[ImageDifference, ..
     )
 
 
+def best_fit(image: SiiImage, subjects: Iterable[Subject]) -> tuple[int, tuple[ImageDifference, ...]]:
+    """Which of several descriptions an image differs least from, above all in what a master uses, and how.
+
+    The first of equal ones. Raises what :func:`verify_image` raises.
+    """
+
+    def weight(compared: tuple[int, tuple[ImageDifference, ...]]) -> tuple[int, int]:
+        differences = compared[1]
+        return sum(item.used_by_master for item in differences), len(differences)
+
+    return min(enumerate(verify_image(image, subject) for subject in subjects), key=weight)
+
+
 def _described(subject: Subject, image: SiiImage) -> SiiImage:
     """The image of the description, with what it does not say taken from ``image``."""
     computed, device = described_image(subject), subject.device

@@ -9,18 +9,15 @@ from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
 from esicatalog.errors import EsiCatalogError, NotFound
-from esicatalog.esi.records.document import Vendor
 from esicatalog.export.choice import Choice, parse_pdo_choice
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.cstruct import cstruct_of_configuration
-from esicatalog.export.esi import DescribedDevice, export_esi
+from esicatalog.export.eeprom import eeprom_image
+from esicatalog.export.esi import content_of, export_esi
 from esicatalog.export.igh import igh_header
 from esicatalog.export.linuxcnc import linuxcnc_configuration
 from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.ros2 import ros2_slave
-from esicatalog.export.sii import described_image
-from esicatalog.export.sii_header import eeprom_bytes
-from esicatalog.export.sii_limits import check_image
 from esicatalog.export.soem import soem_header
 from esicatalog.export.subject import Subject
 from esicatalog.identity import ModuleChoice, modules_by_slot, parse_number, parse_plugged
@@ -54,14 +51,11 @@ def _configured(generate: Callable[[Configuration], str]) -> Generate:
 
 
 def _esi(subject: Subject, choice: Choice) -> bytes:
-    vendor = subject.document_vendor or Vendor(vendor_id=subject.vendor_id)
-    return export_esi(vendor, subject.groups, [DescribedDevice(subject.device, subject.modules)])
+    return export_esi(*content_of([subject]))
 
 
 def _sii(subject: Subject, choice: Choice) -> bytes:
-    subject.required_codes()
-    image = described_image(subject)
-    return encode_sii(check_image(image, eeprom_bytes(image.header, subject.device)))
+    return encode_sii(eeprom_image(subject).image)
 
 
 _C = "text/x-c; charset=utf-8"
