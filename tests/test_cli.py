@@ -1,5 +1,6 @@
 """The command contract: exit codes, one line for every error, JSON alone on stdout."""
 
+import errno
 import json
 import os
 import shutil
@@ -14,6 +15,7 @@ from click.testing import CliRunner
 from snippets import device, esi, rows, write
 from sqlalchemy.exc import OperationalError
 
+from esicatalog import Catalog
 from esicatalog.catalog.database import database_error
 from esicatalog.cli.main import COMMANDS, cli
 
@@ -172,10 +174,28 @@ def test_an_output_that_is_closed_early_is_no_error_message(data_db):
     "words", ["show 0x1097:0x2406", "devices --format json", "check", "export igh 0x1097:0x2406 -o /dev/full"]
 )
 def test_an_output_that_is_full_is_one_line(data_db, words):
-    code, said = piped(f"{PROGRAM} {words} --db {data_db} >/dev/full")
+    code, said = piped(f"PYTHONUNBUFFERED= {PROGRAM} {words} --db {data_db} >/dev/full")
     assert code == 2
     assert [line for line in said.splitlines() if "No space left on device" in line] == [said.splitlines()[-1]]
     assert "Traceback" not in said
+    named = "/dev/full" if "-o" in words else "standard output"
+    assert said.splitlines()[-1] == f"esicatalog: {named}: No space left on device"
+
+
+@pytest.mark.parametrize(
+    ("error", "line"),
+    [
+        (OSError(errno.EAGAIN, "Resource temporarily unavailable"), "Resource temporarily unavailable"),
+        (OSError(errno.EIO, "Input/output error", "c.db"), "c.db: Input/output error"),
+        (OSError("not a regular file"), "not a regular file"),
+    ],
+)
+def test_what_the_system_refuses_is_only_said_of_what_it_names(data_db, monkeypatch, error, line):
+    def refused(self):
+        raise error
+
+    monkeypatch.setattr(Catalog, "check", refused)
+    assert one_line_error(run("check", db=data_db)) == f"esicatalog: {line}"
 
 
 def test_an_empty_list_is_an_answer(data_db):

@@ -1,5 +1,6 @@
 """Folders and archives: references that vendors write, and those that must not lead outside."""
 
+import errno
 import io
 import zipfile
 
@@ -8,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from snippets import device, esi, write
 
-from esicatalog.errors import BrokenDocument, InputError
+from esicatalog.errors import BrokenDocument, InputError, UnreadableDocument
 from esicatalog.esi import containers
 from esicatalog.esi.containers import Archive, Folder, resolve_reference
 from esicatalog.esi.reader import read_esi
@@ -192,6 +193,40 @@ def test_a_member_that_ends_too_early_is_a_broken_document():
     content[directory + 20 : directory + 24] = (packed_size - 20).to_bytes(4, "little")
     with pytest.raises(BrokenDocument, match="cannot be unpacked"):
         Archive(bytes(content)).read("a.xml")
+
+
+@pytest.mark.parametrize(
+    ("error", "words"),
+    [
+        (OSError(errno.EIO, "Input/output error"), "cannot be read: Input/output error"),
+        (MemoryError(), "cannot be read: not enough memory"),
+    ],
+)
+def test_a_member_that_is_there_and_cannot_be_read(tmp_path, monkeypatch, error, words):
+    path = tmp_path / "a.zip"
+    path.write_bytes(zipped(a_dot_xml=bytes(range(256)) * 100))
+    archive = Archive(path)
+
+    def refused(*arguments):
+        raise error
+
+    monkeypatch.setattr(containers._Guarded, "read", refused)
+    with pytest.raises(UnreadableDocument, match=words):
+        archive.read("a.xml")
+    with pytest.raises(UnreadableDocument, match=words):
+        Archive(path)
+
+
+def test_a_member_that_lies_before_the_beginning_of_the_file(tmp_path):
+    """The system refuses to go there as it refuses to read; the archive is damaged all the same."""
+    content = bytearray(zipped(a_dot_xml=b"content"))
+    end = content.rfind(b"PK\x05\x06")
+    at = int.from_bytes(content[end + 16 : end + 20], "little")
+    content[end + 16 : end + 20] = (at + 10).to_bytes(4, "little")
+    (tmp_path / "a.zip").write_bytes(content)
+    with pytest.raises(BrokenDocument) as raised:
+        Archive(tmp_path / "a.zip").read("a.xml")
+    assert not isinstance(raised.value, UnreadableDocument)
 
 
 def test_a_member_that_announces_more_packed_bytes_than_any_document_has():

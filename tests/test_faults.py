@@ -4,6 +4,7 @@ Each ends in a consistent catalog and one line that says what to do; running aga
 """
 
 import contextlib
+import errno
 import os
 import random
 import resource
@@ -35,6 +36,7 @@ from library import (
 from snippets import device, esi, rows, write
 
 from esicatalog import Catalog, CatalogError
+from esicatalog.catalog.lock import only_writer
 from esicatalog.cli.main import cli
 
 L6N = "0x4321:0x8100"
@@ -131,6 +133,26 @@ def test_a_full_disk(tmp_path, library, whole, part, expected, share, start):
         if start == "part":
             assert {"0001.xml", "0002.xml"} <= {name for (name,) in rows(db, "SELECT member FROM sources")}
         assert_completed_by_running_again(db, expected, library)
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="counts descriptors through /proc")
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        (errno.EAGAIN, "another ingest or migrate is writing to it; when that has ended, run this again"),
+        (errno.ENOLCK, "the folder of the catalog takes no locks: No locks available"),
+    ],
+)
+def test_a_lock_that_cannot_be_had(tmp_path, monkeypatch, code, words):
+    def refused(descriptor, operation):
+        raise OSError(code, os.strerror(code))
+
+    monkeypatch.setattr("fcntl.flock", refused)
+    before = len(list(Path("/proc/self/fd").iterdir()))
+    with pytest.raises(CatalogError) as told, only_writer(tmp_path / "c.db"):
+        pass
+    assert str(told.value) == f"{tmp_path / 'c.db'}: {words}"
+    assert len(list(Path("/proc/self/fd").iterdir())) == before
 
 
 def test_a_disk_too_small_for_a_snapshot_is_the_one_that_is_named(tmp_path, whole):
@@ -405,6 +427,7 @@ def test_an_interrupt_is_one_line_and_leaves_nobody(tmp_path, library, expected,
 
 INTERRUPTED_IN_A_CALLBACK = """
 import os, signal, sys, weakref
+from esicatalog.catalog.lock import only_writer
 from esicatalog.cli.main import cli
 
 number = int(sys.argv.pop())

@@ -1,5 +1,6 @@
 """What changes, vanishes or dies while it is read costs its own document and nothing else."""
 
+import errno
 import io
 import json
 import os
@@ -16,6 +17,7 @@ import pytest
 from snippets import device, esi, write
 
 from esicatalog import Catalog
+from esicatalog.esi import containers
 from esicatalog.esi.reader import Reader
 from esicatalog.ingest import plan as planning
 from esicatalog.ingest import run as _run  # noqa: F401  (it must not be loaded while a test has changed the plan)
@@ -295,6 +297,49 @@ def test_what_an_unreadable_file_brought_before_stays(folder, stored, monkeypatc
     assert products(stored) == [1, 2, 3, 5]
     assert {status for status, _ in reported(stored, folder, prune=True).values()} == {"unchanged"}
     assert stored.content_hash() == before
+
+
+def zipped(**members: bytes) -> bytes:
+    """An archive of members by name, without their suffix."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        for name, content in members.items():
+            archive.writestr(f"{name}.zip" if content[:2] == b"PK" else f"{name}.xml", content)
+    return stream.getvalue()
+
+
+@pytest.mark.parametrize("error", [OSError(errno.EIO, "Input/output error"), MemoryError()])
+@pytest.mark.parametrize("name", ["a.xml", "inner.zip", None])
+def test_what_an_unreadable_part_of_a_changed_archive_brought_before_stays(tmp_path, folder, monkeypatch, name, error):
+    """A member, an archive inside the archive, and the directory of the archive itself."""
+    archive = folder / "a.zip"
+    inner = zipped(c=esi(device(product="#x4")).encode())
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        archive.write_bytes(zipped(a=esi(device(product="#x3")).encode(), inner=inner))
+        reported(catalog, folder)
+        before = catalog.content_hash()
+        archive.write_bytes(zipped(a=esi(device(product="#x3")).encode(), inner=inner, b=b"<other/>"))
+        expanded, read = containers.Archive._expanded, containers._Guarded.read
+
+        def refusing(self, info):
+            if info.filename == name:
+                raise error
+            return expanded(self, info)
+
+        def refused(*arguments):
+            raise error
+
+        with monkeypatch.context() as changed:
+            changed.setattr(containers.Archive, "_expanded", refusing)
+            changed.setattr(containers._Guarded, "read", read if name else refused)
+            lines = reported(catalog, folder, prune=True)
+        why = getattr(error, "strerror", None) or "not enough memory"
+        assert lines[f"a.zip!{name}" if name else "a.zip"] == ("failed", f"cannot be read: {why}")
+        assert products(catalog) == [1, 2, 3, 4]
+        read_again = reported(catalog, folder, prune=True)
+        assert {status for status, _ in read_again.values()} == {"unchanged", "skipped"}
+        assert "a.zip!b.xml" in read_again
+        assert catalog.content_hash() == before
 
 
 def test_what_a_file_brought_whose_folder_may_only_be_listed_stays(folder, stored, monkeypatch):

@@ -157,6 +157,12 @@ def test_texts_that_are_no_real_numbers(text):
     assert parse_real(text) is None
 
 
+def test_a_long_text_of_digits_that_is_no_number_takes_no_time():
+    """It would take hours if the pattern had two ways to share the digits."""
+    assert parse_real("1" * 1_000_000 + "x") is None
+    assert parse_real("0." + "1" * 1_000_000) == pytest.approx(1 / 9)
+
+
 @pytest.mark.parametrize("text", ["123", "0g", "80 01", "#x80"])
 def test_malformed_hex_binary_is_kept_and_told(text):
     parsed = HEX_BINARY.read(text)
@@ -177,10 +183,22 @@ def test_image_bytes_may_be_broken_over_lines():
     assert IMAGE.read("424d0").remark.rule == "L07"
 
 
-@pytest.mark.parametrize("text", ["nan", "inf", "1,5", ""])
+@pytest.mark.parametrize("text", ["INF", "-INF", "NaN", "1e999"])
+def test_floats_that_are_not_finite(text):
+    assert FLOAT.read(text) == (None, text, ("L03", "W", f"{text!r} is not a finite number; kept as text"))
+
+
+@pytest.mark.parametrize("text", ["nan", "inf", "infinity", "1,5", "", "1_000.5", "1_0", "١.٥", "0x10"])
 def test_what_is_no_float(text):
-    assert FLOAT.read(text).value is None
-    assert FLOAT.read("20.4").value == 20.4
+    """XML Schema knows ASCII digits, no separators between them, and one spelling of each special value."""
+    assert FLOAT.read(text) == (None, text, ("L03", "W", f"{text!r} is not a number; kept as text"))
+
+
+@pytest.mark.parametrize(
+    ("text", "value"), [("20.4", 20.4), (" -1.5 ", -1.5), (".5", 0.5), ("2.", 2.0), ("+1E3", 1000.0)]
+)
+def test_floats(text, value):
+    assert FLOAT.read(text)[::2] == (value, None)
 
 
 @given(st.integers(-(2**63) + 1, 2**63 - 1))

@@ -94,6 +94,37 @@ def test_a_copy_prints_nothing_of_what_this_process_was_about_to_print():
     assert told_by("sys.stdout.write('[1, ')\nsaid = answer(lambda: print('x', flush=True))\nprint('2]')") == [1, 2]
 
 
+NO_ROOM = """
+import errno
+def refused():
+    raise BlockingIOError(errno.EAGAIN, "Resource temporarily unavailable")
+os.fork = refused
+"""
+
+
+def test_where_nothing_can_be_copied_nothing_of_the_attempt_stays():
+    code = """
+state = lambda: (signal.pthread_sigmask(signal.SIG_BLOCK, []), os.listdir("/proc/self/fd"))
+before = state()
+copy = forked(print)
+print(json.dumps([copy, state() == before]))
+"""
+    assert told_by(NO_ROOM + code) == [None, True]
+
+
+def test_where_nothing_can_be_copied_documents_are_read_in_new_interpreters(tmp_path):
+    code = """
+from esicatalog import Catalog
+with Catalog.open(sys.argv[1], create=True) as catalog:
+    reports = [catalog.ingest(sys.argv[2], jobs=2) for _ in range(2)]
+print(json.dumps([report.counts for report in reports]))
+"""
+    folder = write(tmp_path / "in", {f"{n}.xml": esi(device(product=f"#x{n:X}")) for n in range(1, 4)})
+    first, second = told_by(NO_ROOM + code, tmp_path / "c.db", folder)
+    assert (first["stored"], second["unchanged"]) == (3, 3)
+    assert told_by(NO_ROOM + HASH, folder) == {}
+
+
 HASH = """
 from esicatalog.ingest.ahead import HashingAhead
 hashing = HashingAhead(sys.argv[1:])

@@ -6,8 +6,11 @@ from snippets import device, dictionary, esi, only_device, pdo, read
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
+from esicatalog.export.entry_types import ObjectTable
+from esicatalog.lint.subjects import Dictionaries
 from esicatalog.model import scan_compare
 from esicatalog.model.access import OP, PREOP, access_text, states_to_write
+from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.scan_compare import compare_objects, compare_pdos
 from esicatalog.model.slots import reachable_modules
 from esicatalog.scan.front import read_pdos, read_sdos
@@ -158,6 +161,70 @@ def test_objects_otherwise_than_described():
         "0x6040:00: 32 bit; described are 16",
         "0x6040:00: access r-r-r- (PREOP, SAFEOP, OP); described is rwrwrw",
         "0x6040:01: not described (more)",
+    ]
+
+
+def record(index: int, bits: int, count: int, mark: str = "") -> tuple[str, str]:
+    """A type of ``count`` values of some bits behind their number, and an object of it."""
+    name = f"DT{index:04X}_{bits}_{count}"
+    sub_items = "".join(
+        f"<SubItem><SubIdx>{sub}</SubIdx><Name>Sub {sub}</Name><Type>UDINT</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{sub * bits}</BitOffs></SubItem>"
+        for sub in range(count + 1)
+    )
+    return (
+        f"<DataType><Name>{name}</Name><BitSize>{(count + 1) * bits}</BitSize>{sub_items}</DataType>",
+        f"<Object><Index{mark}>#x{index:04X}</Index><Name>O</Name><Type>{name}</Type>"
+        f"<BitSize>{(count + 1) * bits}</BitSize></Object>",
+    )
+
+
+def of(*parts: tuple[str, str]) -> str:
+    """A dictionary of such objects."""
+    return dictionary("".join(types for types, _ in parts), "".join(declared for _, declared in parts))
+
+
+def seen_object(index: int, bits: int, count: int) -> ScannedDictionary:
+    entries = "".join(f'  0x{index:04x}:{sub:02x}, r-r-r-, uint32, {bits} bit, "s"\n' for sub in range(count + 1))
+    (slave,) = read_sdos(f'SDO 0x{index:04x}, "O"\n{entries}').slaves
+    return slave
+
+
+def test_of_several_objects_with_one_index_the_first_counts():
+    """The second one has a subindex more and other sizes; what the first has not, is not described."""
+    first, second = record(0x2000, 32, 2), record(0x2000, 16, 3)
+    for content in (of(first, second), of(first) + of(second)):
+        unit = only_device(esi(device(content)))
+        assert compare_objects(unit, (), seen_object(0x2000, 32, 2)) == []
+        assert compare_objects(unit, (), seen_object(0x2000, 32, 3)) == ["0x2000:03: not described (s)"]
+        table = ObjectTable(unit, ())
+        assert (table.highest_subindex(0x2000), table.entry(0x2000, 1).bit_size) == (2, 32)
+        assert sorted(Dictionaries(DictionaryViews().of(unit.profiles)).entries(0x2000)) == [0, 1, 2]
+
+
+MARKED = " OverwrittenByModule='1'"
+
+
+def test_an_object_that_yields_counts_after_one_that_does_not():
+    unit = only_device(esi(device(of(record(0x2000, 16, 3, MARKED)) + of(record(0x2000, 32, 2)))))
+    assert compare_objects(unit, (), seen_object(0x2000, 32, 2)) == []
+    assert ObjectTable(unit, ()).highest_subindex(0x2000) == 2
+    assert sorted(Dictionaries(DictionaryViews().of(unit.profiles)).entries(0x2000)) == [0, 1, 2]
+
+
+def test_an_object_that_yields_may_be_as_modules_have_it():
+    slots = "<Slots><Slot MinInstances='0' MaxInstances='1'><ModuleIdent>1</ModuleIdent></Slot></Slots>"
+    brings = "<Module><Type ModuleIdent='1'>M</Type><Name>M</Name>" + of(record(0x2000, 32, 2)) + "</Module>"
+
+    def differences(mark: str, bits: int, count: int) -> list[str]:
+        (info,) = read(esi(device(of(record(0x2000, 16, 3, mark)) + slots), brings)).document.infos
+        return compare_objects(info.devices[0], info.modules, seen_object(0x2000, bits, count))
+
+    assert differences(MARKED, 16, 3) == differences(MARKED, 32, 2) == []
+    assert differences(MARKED, 8, 0) == ["0x2000:00: 8 bit; described are 16"]
+    assert differences("", 32, 2) == [
+        *(f"0x2000:{sub:02X}: 32 bit; described are 16" for sub in range(3)),
+        "0x2000:03: described (Sub 3), but not on the device",
     ]
 
 

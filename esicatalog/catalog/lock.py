@@ -19,7 +19,7 @@ def only_writer(path: Path | None) -> Iterator[None]:
     """Hold the lock file beside an SQLite catalog; it is gone afterwards, and a killed process leaves it unlocked.
 
     SQLite's own lock ends with every transaction, an ingest has many. None (another database, or memory) locks
-    nothing. Raises :class:`CatalogError` when another process holds it.
+    nothing. Raises :class:`CatalogError` when another process holds it, or nobody can (as on some NFS).
     """
     if path is None or fcntl is None:
         yield
@@ -50,6 +50,9 @@ def _locked(lock: Path, path: Path) -> int:
             raise CatalogError(
                 f"{path}: another ingest or migrate is writing to it; when that has ended, run this again"
             ) from error
+        except OSError as error:
+            os.close(descriptor)
+            raise CatalogError(f"{path}: the folder of the catalog takes no locks: {error.strerror}") from error
         os.close(descriptor)
 
 

@@ -96,7 +96,7 @@ def reporting_errors(function: Function) -> Function:
             try:
                 return function(*args, **kwargs)
             finally:
-                sys.stdout.flush()
+                _flush_stdout()
         except EsiCatalogError as error:
             hint = error.hint if isinstance(error, NotFound) else None
             click.echo(f"esicatalog: {error}; see: {hint}" if hint else f"esicatalog: {error}", err=True)
@@ -107,19 +107,24 @@ def reporting_errors(function: Function) -> Function:
             click.echo("esicatalog: the input is too large or too deep to be read", err=True)
             sys.exit(EXIT_UNUSABLE)
         except BrokenPipeError:
-            _discard_stdout()
             sys.exit(EXIT_NO)
         except OSError as error:
-            _discard_stdout()
-            click.echo(f"esicatalog: {error.filename or 'standard output'}: {error.strerror}", err=True)
+            what = f"{error.filename}: " if error.filename else ""
+            click.echo(f"esicatalog: {what}{error.strerror or error}", err=True)
             sys.exit(EXIT_UNUSABLE)
 
     return wrapped  # type: ignore[return-value]
 
 
-def _discard_stdout() -> None:
-    """What is still buffered cannot be written; the interpreter would try again at its end, and say so."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+def _flush_stdout() -> None:
+    """Write what was printed; what could not be written before fails again here, and is named."""
+    try:
+        sys.stdout.flush()
+    except OSError as error:
+        error.filename = "standard output"
+        # What is still buffered cannot be written; the interpreter would try again at its end, and say so.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise
 
 
 class _Parsed(click.ParamType[Any]):

@@ -18,7 +18,7 @@ from typing import Protocol
 
 from zlib_ng import zlib_ng
 
-from esicatalog.errors import BrokenDocument, InputError, UnreadableDocument
+from esicatalog.errors import BrokenDocument, EsiCatalogError, InputError, UnreadableDocument
 
 MAX_DOCUMENT_BYTES = 256 * 1024 * 1024
 """Largest document that is read, and largest archive inside another. Real ESI files end at about 10 MB; all devices of
@@ -64,11 +64,21 @@ def resolve_reference(container: Container, document: str, reference: str) -> st
 
 _NO_FILE = (None, errno.ENOENT, errno.ENOTDIR, errno.EISDIR, errno.ELOOP, errno.ENXIO)
 """What :class:`OSError` says where there is no regular file at all."""
+_DAMAGED = errno.EINVAL
+"""What it says where a damaged archive gives a place before its beginning."""
 
 
-def is_unreadable(error: OSError) -> bool:
+def is_unreadable(error: Exception) -> bool:
     """Whether a file or folder is there and only cannot be read now, so that it may hold what it held before."""
-    return error.errno not in _NO_FILE
+    if isinstance(error, OSError):
+        return error.errno not in _NO_FILE and error.errno != _DAMAGED
+    return isinstance(error, MemoryError)
+
+
+def _refusal(error: Exception, kind: type[EsiCatalogError], words: str) -> EsiCatalogError:
+    """What to raise for ``error``: an :class:`UnreadableDocument`, or ``kind`` where nothing is there to be read."""
+    why = getattr(error, "strerror", None) or str(error) or "not enough memory"
+    return UnreadableDocument(f"cannot be read: {why}") if is_unreadable(error) else kind(f"{words}: {why}")
 
 
 def open_regular(path: str | Path) -> io.FileIO:
@@ -88,9 +98,8 @@ def read_file(path: Path) -> bytes:
     try:
         with open_regular(path) as stream:
             content = stream.read(MAX_DOCUMENT_BYTES + 1)
-    except OSError as error:
-        kind = UnreadableDocument if is_unreadable(error) else BrokenDocument
-        raise kind(f"cannot be read: {error.strerror or error}") from error
+    except (OSError, MemoryError) as error:
+        raise _refusal(error, BrokenDocument, "cannot be read") from error
     if len(content) > MAX_DOCUMENT_BYTES:
         raise BrokenDocument(TOO_LARGE)
     return content
@@ -149,12 +158,16 @@ class Archive:
     """Documents in a zip archive, itself possibly a member of another one."""
 
     def __init__(self, source: Path | bytes) -> None:
+        """Read the directory; raises :class:`InputError`, :class:`UnreadableDocument` where the file is there."""
         try:
             stream = _Guarded(io.BytesIO(source) if isinstance(source, bytes) else open_regular(source))
             self._zip = zipfile.ZipFile(stream)
             stream.is_directory_read = True
-        except (OSError, zipfile.BadZipFile, ValueError, NotImplementedError) as error:
-            raise InputError(f"not a usable zip archive: {error}") from error
+        except (OSError, MemoryError, zipfile.BadZipFile, ValueError, NotImplementedError) as error:
+            # That the end of the file cannot be read is for zipfile no more than that it is no archive.
+            hidden = error.__context__
+            refused = hidden if isinstance(hidden, OSError) and is_unreadable(hidden) else error
+            raise _refusal(refused, InputError, "not a usable zip archive") from error
         infos = [info for info in self._zip.infolist() if not info.is_dir()]
         if len(infos) > MAX_MEMBERS:
             raise InputError(f"archive with more than {MAX_MEMBERS} members")
@@ -171,7 +184,10 @@ class Archive:
         return sorted((name, info.file_size) for name, info in self._infos.items())
 
     def read(self, member: str) -> bytes:
-        """Expanded bytes of ``member``; never more than its header announces."""
+        """Expanded bytes of ``member``; never more than its header announces.
+
+        Raises :class:`BrokenDocument`, which is an :class:`UnreadableDocument` where only the file cannot be read.
+        """
         info = self._infos.get(member)
         if info is None:
             raise BrokenDocument("the archive holds it no longer: it was changed while it was read; ingest again")
@@ -186,7 +202,7 @@ class Archive:
         try:
             content = self._expanded(info)
         except Exception as error:  # zlib's, RuntimeError (encrypted) and OSError share no base but Exception
-            raise BrokenDocument(f"cannot be unpacked: {error}") from error
+            raise _refusal(error, BrokenDocument, "cannot be unpacked") from error
         if len(content) > info.file_size:
             raise BrokenDocument("expands to more than its header announces")
         return content

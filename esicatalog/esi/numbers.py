@@ -3,7 +3,7 @@
 A :class:`Scalar` parses the text of an element or attribute. Besides the value it returns the text itself when
 that differs from the canonical spelling (so that a writer can repeat what the vendor wrote) and a remark when the
 text breaks the format. Rules: ETG.2000 EtherCATBase.xsd ``HexDecValue``, ``xs:int``, ``xs:boolean``,
-``xs:hexBinary``; tolerated spellings (``0x``, ``#x0x``) are those found in real files,
+``xs:float``, ``xs:hexBinary``; tolerated spellings (``0x``, ``#x0x``) are those found in real files,
 those with capitals (``#X``, ``True``), and a boolean as the number of a switch.
 """
 
@@ -20,7 +20,9 @@ MAX_STORED = (1 << 63) - 1
 _INT32 = range(-(1 << 31), 1 << 31)
 
 _HEX_DEC = re.compile(r"(?P<dec>[+-]?[0-9]+)|(?P<prefix>#x|#x0x|0x)(?P<hex>[0-9a-f]+)", re.IGNORECASE)
-_REAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)(e[+-]?[0-9]+)?", re.IGNORECASE)
+_REAL = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)(e[+-]?[0-9]+)?", re.IGNORECASE)
+_NOT_FINITE = ("INF", "-INF", "NaN")
+"""What xs:float knows besides numbers."""
 _BOOLEANS = {"1": True, "true": True, "0": False, "false": False}
 
 
@@ -169,13 +171,11 @@ def _boolean(text: str) -> tuple[bool | None, Remark | None]:
 
 
 def _float(text: str) -> tuple[float | None, Remark | None]:
-    try:
-        value = float(text)
-    except ValueError:
-        return None, Remark("L03", "W", f"{_quoted(text)} is not a number{KEPT_AS_TEXT}")
-    if value != value or value in (float("inf"), float("-inf")):
-        return None, Remark("L03", "W", f"{_quoted(text)} is not a finite number{KEPT_AS_TEXT}")
-    return value, None
+    value = parse_real(text)
+    if value is not None:
+        return value, None
+    is_real = text in _NOT_FINITE or _REAL.fullmatch(text) is not None  # the latter where it is too large
+    return None, Remark("L03", "W", f"{_quoted(text)} is not a {'finite ' if is_real else ''}number{KEPT_AS_TEXT}")
 
 
 def _hex_binary(text: str) -> tuple[str, Remark | None]:

@@ -1,22 +1,21 @@
 """Values of entries: which type they have, by the entry and by the object dictionary, and what generators call it."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.dictionary import DataType, Object
 from esicatalog.esi.records.pdo import Entry
-from esicatalog.esi.records.profile import Profile
 from esicatalog.model.base_types import BaseType
-from esicatalog.model.dictionary import ObjectEntry, resolve_base, resolve_object, type_table
+from esicatalog.model.dictionary import ObjectEntry, resolve_base
+from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews, EntriesBySubindex, counting_view
+from esicatalog.model.resolver import TypeSet
 from esicatalog.model.slots import ExpandedModule
 
 CONTAINER_BITS = (8, 16, 32, 64)
 _REAL_BITS = (32, 64)
 _BYTE_KINDS = ("string", "octets", "unicode", "time", "guid", "domain")
 
-_Declared = tuple[Object, Mapping[str, DataType]]
-"""An object with the types of its dictionary."""
+_NO_TYPES = TypeSet(())
 
 
 class ValueType(NamedTuple):
@@ -53,23 +52,14 @@ class ObjectTable:
     """
 
     def __init__(self, device: Device, expanded: Iterable[ExpandedModule]) -> None:
-        profiles: list[tuple[int | None, Profile]] = [(None, profile) for profile in device.profiles]
-        profiles += [(item.slot_number, profile) for item in expanded for profile in item.module.profiles]
-        self._types: dict[int | None, list[Mapping[str, DataType]]] = {}
-        counting: list[_Declared] = []
-        yielding: list[_Declared] = []
-        for slot_number, profile in profiles:
-            if (dictionary := profile.dictionary) is not None:
-                types = type_table(dictionary.data_types)
-                self._types.setdefault(slot_number, []).append(types)
-                for declared in dictionary.objects:
-                    yields = slot_number is None and declared.overwritten_by_module
-                    (yielding if yields else counting).append((declared, types))
-        self._objects: dict[int, _Declared] = {}
-        for found in (*counting, *yielding):
-            if found[0].object_index is not None:
-                self._objects.setdefault(found[0].object_index, found)
-        self._resolved: dict[int, dict[int, ObjectEntry]] = {}
+        views = DictionaryViews()
+        self._own = views.of(device.profiles)
+        self._brought: list[DictionaryView] = []
+        self._types: dict[int | None, list[TypeSet]] = {None: [view.types for view in self._own]}
+        for item in expanded:
+            found = views.of(item.module.profiles)
+            self._brought += found
+            self._types.setdefault(item.slot_number, []).extend(view.types for view in found)
 
     def entry(self, index: int, subindex: int) -> ObjectEntry | None:
         """The resolved entry of an object, None when no dictionary declares it."""
@@ -79,17 +69,16 @@ class ObjectTable:
         """The last subindex of an object, None when no dictionary declares it."""
         return max(self._entries(index), default=None)
 
-    def _entries(self, index: int) -> Mapping[int, ObjectEntry]:
-        if index not in self._resolved:
-            found = self._objects.get(index)
-            resolved = resolve_object(*found).entries if found is not None else ()
-            self._resolved[index] = {item.subindex: item for item in resolved}
-        return self._resolved[index]
+    def _entries(self, index: int) -> EntriesBySubindex:
+        own = counting_view(self._own, index)
+        if own is None or own.by_index[index].overwritten_by_module:
+            own = counting_view(self._brought, index) or own
+        return (own.entries(index) if own is not None else None) or {}
 
     def base_type(self, entry: Entry, slot_number: int | None) -> BaseType | None:
         """Base type of an entry of the module in a slot, None for the device: by its DataType, else by its object."""
-        for types in self._types.get(slot_number, [{}]):
-            base = resolve_base(entry.data_type, types)
+        for types in self._types.get(slot_number) or [_NO_TYPES]:
+            base = resolve_base(entry.data_type, types.by_name)
             if base is not None:
                 return base
         declared = self.entry(entry.entry_index, entry.subindex or 0) if entry.entry_index else None

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Set
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
-from esicatalog.errors import EsiCatalogError, InputError
+from esicatalog.errors import EsiCatalogError, InputError, UnreadableDocument
 from esicatalog.esi import containers
 from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive, is_unreadable
 
@@ -131,8 +131,9 @@ def archive_members(archive: FoundArchive) -> Iterator[FoundDocument]:
     """The documents in an archive and in the archives inside it."""
     try:
         opened = Archive(Path(archive.location))
-    except InputError as error:
-        yield unusable_archive(archive, "failed", str(error))
+    except EsiCatalogError as error:
+        problem = unusable_archive(archive, "failed", str(error))
+        yield problem._replace(is_unreadable=isinstance(error, UnreadableDocument))
         return
     if not opened.members():
         yield unusable_archive(archive, "skipped", _EMPTY)
@@ -182,7 +183,7 @@ def _members(
             else:
                 yield found._replace(problem=("skipped", _EMPTY))
         except EsiCatalogError as error:
-            yield found._replace(problem=("failed", str(error)))
+            yield found._replace(problem=("failed", str(error)), is_unreadable=isinstance(error, UnreadableDocument))
 
 
 def _member(archive: FoundArchive, nested: tuple[str, ...], name: str, size: int) -> FoundDocument:

@@ -187,20 +187,31 @@ def can_fork() -> bool:
         return False
 
 
-def forked(serve: Serve) -> Helper:
-    """A helper that begins as a copy of this process (see :func:`can_fork`)."""
-    for_requests, requests = os.pipe()
-    answers, for_answers = os.pipe()
+def forked(serve: Serve) -> Helper | None:
+    """A helper that begins as a copy of this process (see :func:`can_fork`).
+
+    None where the system has no room for another process, or for its pipes.
+    """
+    ends: list[int] = []
     # Until the copy has become a helper no signal may make it do what this process would do.
     blocked = signal.pthread_sigmask(signal.SIG_BLOCK, signal.valid_signals())
-    number = os.fork()
-    if number == 0:
-        _help(serve, for_requests, for_answers, blocked)
-    os.close(for_requests)
-    os.close(for_answers)
-    helper = Helper(_Forked(number), os.fdopen(requests, "wb", 0), os.fdopen(answers, "rb", 0))
-    signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
-    return helper
+    try:
+        try:
+            ends += os.pipe()
+            ends += os.pipe()
+            number = os.fork()
+        except OSError:
+            for end in ends:
+                os.close(end)
+            return None
+        for_requests, requests, answers, for_answers = ends
+        if number == 0:
+            _help(serve, for_requests, for_answers, blocked)
+        os.close(for_requests)
+        os.close(for_answers)
+        return Helper(_Forked(number), os.fdopen(requests, "wb", 0), os.fdopen(answers, "rb", 0))
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
 
 
 def interpreter(module: str) -> Helper:

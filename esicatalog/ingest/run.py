@@ -144,7 +144,7 @@ class _Storing:
         """Store what became of a document, unless the catalog keeps what it has."""
         self._stages.add(outcome.seconds)
         item = self._plan.todo[outcome.number]
-        if outcome.status == "failed" and outcome.sha256 is None and item.problem is None:
+        if outcome.status == "failed" and outcome.sha256 is None and (item.problem is None or item.is_unreadable):
             self._incomplete.add(item.root)
         document = self._held.documents.get(item.location)
         if document is not None and outcome.status == "unchanged":

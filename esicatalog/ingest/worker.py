@@ -61,7 +61,7 @@ class DocumentWorker:
             unreadable = isinstance(error, UnreadableDocument)
             return Outcome(task.number, "failed", str(error), is_unreadable=unreadable)
         except MemoryError:
-            return Outcome(task.number, "failed", "needs more memory than a document may take")
+            return Outcome(task.number, "failed", "needs more memory than a document may take", is_unreadable=True)
         outcome = Outcome(task.number, "stored", None, sha256, byte_count)
         if task.known is not None and is_unchanged(task.known, sha256, task.member, hashes):
             outcome.status = "unchanged"

@@ -16,7 +16,7 @@ from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.lint.registry import Place
 from esicatalog.model.derivation import Derivation
 from esicatalog.model.dictionary import ObjectEntry
-from esicatalog.model.dictionary_views import DictionaryView, EntriesBySubindex
+from esicatalog.model.dictionary_views import DictionaryView, EntriesBySubindex, counting_view
 from esicatalog.model.pdo_facts import PDO_FIELDS, has_object
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.resolver import TypeSet
@@ -44,10 +44,9 @@ class DeclaredPdo(NamedTuple):
 
 
 class Dictionaries:
-    """The dictionaries of an owner as one: of several objects with one index the first counts.
+    """The dictionaries of an owner as one, see :func:`~esicatalog.model.dictionary_views.counting_view`.
 
-    An object that is marked OverwrittenByModule yields to those of modules (ESI-FACTS section 12). ``in_slots`` tells
-    what modules have at an index in slots that they move with.
+    ``in_slots`` tells what modules have at an index in slots that they move with, to which marked objects yield.
     """
 
     def __init__(self, views: Sequence[DictionaryView], in_slots: "InSlots | None" = None) -> None:
@@ -59,17 +58,11 @@ class Dictionaries:
 
     def entries(self, index: int) -> EntriesBySubindex | None:
         """Entries of an object by subindex; None when there is no such object."""
-        yielding = None
-        for view in self.views:
-            declared = view.by_index.get(index)
-            if declared is None:
-                continue
-            if not declared.overwritten_by_module:
-                return view.entries(index)
-            yielding = yielding or view
-        if yielding is None:
+        view = counting_view(self.views, index)
+        if view is None:
             return None
-        return next(iter(self.in_slots(index)), None) or yielding.entries(index)
+        brought = next(iter(self.in_slots(index)), None) if view.by_index[index].overwritten_by_module else None
+        return brought or view.entries(index)
 
     def in_slots(self, index: int) -> Iterable[EntriesBySubindex]:
         """Entries of the objects that modules have at an index in slots that they move with."""

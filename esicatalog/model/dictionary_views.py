@@ -50,6 +50,21 @@ class DictionaryView:
         return found
 
 
+def counting_view(views: Iterable[DictionaryView], index: int) -> DictionaryView | None:
+    """The dictionary of an owner whose object of this index counts: the first that does not yield to those of modules.
+
+    An object that is marked OverwrittenByModule (ESI-FACTS section 12) counts where no other is. None without any.
+    """
+    yielding = None
+    for view in views:
+        declared = view.by_index.get(index)
+        if declared is not None and not declared.overwritten_by_module:
+            return view
+        if declared is not None and yielding is None:
+            yielding = view
+    return yielding
+
+
 class DictionaryViews:
     """Makes views; dictionaries of the same data types and objects share one."""
 

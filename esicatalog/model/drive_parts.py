@@ -21,7 +21,7 @@ from esicatalog.model.cia402 import (
     DriveMode,
 )
 from esicatalog.model.dictionary import ObjectEntry
-from esicatalog.model.dictionary_views import DictionaryView
+from esicatalog.model.dictionary_views import DictionaryView, counting_view
 from esicatalog.model.pdo_facts import has_length, has_object, pdo_yields, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import is_mappable
 from esicatalog.model.process_image import SmImage
@@ -80,11 +80,9 @@ def is_drive(part: Part) -> bool:
 
 def declaring_view(part: Part, index: int) -> DictionaryView | None:
     """The dictionary with the object that counts, None without one."""
-    for view in part.views:
-        declared = view.by_index.get(index)
-        if declared is not None and not (index in part.replaced and declared.overwritten_by_module):
-            return view
-    return None
+    view = counting_view(part.views, index)
+    is_replaced = view is not None and index in part.replaced and view.by_index[index].overwritten_by_module
+    return None if is_replaced else view
 
 
 def is_declared(part: Part, index: int) -> bool:

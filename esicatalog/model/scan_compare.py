@@ -14,8 +14,8 @@ from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.access import STATE_WORDS, access_text
 from esicatalog.model.base_types import base_type
 from esicatalog.model.counting import counted
-from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
-from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
+from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews, EntriesBySubindex, counting_view
 from esicatalog.model.pdo_facts import Mapped, has_length, is_described, mapped, mapped_words
 from esicatalog.model.process_image import default_process_image
 from esicatalog.model.slots import SlotShift, fitting_modules, numbered_slots
@@ -149,34 +149,37 @@ def compare_objects(device: Device, modules: Sequence[Module], seen: ScannedDict
 
     Objects that only a module brings need not be there. A description without dictionary says nothing.
     """
-    own = _described_entries(device)
+    views = DictionaryViews()
+    described = views.of(device.profiles)
+    own = sorted({index for view in described for index in view.by_index})
     if not own:
         return []
     shown = {item.index for item in seen.objects}
     dictionaries = [p.dictionary for module in modules for p in module.profiles if p.dictionary is not None]
     slots = _AnySlot(device, modules, sum(len(dictionary.objects) for dictionary in dictionaries))
-    brought = _brought_objects(slots, shown)
-    printed = {(item.index, entry.subindex): entry for item in seen.objects for entry in item.entries}
-    indices = {index for index, _ in own} | brought.keys()
+    brought = _brought_objects(slots, shown, views)
+    known = {index: _alternatives(described, brought, index) for index in shown.union(own)}
     found = [
         f"0x{item.index:04X}: not described ({item.name or 'no name'})"
         for item in seen.objects
-        if item.index not in indices
+        if not known[item.index]
     ]
-    for index in dict.fromkeys(index for index, _ in own if index not in shown):
-        found.append(f"0x{index:04X}: described, but not on the device")
+    found.extend(f"0x{index:04X}: described, but not on the device" for index in own if index not in shown)
+    printed = {(item.index, entry.subindex): entry for item in seen.objects for entry in item.entries}
     for (index, subindex), printed_entry in sorted(printed.items()):
-        known = _known_entries(own, brought, index, subindex)
         where = f"0x{index:04X}:{subindex:02X}"
-        if known:
-            differences = [list(_entry_differences(printed_entry, entry)) for entry in known]
+        alternatives = [entries[subindex] for entries in known[index] if subindex in entries]
+        if alternatives:
+            differences = [list(_entry_differences(printed_entry, entry)) for entry in alternatives]
             found.extend(f"{where}: {words}" for words in min(differences, key=len))
-        elif index in indices:
+        elif known[index]:
             found.append(f"{where}: not described ({printed_entry.name or 'no name'})")
-    for index, subindex in sorted(own):
-        if index in shown and (index, subindex) not in printed:
-            name = own[index, subindex].name or "no name"
-            found.append(f"0x{index:04X}:{subindex:02X}: described ({name}), but not on the device")
+    for index in own:
+        if index in shown and len(known[index]) == 1:
+            for subindex, entry in sorted(known[index][0].items()):
+                if (index, subindex) not in printed:
+                    where = f"0x{index:04X}:{subindex:02X}"
+                    found.append(f"{where}: described ({entry.name or 'no name'}), but not on the device")
     return [*found, *slots.left_out()]
 
 
@@ -184,42 +187,29 @@ _Brought = Mapping[int, Mapping[tuple[DictionaryView, int], None]]
 """Objects of modules by the index that they have in a slot: alternatives in order, each by its place unplugged."""
 
 
-def _brought_objects(slots: _AnySlot, shown: Container[int]) -> _Brought:
+def _brought_objects(slots: _AnySlot, shown: Container[int], views: DictionaryViews) -> _Brought:
     """What modules bring of the printed objects."""
-    views = DictionaryViews()
     found: dict[int, dict[tuple[DictionaryView, int], None]] = defaultdict(dict)
     for module, shift in slots:
-        for view in views.of(module.profiles):
+        of_module = views.of(module.profiles)
+        for view in of_module:
             for base, declared in view.by_index.items():
                 index = shift.object_index(base, declared.depend_on_slot, declared.depend_on_slot_group)
-                if index in shown:
+                if index in shown and counting_view(of_module, base) is view:
                     found[index][view, base] = None
     return found
 
 
-def _known_entries(
-    own: Mapping[tuple[int, int], ObjectEntry], brought: _Brought, index: int, subindex: int
-) -> list[ObjectEntry]:
-    """What is described at a place: by the device itself, else by each module that could be plugged."""
-    if (index, subindex) in own:
-        return [own[index, subindex]]
-    found = [(view.entries(base) or {}).get(subindex) for view, base in brought.get(index, ())]
-    return [entry for entry in found if entry is not None]
+def _alternatives(described: Sequence[DictionaryView], brought: _Brought, index: int) -> list[EntriesBySubindex]:
+    """What is described at an index: the object of the device itself, else that of each module that may be plugged.
 
-
-def _described_entries(owner: Device | Module) -> dict[tuple[int, int], ObjectEntry]:
-    found: dict[tuple[int, int], ObjectEntry] = {}
-    for profile in owner.profiles:
-        if profile.dictionary is None:
-            continue
-        types = type_table(profile.dictionary.data_types)
-        for declared in profile.dictionary.objects:
-            if declared.object_index is None:
-                continue
-            resolved = resolve_object(declared, types)
-            for entry in resolved.entries:
-                found.setdefault((declared.object_index, entry.subindex), entry)
-    return found
+    Both where the device's is marked OverwrittenByModule (ESI-FACTS section 12).
+    """
+    own = counting_view(described, index)
+    places = [(own, index)] if own is not None else []
+    if own is None or own.by_index[index].overwritten_by_module:
+        places += brought.get(index, ())
+    return [view.entries(place) or {} for view, place in places]
 
 
 def _entry_differences(seen: ScannedObjectEntry, described: ObjectEntry) -> Iterator[str]:
