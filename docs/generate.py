@@ -136,7 +136,8 @@ VIEW_COLUMNS = {
     "image_byte_bit": "Place in the default process image of the SyncManager: byte.bit",
     "ip": "Devices with IP",
     "is_default": "1 = the device's default OpMode",
-    "layout_changed": "1 = another default process image than the next lower revision (of the same type if any) has",
+    "layout_changed": "1 = another default process image than the next lower revision (of the same type if any) has, "
+    "NULL = not known",
     "maximum": "Maximum that the object dictionary gives",
     "minimum": "Minimum that the object dictionary gives",
     "module_id": "Key in modules",

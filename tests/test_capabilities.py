@@ -180,15 +180,18 @@ def test_same_layout_is_found_and_never_called_a_replacement(tmp_path):
 
 
 def test_what_has_no_known_length_is_like_nothing(tmp_path):
-    """Two revisions with the same words for what nobody describes: no change between them, and no same layout."""
+    """Revisions with the same words for what nobody describes: what changed and what they are like is not known."""
     open_sm = '<Sm DefaultSize="8">Outputs</Sm>'
     db = catalog_of(tmp_path, esi("".join(device(open_sm, revision=number) for number in "12")))
     with Catalog.open(db) as catalog:
-        assert [r.layout_changed for r in catalog.device("0xE5C:1:1").revisions] == [False, False]
+        revisions = catalog.device("0xE5C:1:1").revisions
+        assert [r.layout_changed for r in revisions] == [False, None]
+        assert [r.layout_words for r in revisions] == ["", "layout not known"]
         assert catalog.device("0xE5C:1:1").same_layout == ()
         with pytest.raises(InputError, match="the length of the default process image of"):
             catalog.devices(like=Identity(0xE5C, 1, 1))
     assert rows(db, "SELECT * FROM same_process_image_layout") == []
+    assert rows(db, "SELECT layout_changed FROM device_revisions ORDER BY revision_no") == [(0,), (None,)]
 
 
 def test_a_variant_is_listed_beside_the_preferred_ones_of_its_layout(tmp_path):

@@ -216,7 +216,12 @@ def _capabilities(dialect: str) -> list[View]:
     identity = _device_identity(dialect)
     module = f"{hex_text('m.module_ident', 8, dialect)} AS module_ident_hex"
     previous = f"coalesce({_previous('AND o.type = n.type ')}, {_previous('')})"
-    changed = "r.previous_id IS NOT NULL AND coalesce(f.image_signature, '') <> coalesce(b.image_signature, '')"
+    both_known = " AND ".join(f"{facts}.{size}_bytes IS NOT NULL" for facts in "fb" for size in ("output", "input"))
+    changed = (
+        "CASE WHEN r.previous_id IS NULL THEN 0 "
+        "WHEN coalesce(f.image_signature, '') <> coalesce(b.image_signature, '') THEN 1 "
+        f"WHEN {both_known} THEN 0 END"
+    )
     return [
         View(
             "device_drive_modes",
@@ -240,8 +245,9 @@ def _capabilities(dialect: str) -> list[View]:
         View(
             "device_revisions",
             "Preferred descriptions of each product by revision; layout_changed compares the default process image "
-            "with the next lower revision, of the same type where there is one.",
-            f"SELECT {identity}, r.previous_id, {_flag(changed)} AS layout_changed, "
+            "with the next lower revision, of the same type where there is one; NULL where both are the same as far as "
+            "they are described, and that is not all.",
+            f"SELECT {identity}, r.previous_id, {_integer(changed)} AS layout_changed, "
             "f.output_bytes, f.input_bytes, f.image_signature "
             f"FROM (SELECT n.id, {_integer(previous)} AS previous_id "
             "FROM devices n WHERE n.variant = 1 AND n.vendor_id IS NOT NULL AND n.product_code IS NOT NULL) r "
