@@ -166,8 +166,8 @@ def test_same_layout_is_found_and_never_called_a_replacement(tmp_path):
         found = catalog.devices(like=Identity(0xE5C, 1, 1))
         assert [(item.product_code, item.revision_no) for item in found] == [(1, 2), (7, 1)]
         assert [item.evidence[0].rpartition(", ")[2] for item in found] == [
-            "all its PDOs too",
-            "other PDOs differ",
+            "all PDOs of the device itself too",
+            "other PDOs of the device itself differ",
         ]
         assert all("same process-image layout as" in item.evidence[0] for item in found)
         with pytest.raises(InputError, match="no process data"):
@@ -177,6 +177,27 @@ def test_same_layout_is_found_and_never_called_a_replacement(tmp_path):
     text = run("show", "0xe5c:1:1", db=db).stdout
     assert "Same process-image layout (2)" in text
     assert "replacement" not in text
+
+
+def test_pdos_of_modules_are_not_compared(tmp_path):
+    """Two couplers without PDOs of their own, with the same module by default; a third has an optional PDO itself."""
+    slots = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">1</ModuleIdent>{}</Slot></Slots>'
+    more, optional = "<ModuleIdent>2</ModuleIdent>", pdo("RxPdo", "#x1601", 8)
+    module = '<Module><Type ModuleIdent="{0}">M</Type><Name>M</Name>{1}</Module>'
+    modules = "".join(
+        module.format(ident, pdo("RxPdo", f"#x170{ident}", 8 * ident, attributes='Sm="0"')) for ident in (1, 2)
+    )
+    contents = (SM + slots.format(""), SM + slots.format(more), SM + optional + slots.format(""))
+    devices = "".join(device(content, product=str(number)) for number, content in enumerate(contents, 1))
+    db = catalog_of(tmp_path, esi(devices, modules))
+    with Catalog.open(db) as catalog:
+        found = catalog.devices(like=Identity(0xE5C, 1, 1))
+    assert [item.evidence[0].partition(", ")[2] for item in found] == [
+        "no other PDOs but those of modules, which are not compared",
+        "other PDOs of the device itself differ",
+    ]
+    pairs = "SELECT same_pdo_set FROM same_process_image_layout WHERE product_code = 1 ORDER BY other_product_code_hex"
+    assert rows(db, pairs) == [(None,), (0,)]
 
 
 def test_what_has_no_known_length_is_like_nothing(tmp_path):

@@ -222,6 +222,10 @@ def _capabilities(dialect: str) -> list[View]:
         "WHEN coalesce(f.image_signature, '') <> coalesce(b.image_signature, '') THEN 1 "
         f"WHEN {both_known} THEN 0 END"
     )
+    same_pdo_set = (
+        "CASE WHEN f.pdo_signature = g.pdo_signature THEN 1 "
+        "WHEN coalesce(f.pdo_signature, g.pdo_signature) IS NOT NULL THEN 0 END"
+    )
     return [
         View(
             "device_drive_modes",
@@ -263,7 +267,7 @@ def _capabilities(dialect: str) -> list[View]:
             f"{hex_text('o.vendor_id', 8, dialect)} AS other_vendor_id_hex, "
             f"{hex_text('o.product_code', 8, dialect)} AS other_product_code_hex, "
             f"{hex_text('o.revision_no', 8, dialect)} AS other_revision_no_hex, o.type AS other_type, "
-            f"{_flag('f.pdo_signature = g.pdo_signature')} AS same_pdo_set, f.output_bytes, "
+            f"{_integer(same_pdo_set)} AS same_pdo_set, f.output_bytes, "
             f"f.input_bytes {_DEVICES} JOIN device_facts f ON f.device_id = d.id "
             "JOIN device_facts g ON g.image_signature = f.image_signature JOIN devices o ON o.id = g.device_id "
             "WHERE o.id <> d.id AND o.variant = 1 AND f.output_bytes IS NOT NULL AND f.input_bytes IS NOT NULL",

@@ -52,7 +52,10 @@ class DeviceFacts(Record):
     image_signature: Annotated[
         str | None, Doc("Digest of the default process image: equal = same layout, as far as it is described")
     ] = None
-    pdo_signature: Annotated[str | None, Doc("Digest of all PDOs with their entries: equal = same PDO set")] = None
+    pdo_signature: Annotated[
+        str | None,
+        Doc("Digest of all PDOs of the device itself with their entries, those of modules left out; NULL without any"),
+    ] = None
     fsoe: Annotated[str | None, Doc("Evidence of FSoE: high or medium; not a safety statement")] = None
     fsoe_evidence: Annotated[str | None, Doc("That evidence in words")] = None
 

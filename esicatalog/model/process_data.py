@@ -107,7 +107,7 @@ class ProcessData:
 
     @cached_property
     def pdo_signature(self) -> str | None:
-        """Digest of all PDOs with their entries, None without PDOs."""
+        """Digest of all PDOs of the device itself with their entries, None without any; modules are not looked at."""
         layout = [
             [(pdo.pdo_index, [mapped(entry) for entry in pdo.entries]) for pdo in pdos]
             for pdos in (self.rx_pdos, self.tx_pdos)
