@@ -160,7 +160,7 @@ VIEW_COLUMNS = {
     "rx_pdos": "Number of its own RxPdo",
     "same_pdo_set": "1 = all PDOs of the devices themselves have the same layout, assigned or not; those of modules are "
     "not compared, NULL = there are no others",
-    "signed": "1 = two's complement, 0 = unsigned, NULL = no integer",
+    "signed": "1 = two's complement, 0 = unsigned, NULL = no integer; by the entry's DataType, else by the object",
     "slots": "Number of Slot elements",
     "source_id": "Key in sources",
     "sources": "Number of documents that carry it",

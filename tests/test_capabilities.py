@@ -289,6 +289,33 @@ def test_places_in_the_default_image(tmp_path):
     ]
 
 
+@pytest.mark.parametrize(
+    ("data_type", "signed"),
+    [
+        ("", 1),  # as the object says, which is a SINT
+        ("<DataType>SINT</DataType>", 1),
+        ("<DataType>USINT</DataType>", 0),
+        ("<DataType>UINT8</DataType>", 0),
+        ("<DataType> unsigned8 </DataType>", 0),
+        ("<DataType>INT8</DataType>", 1),
+        ("<DataType>OWN</DataType>", 1),  # no base type: as the object says
+        ("<DataType>BOOL</DataType>", None),
+        ("<DataType>REAL</DataType>", None),
+        ("<DataType>STRING(1)</DataType>", None),
+        ("<DataType>ARRAY [0..0] OF BYTE</DataType>", None),
+    ],
+)
+def test_the_type_of_an_entry_counts_before_that_of_its_object(tmp_path, data_type, signed):
+    types = "<DataType><Name>SINT</Name><BitSize>8</BitSize></DataType>"
+    objects = "<Object><Index>#x7000</Index><Name>O</Name><Type>SINT</Type><BitSize>8</BitSize></Object>"
+    entry = f"<Entry><Index>{{}}</Index><SubIndex>0</SubIndex><BitLen>8</BitLen>{data_type}</Entry>"
+    entries = entry.format("#x7000") + entry.format("#x0")  # the second is a gap
+    content = f'<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name>{entries}</RxPdo>'
+    db = catalog_of(tmp_path, esi(device(dictionary(types, objects) + SM + content)))
+    query = "SELECT signed FROM device_pdo_entries ORDER BY position"
+    assert rows(db, query) == [(signed,), (None,)]
+
+
 def test_a_length_that_is_not_described_is_no_number(tmp_path):
     """Variable content before 16 bits: neither is the size known nor the place; inputs there are none."""
     empty = '<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name></RxPdo>'

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import sqlalchemy as sa
 
 from esicatalog.catalog.schema import metadata
-from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.model.base_types import TYPE_NAMES
 from esicatalog.model.cia402 import CIA402, DRIVE_MODES
 from esicatalog.model.revisions import BECKHOFF
 
@@ -89,13 +89,19 @@ def _number(bound: str) -> str:
     return f"CAST(coalesce(CAST(z.{bound}_int AS NUMERIC), CAST(z.{bound}_real AS NUMERIC)) AS NUMERIC)"
 
 
-def _signed(data_type: str) -> str:
-    """SQL for the signedness of a base type: 1, 0, or NULL where the question makes no sense."""
-    cases = {
-        value: ", ".join(f"'{base.name}'" for base in BASE_TYPES.values() if base.kind == kind)
-        for kind, value in (("int", 1), ("uint", 0))
-    }
-    return "CASE " + " ".join(f"WHEN {data_type} IN ({names}) THEN {value}" for value, names in cases.items()) + " END"
+def _signed(data_type: str, otherwise: str) -> str:
+    """SQL for the signedness of what a type name means by itself: 1, 0, or NULL where it is no integer.
+
+    ``otherwise`` is SQL for what counts where nobody knows the name. Texts and arrays, which have a length, are no
+    integers.
+    """
+    known: dict[str, list[str]] = {"1": [], "0": [], "NULL": []}
+    for name, base in TYPE_NAMES.items():
+        known[{"int": "1", "uint": "0"}.get(base.kind, "NULL")].append(f"'{name}'")
+    name = f"upper(trim({data_type}))"
+    cases = [f"WHEN {name} IN ({', '.join(names)}) THEN {value}" for value, names in known.items()]
+    with_length = f"WHEN {name} LIKE '%(%' OR {name} LIKE '%[%' THEN NULL"
+    return f"CASE {' '.join(cases)} {with_length} ELSE {otherwise} END"
 
 
 def _module_identity(dialect: str) -> str:
@@ -188,7 +194,9 @@ def _pdo_entries_view(kind: str, identity: str, source: str, dialect: str) -> Vi
             "AND z.subindex = coalesce(e.subindex, 0) ORDER BY q.position, l.position LIMIT 1)"
         )
 
-    signed = f"coalesce({described(_signed('z.base_type'))}, {_signed('e.data_type')})"
+    # The entry counts before the object that it maps, as in exports; what a gap says is nothing (ESI-FACTS section 9).
+    by_object = described(_signed("z.base_type", "NULL"))
+    signed = f"CASE WHEN e.entry_index <> 0 THEN {_signed('e.data_type', by_object)} END"
     # Where the whole PDO has no size the sum of its entries is no number that a query can hold.
     before = (
         "CASE WHEN p.bit_size IS NOT NULL THEN (SELECT coalesce(sum(b.bit_length), 0) FROM pdo_entries b "
