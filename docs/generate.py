@@ -158,8 +158,8 @@ VIEW_COLUMNS = {
     "pv": "Devices with PV",
     "revision_text": "Revision in the vendor's own style, where one is known (Beckhoff: -0016)",
     "rx_pdos": "Number of its own RxPdo",
-    "same_pdo_set": "1 = all PDOs of the devices themselves have the same layout, assigned or not; NULL = they have none "
-    "(those of modules are not compared)",
+    "same_pdo_set": "1 = all PDOs of the devices themselves have the same layout, assigned or not; NULL = neither has "
+    "any (those of modules are not compared)",
     "signed": "1 = two's complement, 0 = unsigned, NULL = no integer; by the entry's DataType, else by the object",
     "slots": "Number of Slot elements",
     "source_id": "Key in sources",

@@ -17,7 +17,8 @@ _BOOTSTRAP_BYTES = slice(2 * 0x14, 2 * 0x18)
 _SIZE = (
     "Bytes that the master {} in the default process image; 0 = none, NULL = not known: PDOs without SyncManagers, too "
     "long for them or of a length that is not described, a SyncManager with DefaultSize and no PDO, or a required slot "
-    "for which several modules with PDOs are described, or none"
+    "without a preset and with several ModuleIdents or a ModuleClass for modules with PDOs, with an ident of several "
+    "that differ, or of none that is described"
 )
 
 
