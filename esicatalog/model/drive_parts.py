@@ -3,7 +3,7 @@
 Rules of ESI-FACTS sections 12 and 16: objects that yield to those of modules, and RxPDOs that map a mode's setpoint.
 """
 
-from collections.abc import Collection, Container, Iterable, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 from itertools import combinations, product
 from typing import NamedTuple
 
@@ -78,13 +78,17 @@ def is_drive(part: Part) -> bool:
     return is_commanded_axis(part.axis, part.profiles, part.rx_pdos, part.views)
 
 
-def declaring_view(part: Part, index: int) -> DictionaryView | None:
-    """The dictionary with the object that counts, None without one."""
+def declaring_views(part: Part, index: int) -> Iterator[DictionaryView]:
+    """The dictionaries with the object, as far as it counts there."""
     for view in part.views:
         declared = view.by_index.get(index)
         if declared is not None and not (index in part.replaced and declared.overwritten_by_module):
-            return view
-    return None
+            yield view
+
+
+def declaring_view(part: Part, index: int) -> DictionaryView | None:
+    """The dictionary with the object that counts, None without one."""
+    return next(declaring_views(part, index), None)
 
 
 def is_declared(part: Part, index: int) -> bool:
@@ -101,7 +105,13 @@ def declared_entries(part: Part, index: int) -> Sequence[ObjectEntry]:
 
 def single_value(part: Part, index: int) -> ObjectEntry | None:
     """The single value of an object."""
-    return next(iter(declared_entries(part, index)), None)
+    return next(iter(single_values(part, index)), None)
+
+
+def single_values(part: Part, index: int) -> list[ObjectEntry]:
+    """The same in every dictionary that has the object."""
+    resolved = [view.resolved(index) for view in declaring_views(part, index)]
+    return [item.entries[0] for item in resolved if item is not None and item.entries]
 
 
 def may_be_mapped(part: Part, index: int) -> bool:
