@@ -207,7 +207,7 @@ order by d.vendor_id, d.product_code, d.revision_no, m.module_ident, pdo
         "description": (
             "vendor: vendor id (empty = any); product: product code; both as 0x044c2c52, #x044c2c52 or 72100946. "
             "superseded_by names the other revisions whose HideType hides this one; layout_changed compares the "
-            "default process image with that of the revision before."
+            "default process image with that of the revision before, and is empty where that is not known."
         ),
         "params": ["vendor", "product"],
         "sql": f"""\

@@ -132,7 +132,8 @@ VIEW_COLUMNS = {
     "first_source": "First document that carries it",
     "image_byte_bit": "Place in the default process image of the SyncManager: byte.bit",
     "is_default": "1 = the device's default OpMode",
-    "layout_changed": "1 = another default process image than the next lower revision (of the same type if any) has",
+    "layout_changed": "1 = another default process image than the next lower revision (of the same type if any) has, "
+    "NULL = not known",
     "maximum": "Maximum that the object dictionary gives",
     "minimum": "Minimum that the object dictionary gives",
     "module_id": "Key in modules",
@@ -151,8 +152,9 @@ VIEW_COLUMNS = {
     "profile": "Position of the profile whose dictionary holds the object, from 0",
     "revision_text": "Revision in the vendor's own style, where one is known (Beckhoff: -0016)",
     "rx_pdos": "Number of its own RxPdo",
-    "same_pdo_set": "1 = all PDOs have the same layout, assigned or not",
-    "signed": "1 = two's complement, 0 = unsigned, NULL = no integer",
+    "same_pdo_set": "1 = all PDOs of the devices themselves have the same layout, assigned or not; NULL = neither has "
+    "any (those of modules are not compared)",
+    "signed": "1 = two's complement, 0 = unsigned, NULL = no integer; by the entry's DataType, else by the object",
     "slots": "Number of Slot elements",
     "source_id": "Key in sources",
     "sources": "Number of documents that carry it",

@@ -166,8 +166,8 @@ def test_same_layout_is_found_and_never_called_a_replacement(tmp_path):
         found = catalog.devices(like=Identity(0xE5C, 1, 1))
         assert [(item.product_code, item.revision_no) for item in found] == [(1, 2), (7, 1)]
         assert [item.evidence[0].rpartition(", ")[2] for item in found] == [
-            "all its PDOs too",
-            "other PDOs differ",
+            "all PDOs of the device itself too",
+            "other PDOs of the device itself differ",
         ]
         assert all("same process-image layout as" in item.evidence[0] for item in found)
         with pytest.raises(InputError, match="no process data"):
@@ -179,16 +179,40 @@ def test_same_layout_is_found_and_never_called_a_replacement(tmp_path):
     assert "replacement" not in text
 
 
+def test_pdos_of_modules_are_not_compared(tmp_path):
+    """Two couplers without PDOs of their own, with the same module by default; a third has an optional PDO itself."""
+    slots = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">1</ModuleIdent>{}</Slot></Slots>'
+    more, optional = "<ModuleIdent>2</ModuleIdent>", pdo("RxPdo", "#x1601", 8)
+    module = '<Module><Type ModuleIdent="{0}">M</Type><Name>M</Name>{1}</Module>'
+    modules = "".join(
+        module.format(ident, pdo("RxPdo", f"#x170{ident}", 8 * ident, attributes='Sm="0"')) for ident in (1, 2)
+    )
+    contents = (SM + slots.format(""), SM + slots.format(more), SM + optional + slots.format(""))
+    devices = "".join(device(content, product=str(number)) for number, content in enumerate(contents, 1))
+    db = catalog_of(tmp_path, esi(devices, modules))
+    with Catalog.open(db) as catalog:
+        found = catalog.devices(like=Identity(0xE5C, 1, 1))
+    assert [item.evidence[0].partition(", ")[2] for item in found] == [
+        "no other PDOs but those of modules, which are not compared",
+        "other PDOs of the device itself differ",
+    ]
+    pairs = "SELECT same_pdo_set FROM same_process_image_layout WHERE product_code = 1 ORDER BY other_product_code_hex"
+    assert rows(db, pairs) == [(None,), (0,)]
+
+
 def test_what_has_no_known_length_is_like_nothing(tmp_path):
-    """Two revisions with the same words for what nobody describes: no change between them, and no same layout."""
+    """Revisions with the same words for what nobody describes: what changed and what they are like is not known."""
     open_sm = '<Sm DefaultSize="8">Outputs</Sm>'
     db = catalog_of(tmp_path, esi("".join(device(open_sm, revision=number) for number in "12")))
     with Catalog.open(db) as catalog:
-        assert [r.layout_changed for r in catalog.device("0xE5C:1:1").revisions] == [False, False]
+        revisions = catalog.device("0xE5C:1:1").revisions
+        assert [r.layout_changed for r in revisions] == [False, None]
+        assert [r.layout_words for r in revisions] == ["", "layout not known"]
         assert catalog.device("0xE5C:1:1").same_layout == ()
         with pytest.raises(InputError, match="the length of the default process image of"):
             catalog.devices(like=Identity(0xE5C, 1, 1))
     assert rows(db, "SELECT * FROM same_process_image_layout") == []
+    assert rows(db, "SELECT layout_changed FROM device_revisions ORDER BY revision_no") == [(0,), (None,)]
 
 
 def test_a_variant_is_listed_beside_the_preferred_ones_of_its_layout(tmp_path):
@@ -263,6 +287,33 @@ def test_places_in_the_default_image(tmp_path):
         ("0x1602", 0, 1, "0.3", *speed),
         ("0x1602", 0, 1, "1.3", *nothing),
     ]
+
+
+@pytest.mark.parametrize(
+    ("data_type", "signed"),
+    [
+        ("", 1),  # as the object says, which is a SINT
+        ("<DataType>SINT</DataType>", 1),
+        ("<DataType>USINT</DataType>", 0),
+        ("<DataType>UINT8</DataType>", 0),
+        ("<DataType> unsigned8 </DataType>", 0),
+        ("<DataType>INT8</DataType>", 1),
+        ("<DataType>OWN</DataType>", 1),  # no base type: as the object says
+        ("<DataType>BOOL</DataType>", None),
+        ("<DataType>REAL</DataType>", None),
+        ("<DataType>STRING(1)</DataType>", None),
+        ("<DataType>ARRAY [0..0] OF BYTE</DataType>", None),
+    ],
+)
+def test_the_type_of_an_entry_counts_before_that_of_its_object(tmp_path, data_type, signed):
+    types = "<DataType><Name>SINT</Name><BitSize>8</BitSize></DataType>"
+    objects = "<Object><Index>#x7000</Index><Name>O</Name><Type>SINT</Type><BitSize>8</BitSize></Object>"
+    entry = f"<Entry><Index>{{}}</Index><SubIndex>0</SubIndex><BitLen>8</BitLen>{data_type}</Entry>"
+    entries = entry.format("#x7000") + entry.format("#x0")  # the second is a gap
+    content = f'<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name>{entries}</RxPdo>'
+    db = catalog_of(tmp_path, esi(device(dictionary(types, objects) + SM + content)))
+    query = "SELECT signed FROM device_pdo_entries ORDER BY position"
+    assert rows(db, query) == [(signed,), (None,)]
 
 
 def test_a_length_that_is_not_described_is_no_number(tmp_path):

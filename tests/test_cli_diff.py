@@ -98,6 +98,18 @@ def test_differences_that_do_not_count(tmp_path):
     )
 
 
+def test_what_nobody_knows_is_not_called_the_same(tmp_path):
+    """One required slot, two alternative modules, no preset: which of them is there decides how long the image is."""
+    slot = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent>1</ModuleIdent><ModuleIdent>2</ModuleIdent>'
+    module = '<Module><Type ModuleIdent="{0}">M{0}</Type><Name>M{0}</Name>{1}</Module>'
+    modules = "".join(module.format(n, pdo("RxPdo", f"#x160{n}", 8 * n, attributes='Sm="2"')) for n in (1, 2))
+    texts = [esi(device(f"{SMS}{slot}</Slot></Slots>", name=name), modules) for name in "AB"]
+    done = run("--esi", *files(tmp_path, *texts))
+    assert done.stdout.splitlines()[-1] == (
+        "1 difference, none counts for a master; the default process image is the same as far as it is described"
+    )
+
+
 def test_no_catalog_is_opened_for_files(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     done = run("--esi", *files(tmp_path, esi(device(OLD)), esi(device(NEW))), db=tmp_path / "none.db")

@@ -319,14 +319,14 @@ def test_the_summary_counts_by_area():
     left = device(sms + pdo("RxPdo", "#x1600", 8, attributes='Sm="0"'), name="A")
     right = device(sms + pdo("RxPdo", "#x1600", 16, attributes='Sm="0"'), name="B")
     # name; the entry; the size of the image and the entry at 0.0
-    assert summary_words(compared(esi(left), esi(right))) == (
+    assert summary_words(compared(esi(left), esi(right)), True) == (
         "4 differences, 3 count for a master: 1 PDO, 2 process image"
     )
-    assert summary_words(compared(esi(left), esi(left))) == "no differences"
+    assert summary_words(compared(esi(left), esi(left)), True) == "no differences"
     other_name = left.replace(">A<", ">B<")
-    assert summary_words(compared(esi(left), esi(other_name))) == (
-        "1 difference, none counts for a master; the default process image is the same"
-    )
+    same = "1 difference, none counts for a master; the default process image is the same"
+    assert summary_words(compared(esi(left), esi(other_name)), True) == same
+    assert summary_words(compared(esi(left), esi(other_name)), False) == f"{same} as far as it is described"
 
 
 def test_texts_about_a_diagnosis():

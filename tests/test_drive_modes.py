@@ -330,6 +330,76 @@ def test_second_axis_needs_its_own_controlword():
     assert verdicts(one_drive(without), axis=1) == {}
 
 
+def test_an_axis_of_which_nothing_else_is_known_is_an_axis():
+    """Its controlword is evidence of CiA 402 (ESI-FACTS 16), though none of any mode."""
+    found = one_drive("</Profile>" + rx_pdo(("6040", 16), ("607A", 32), ("6840", 16)) + DC)
+    assert [(item.rank, item.evidence) for item in found.evidence if item.axis == 1] == [
+        ("F", "controlword 0x6840, but nothing says which modes")
+    ]
+    assert verdicts(found, axis=1) == {}
+    without_profile = one_drive("</Profile>" + rx_pdo(("6040", 16), ("6840", 16)), profile="0")
+    assert [(item.axis, item.rank) for item in without_profile.evidence] == [(0, "F"), (1, "F")]
+    (by_number,) = one_drive("</Profile>").evidence
+    assert (by_number.rank, by_number.evidence) == ("F", "profile number 402, but nothing says which modes")
+
+
+MODES_TYPE = (
+    "<DataType><Name>MODES</Name><BaseType>USINT</BaseType><BitSize>8</BitSize>"
+    "<EnumInfo><Text>Cyclic synchronous velocity mode (CSV)</Text><Enum>9</Enum></EnumInfo></DataType>"
+)
+
+
+def test_a_motion_terminal_lists_modes_in_a_plain_object_too():
+    plain = "<Object><Index>#x2010</Index><Name>m</Name><Type>MODES</Type><BitSize>8</BitSize></Object>"
+    (csv,) = one_drive("<AddInfo>742</AddInfo>" + dictionary(plain, types=MODES_TYPE), profile="5001").verdicts
+    assert (csv.kind, csv.mode, csv.verdict) == ("MDP 742", "CSV", "likely")
+    assert "0x2010" in csv.evidence
+
+
+@pytest.mark.parametrize("is_default", [True, False])
+def test_a_motion_terminal_in_a_slot_is_named(is_default):
+    plain = "<Object><Index>#x2010</Index><Name>m</Name><Type>MODES</Type><BitSize>8</BitSize></Object>"
+    profile = f"<Profile><ProfileNo>5001</ProfileNo><AddInfo>742</AddInfo>{dictionary(plain, types=MODES_TYPE)}"
+    modules = "".join(
+        f"<Module><Type ModuleIdent='{ident}'>M{ident}</Type><Name>Motion</Name>{content}</Module>"
+        for ident, content in ((1, ""), (2, profile))
+    )
+    default = 2 if is_default else 1
+    idents = "".join(f"<ModuleIdent Default='{int(ident == default)}'>{ident}</ModuleIdent>" for ident in (1, 2))
+    slots = f'<Slots><Slot MinInstances="1" MaxInstances="1">{idents}</Slot></Slots>'
+    info = snippets.read(snippets.esi(snippets.device(slots), modules)).document.infos[0]
+    (csv,) = drive_modes(info.devices[0], info.modules).verdicts
+    assert (csv.kind, csv.mode, csv.module_ident, csv.module_is_default) == ("MDP 742", "CSV", 2, is_default)
+    assert csv.evidence.startswith("module 'M2 / Motion': values of 0x2010 list ")
+
+
+def two_dictionaries(first: str, second: str) -> DriveModes:
+    """A profile 5001 and one of 402, each with a 0x6502."""
+    both = (
+        dictionary(supported_modes(first)) + f"<Profile><ProfileNo>402</ProfileNo>{dictionary(supported_modes(second))}"
+    )
+    return one_drive(both, profile="5001")
+
+
+@pytest.mark.parametrize("first", ["00000000", "", "80000000"])
+def test_a_dictionary_that_says_nothing_hides_no_other(first):
+    """Zero and absent say nothing; bit 7 of the second is CSP."""
+    found = two_dictionaries(first, "80000000")
+    csp = verdict_of(found, "CSP")
+    assert (csp.verdict, csp.conflict) == ("yes", False)
+    assert verdict_of(found, "CSV").verdict == "no"
+
+
+def test_dictionaries_that_say_different_things_are_a_conflict():
+    found = two_dictionaries("80000000", "80010000")
+    assert [(verdict_of(found, mode).verdict, verdict_of(found, mode).conflict) for mode in ("CSP", "CSV", "CST")] == [
+        ("yes", False),
+        ("likely", True),
+        ("no", False),
+    ]
+    assert {(item.rank, item.conflict) for item in found.evidence if item.mode == "CSV"} == {("A-", True), ("A+", True)}
+
+
 def test_listed_modes_of_a_motion_terminal_are_likely():
     """They weigh as much as a list of 0x6060, which is no "yes" either."""
     types = (
@@ -343,10 +413,20 @@ def test_listed_modes_of_a_motion_terminal_are_likely():
     assert (csv.kind, csv.mode, csv.verdict, csv.score) == ("MDP 742", "CSV", "likely", 0.75)
 
 
-def test_soe_drive_is_unknown():
+def test_what_speaks_soe_may_be_a_drive():
     body = "</Profile><Mailbox><SoE/></Mailbox>"
     (found,) = one_drive(body, profile="0").verdicts
     assert (found.kind, found.verdict) == ("SoE", "unknown")
+    assert found.evidence.startswith("speaks SoE: if it is a drive, its modes are in IDN S-0-0032")
+
+
+def test_idns_are_no_objects():
+    """P-0-0040 is IDN 0x8040: a word of 16 bits, as the controlword of axis 4 would be."""
+    motor_current = "<Object><Index>#x8040</Index><Name>c</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+    for protocols, axes in (("<SoE/>", set()), ("<CoE/><SoE/>", {4})):
+        found = one_drive(dictionary(motor_current) + f"<Mailbox>{protocols}</Mailbox>", profile="0")
+        assert {item.axis for item in found.evidence} == axes
+        assert [item.kind for item in found.verdicts] == ["SoE"]
 
 
 @pytest.mark.parametrize(

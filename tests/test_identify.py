@@ -196,51 +196,75 @@ NO_LENGTH = '<RxPdo Sm="0"><Index>#x1600</Index><Entry><Index>#x7000</Index></En
 
 
 @pytest.mark.parametrize(
-    ("here", "there", "words"),
+    ("here", "there", "words", "then"),
     [
         (
             "<Sm>Outputs</Sm>" + VARIABLE + pdo("RxPdo", "#x1601", 8, 16, attributes='Sm="0"'),
             "<Sm>Outputs</Sm>" + VARIABLE + pdo("RxPdo", "#x1601", 16, 8, attributes='Sm="0"'),
             "in PDOs of unknown length, or behind them",
+            None,
         ),
         (
             '<Sm DefaultSize="4">Outputs</Sm><Sm>Inputs</Sm>' + pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"'),
             '<Sm DefaultSize="8">Outputs</Sm><Sm>Inputs</Sm>' + pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"'),
             "SyncManagers without PDOs have DefaultSize SM0 4 here, SM0 8 there",
+            None,
         ),
         (
             '<Sm DefaultSize="8">Outputs</Sm>',
             '<Sm DefaultSize="64">Outputs</Sm>',
             "SyncManagers without PDOs have DefaultSize SM0 8 here, SM0 64 there",
+            None,
         ),
         (
             f"<Sm>Outputs</Sm>{SLOT_OF_NOBODY}",
             "<Sm>Outputs</Sm>",
             "slots that need a module: 1 here, none there",
+            0,
         ),
         (
             "<Sm>Outputs</Sm>" + VARIABLE,
             "<Sm>Outputs</Sm>" + VARIABLE.replace("1600", "1601"),
             "in PDOs of unknown length, or behind them",
+            None,
         ),
         (
             "<Sm>Outputs</Sm>" + NO_LENGTH,
             "<Sm>Outputs</Sm>" + NO_LENGTH.replace("1600", "1601"),
             "in PDOs of unknown length, or behind them",
+            None,
         ),
         (
             "<Sm>Outputs</Sm>" + NO_LENGTH,
             "<Sm>Outputs</Sm>" + NO_LENGTH.replace("</Index></Entry>", "</Index><BitLen>16</BitLen></Entry>"),
             "SM0 byte 0.0 is 0x7000:00 (no length) here, 0x7000:00 (16 bit) there",
+            0,
         ),
     ],
 )
-def test_layouts_differ_where_no_place_is_known(tmp_path, here, there, words):
+def test_layouts_differ_where_no_place_is_known(tmp_path, here, there, words, then):
+    """A third revision is described as the second: whether it is the same is known with its length only."""
     text = esi(device(here, revision="#x1") + device(there, revision="#x2") + device(there, revision="#x3"))
     db = catalog_of(tmp_path, text)
     (warning,) = answer(db, 0xE5C, 1, 1).warnings
     assert warning.endswith(words)
-    assert rows(db, "SELECT layout_changed FROM device_revisions ORDER BY revision_no") == [(0,), (1,), (0,)]
+    assert rows(db, "SELECT layout_changed FROM device_revisions ORDER BY revision_no") == [(0,), (1,), (then,)]
+
+
+def test_equal_layouts_that_are_not_described_in_full_may_differ(tmp_path):
+    """Revisions 1 and 2 have a PDO of no known content, which may be another one in each; 3 has two known bytes."""
+    content, known = "<Sm>Outputs</Sm>" + VARIABLE, "<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 16, attributes='Sm="0"')
+    unknown = device(content, revision="#x1") + device(content, revision="#x3")
+    (tmp_path / "more").mkdir()
+    db = catalog_of(tmp_path, esi(unknown))
+    assert answer(db, 0xE5C, 1, 2).warnings == (
+        "whether the default process image differs in 1 of 1 other revisions is not known: its length is not described",
+    )
+    db = catalog_of(tmp_path / "more", esi(unknown + device(known, revision="#x4")))
+    (warning,) = answer(db, 0xE5C, 1, 2).warnings
+    assert warning.startswith(
+        "default process image differs in 1 of 2 other revisions, whether in 1 more is not known; 0x00000004 for "
+    )
 
 
 def test_an_empty_sync_manager_more_is_the_same_layout(tmp_path):

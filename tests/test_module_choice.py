@@ -13,6 +13,8 @@ from esicatalog.cli.main import cli
 from esicatalog.errors import InputError
 from esicatalog.identity import ModuleChoice, parse_plugged
 from esicatalog.model.module_choice import chosen_modules, module_choices
+from esicatalog.model.process_image import SmImage, default_process_image
+from esicatalog.model.slots import default_modules
 
 COUPLER = "/-/esi/device/0xe5c/1/1"
 IDENTS = "".join(f"<ModuleIdent>#x{number:x}</ModuleIdent>" for number in (0x10, 0x20, 0x30, *range(0x100, 0x10C)))
@@ -60,6 +62,28 @@ def sizes(*written: str) -> list[int]:
 )
 def test_a_module_of_several_with_one_ident_is_chosen_by_its_type(written, bits):
     assert sizes(written) == [bits]
+
+
+def preset(ident: str, attributes: str = 'Default="1"') -> tuple[list[int], SmImage]:
+    """Bits of the PDOs of what is plugged without a choice into a required slot, and the image."""
+    slot = f'<Slot MinInstances="1" MaxInstances="1"><ModuleIdent {attributes}>{ident}</ModuleIdent></Slot>'
+    info = read(esi(device(f"<Sm>Outputs</Sm><Slots>{slot}</Slots>"), MODULES)).document.infos[0]
+    plugged = default_modules(info.devices[0], info.modules)
+    (image,) = default_process_image(info.devices[0], info.modules)
+    return [item.module.rx_pdos[0].entries[0].bit_length or 0 for item in plugged], image
+
+
+@pytest.mark.parametrize("attributes", ['Default="1"', ""])
+def test_a_preset_ident_of_modules_that_differ_is_no_choice(attributes):
+    """0x10 is 3 or 11 bytes long; 0x20 one byte, whichever of the two it is."""
+    bits, image = preset("#x10", attributes)
+    assert (bits, image.byte_size) == ([], None)
+    assert image.remarks == (
+        "slot 0 without a module, though required: PDOs of modules are missing; what fits slot 0: "
+        "0x10/Serial (3 Byte), 0x10/Serial (11 Byte)",
+    )
+    bits, image = preset("#x20", attributes)
+    assert (bits, image.byte_size, image.remarks) == ([8], 1, ())
 
 
 @pytest.mark.parametrize(

@@ -735,7 +735,7 @@ async def test_neighbours_of_a_variant_are_compared_with_that_variant(tmp_path):
         assert (f"/-/esi/?like={identity}" in links) == bool(more)
         with Catalog.open(db) as catalog:
             shown = catalog.device(identity.replace(":0x00000001", ":1")).revisions
-        assert ["layout changed" if item.layout_changed else "" for item in shown] == marks
+        assert [item.layout_words for item in shown] == marks
 
 
 async def test_labels_and_examples_of_written_filters(data_db):

@@ -312,6 +312,28 @@ def test_an_alignment_that_no_sync_manager_holds_is_left_out():
     assert image.overflow is not None and "PDO 0x16FF" in image.overflow
 
 
+@pytest.mark.parametrize(
+    ("tx_pdo", "byte_size", "remark"),
+    [
+        ("TxPdo='#x1BF1'", 2, None),
+        ("", 1, "ModulePdoGroup 'g' has no TxPdo to fill up with: it is not aligned to 2 bytes"),
+        (
+            "TxPdo='x'",
+            None,
+            "ModulePdoGroup 'g' has no TxPdo to fill up with ('x' is not a HexDecValue): it is not aligned to 2 bytes",
+        ),
+    ],
+)
+def test_a_group_is_filled_up_by_a_pdo_of_its_own_alone(tx_pdo, byte_size, remark):
+    """8 bits each way in a group that is aligned to 2 bytes, for which both directions need a PDO (ESI-FACTS 12.1)."""
+    pdos = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"')
+    group = GROUP.format(f"<ModulePdoGroup Alignment='2' RxPdo='#x17F1' {tx_pdo}>g</ModulePdoGroup>")
+    text = device(SMS + pdos + group).replace("<Type ", '<Type ModulePdoGroup="0" ')
+    outputs, inputs = default_process_image(read(esi(text)).document.infos[0].devices[0])
+    assert (indices(outputs), outputs.byte_size, outputs.remarks) == ([0x1600, 0x17F1], 2, ())
+    assert (inputs.byte_size, inputs.remarks) == (byte_size, (remark,) if remark is not None else ())
+
+
 def test_a_virtual_sync_manager_transports_nothing():
     virtual = SMS + '<Sm Virtual="1">Outputs</Sm>'
     content = pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')

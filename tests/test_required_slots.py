@@ -62,6 +62,15 @@ def test_sizes_are_known_where_every_required_slot_has_its_module(slots, expecte
     assert sizes(slots) == expected
 
 
+def test_a_class_of_modules_is_no_preset():
+    """One described module belongs to the class; other documents, of other vendors even, may describe more."""
+    slots = f"<Slot {REQUIRED}><ModuleClass><Class>C</Class></ModuleClass></Slot>"
+    of_class = module(1, OUT).replace("<Type ", '<Type ModuleClass="C" ')
+    info = read(esi(device(f"{SMS}{OWN}<Slots>{slots}</Slots>"), of_class)).document.infos[0]
+    assert reachable_modules(info.devices[0], info.modules) == list(info.modules)
+    assert default_process_image(info.devices[0], info.modules)[0].byte_size is None
+
+
 def test_what_is_missing_is_told_for_its_direction():
     slots = slot(REQUIRED, 1, 3) + slot('MinInstances="2" MaxInstances="3"', 1, 2)
     images = {image.sm: image for image in default_process_image(*described(slots))}

@@ -155,7 +155,12 @@ def like(number: int, words: str, facts: Any) -> Condition:
     columns = device_facts.c
 
     def compared(pdo_signature: str | None) -> str:
-        rest = "all its PDOs too" if pdo_signature == facts.pdo_signature else "other PDOs differ"
+        if pdo_signature is None and facts.pdo_signature is None:
+            rest = "no other PDOs but those of modules, which are not compared"
+        elif pdo_signature == facts.pdo_signature:
+            rest = "all PDOs of the device itself too"
+        else:
+            rest = "other PDOs of the device itself differ"
         return f"same process-image layout as {words}, {rest}"
 
     return with_row(

@@ -23,7 +23,8 @@ _MOST_KEPT = 4096
 
 _COLUMNS = "d.id, d.vendor_id, d.product_code, d.revision_no, d.variant, v.name, d.type, d.name, d.hidden"
 _OF_PRODUCT = (
-    f"SELECT {_COLUMNS}, d.check_revision_no, f.image_signature FROM devices d "
+    f"SELECT {_COLUMNS}, d.check_revision_no, f.image_signature, "
+    "f.output_bytes IS NOT NULL AND f.input_bytes IS NOT NULL FROM devices d "
     "LEFT JOIN vendors v ON v.vendor_id = d.vendor_id JOIN device_facts f ON f.device_id = d.id "
     "WHERE d.vendor_id = ? AND d.product_code = ? ORDER BY d.revision_no NULLS FIRST, d.type NULLS FIRST, d.variant"
 )
@@ -121,6 +122,7 @@ class _Row(NamedTuple):
     hidden: int
     check_revision_no: str | None
     image_signature: str | None
+    image_is_known: bool
 
 
 _AT_BUS = (
@@ -254,14 +256,24 @@ class IdentityLookup:
         return self._warning(ours, variants, "variants of this identity", lambda row: f"@{row.variant}")
 
     def _warning(self, ours: _Row, rows: list[_Row], what: str, name: Callable[[_Row], str]) -> str | None:
-        """Descriptions with another default process image: code written for one reads wrong data on the other."""
+        """Descriptions with another default process image: code written for one reads wrong data on the other.
+
+        Equal ones that are not described in full may be other ones, too.
+        """
         differing = [row for row in rows if row.image_signature != ours.image_signature]
-        if not differing:
+        unknown = [row for row in rows if not (ours.image_is_known and row.image_is_known) and row not in differing]
+        if not differing and not unknown:
             return None
+        if not differing:
+            return (
+                f"whether the default process image differs in {len(unknown)} of {len(rows)} other {what} is not "
+                "known: its length is not described"
+            )
         nearest = differing[0]
         words = self._difference(ours.image_signature, nearest.image_signature, ours.id, nearest.id)
+        more = f", whether in {len(unknown)} more is not known" if unknown else ""
         return (
-            f"default process image differs in {len(differing)} of {len(rows)} other {what}; "
+            f"default process image differs in {len(differing)} of {len(rows)} other {what}{more}; "
             f"{name(nearest)} for example: {words}"
         )
 

@@ -9,14 +9,25 @@ from esicatalog.catalog.devices import SUMMARY, summary
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import device_facts, devices
 
+_IMAGE_IS_KNOWN = sa.and_(device_facts.c.output_bytes.is_not(None), device_facts.c.input_bytes.is_not(None))
+"""Whether the default process image of a description is known in full."""
+
 
 class Revision(msgspec.Struct, frozen=True):
     """A revision of a product, by one of its descriptions."""
 
     device: FoundDevice
     hidden: bool
-    layout_changed: bool
-    """The default process image differs from that of the next lower revision, of the same type if there is one."""
+    layout_changed: bool | None
+    """The default process image differs from that of the next lower revision, of the same type if there is one.
+
+    None where both are the same as far as they are described, and that is not all.
+    """
+
+    @property
+    def layout_words(self) -> str:
+        """The same as sheets and pages say it."""
+        return {True: "layout changed", False: "", None: "layout not known"}[self.layout_changed]
 
 
 def revisions_of(connection: sa.Connection, device_id: int, found: FoundDevice) -> tuple[Revision, ...]:
@@ -29,7 +40,7 @@ def revisions_of(connection: sa.Connection, device_id: int, found: FoundDevice) 
     columns = devices.c
     other = sa.and_(columns.variant == 1, columns.revision_no.is_distinct_from(found.revision_no))
     rows = connection.execute(
-        SUMMARY.add_columns(device_facts.c.image_signature)
+        SUMMARY.add_columns(device_facts.c.image_signature, _IMAGE_IS_KNOWN.label("image_is_known"))
         .join(device_facts, device_facts.c.device_id == columns.id)
         .where(
             columns.vendor_id == found.vendor_id,
@@ -42,11 +53,16 @@ def revisions_of(connection: sa.Connection, device_id: int, found: FoundDevice) 
     revisions = []
     for row in rows:
         previous = before.get(row.type) or before.get(None)
-        changed = previous is not None and previous.image_signature != row.image_signature
-        revisions.append(Revision(summary(row), bool(row.hidden), changed))
+        revisions.append(Revision(summary(row), bool(row.hidden), _changed(previous, row)))
         if row.revision_no is not None:
             before[row.type] = before[None] = row
     return tuple(revisions)
+
+
+def _changed(previous: Any, row: Any) -> bool | None:
+    if previous is None or previous.image_signature != row.image_signature:
+        return previous is not None
+    return False if previous.image_is_known and row.image_is_known else None
 
 
 def same_layout(connection: sa.Connection, device_id: int) -> tuple[FoundDevice, ...]:
@@ -55,8 +71,8 @@ def same_layout(connection: sa.Connection, device_id: int) -> tuple[FoundDevice,
     None where its length is not known: what is not described may differ.
     """
     facts = device_facts.c
-    known = sa.and_(facts.device_id == device_id, facts.output_bytes.is_not(None), facts.input_bytes.is_not(None))
-    signature = connection.execute(sa.select(facts.image_signature).where(known)).scalar()
+    ours = sa.select(facts.image_signature).where(facts.device_id == device_id, _IMAGE_IS_KNOWN)
+    signature = connection.execute(ours).scalar()
     if signature is None:
         return ()
     rows = connection.execute(

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import sqlalchemy as sa
 
 from esicatalog.catalog.schema import metadata
-from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.model.base_types import TYPE_NAMES
 from esicatalog.model.cia402 import CIA402, DRIVE_MODES
 from esicatalog.model.drive_modes import accepted_verdicts
 from esicatalog.model.revisions import BECKHOFF
@@ -90,13 +90,19 @@ def _number(bound: str) -> str:
     return f"CAST(coalesce(CAST(z.{bound}_int AS NUMERIC), CAST(z.{bound}_real AS NUMERIC)) AS NUMERIC)"
 
 
-def _signed(data_type: str) -> str:
-    """SQL for the signedness of a base type: 1, 0, or NULL where the question makes no sense."""
-    cases = {
-        value: ", ".join(f"'{base.name}'" for base in BASE_TYPES.values() if base.kind == kind)
-        for kind, value in (("int", 1), ("uint", 0))
-    }
-    return "CASE " + " ".join(f"WHEN {data_type} IN ({names}) THEN {value}" for value, names in cases.items()) + " END"
+def _signed(data_type: str, otherwise: str) -> str:
+    """SQL for the signedness of what a type name means by itself: 1, 0, or NULL where it is no integer.
+
+    ``otherwise`` is SQL for what counts where nobody knows the name. Texts and arrays, which have a length, are no
+    integers.
+    """
+    known: dict[str, list[str]] = {"1": [], "0": [], "NULL": []}
+    for name, base in TYPE_NAMES.items():
+        known[{"int": "1", "uint": "0"}.get(base.kind, "NULL")].append(f"'{name}'")
+    name = f"upper(trim({data_type}))"
+    cases = [f"WHEN {name} IN ({', '.join(names)}) THEN {value}" for value, names in known.items()]
+    with_length = f"WHEN {name} LIKE '%(%' OR {name} LIKE '%[%' THEN NULL"
+    return f"CASE {' '.join(cases)} {with_length} ELSE {otherwise} END"
 
 
 def _module_identity(dialect: str) -> str:
@@ -189,7 +195,9 @@ def _pdo_entries_view(kind: str, identity: str, source: str, dialect: str) -> Vi
             "AND z.subindex = coalesce(e.subindex, 0) ORDER BY q.position, l.position LIMIT 1)"
         )
 
-    signed = f"coalesce({described(_signed('z.base_type'))}, {_signed('e.data_type')})"
+    # The entry counts before the object that it maps, as in exports; what a gap says is nothing (ESI-FACTS section 9).
+    by_object = described(_signed("z.base_type", "NULL"))
+    signed = f"CASE WHEN e.entry_index <> 0 THEN {_signed('e.data_type', by_object)} END"
     # Where the whole PDO has no size the sum of its entries is no number that a query can hold.
     before = (
         "CASE WHEN p.bit_size IS NOT NULL THEN (SELECT coalesce(sum(b.bit_length), 0) FROM pdo_entries b "
@@ -217,7 +225,16 @@ def _capabilities(dialect: str) -> list[View]:
     identity = _device_identity(dialect)
     module = f"{hex_text('m.module_ident', 8, dialect)} AS module_ident_hex"
     previous = f"coalesce({_previous('AND o.type = n.type ')}, {_previous('')})"
-    changed = "r.previous_id IS NOT NULL AND coalesce(f.image_signature, '') <> coalesce(b.image_signature, '')"
+    both_known = " AND ".join(f"{facts}.{size}_bytes IS NOT NULL" for facts in "fb" for size in ("output", "input"))
+    changed = (
+        "CASE WHEN r.previous_id IS NULL THEN 0 "
+        "WHEN coalesce(f.image_signature, '') <> coalesce(b.image_signature, '') THEN 1 "
+        f"WHEN {both_known} THEN 0 END"
+    )
+    same_pdo_set = (
+        "CASE WHEN f.pdo_signature = g.pdo_signature THEN 1 "
+        "WHEN coalesce(f.pdo_signature, g.pdo_signature) IS NOT NULL THEN 0 END"
+    )
     return [
         View(
             "device_drive_modes",
@@ -241,8 +258,9 @@ def _capabilities(dialect: str) -> list[View]:
         View(
             "device_revisions",
             "Preferred descriptions of each product by revision; layout_changed compares the default process image "
-            "with the next lower revision, of the same type where there is one.",
-            f"SELECT {identity}, r.previous_id, {_flag(changed)} AS layout_changed, "
+            "with the next lower revision, of the same type where there is one; NULL where both are the same as far as "
+            "they are described, and that is not all.",
+            f"SELECT {identity}, r.previous_id, {_integer(changed)} AS layout_changed, "
             "f.output_bytes, f.input_bytes, f.image_signature "
             f"FROM (SELECT n.id, {_integer(previous)} AS previous_id "
             "FROM devices n WHERE n.variant = 1 AND n.vendor_id IS NOT NULL AND n.product_code IS NOT NULL) r "
@@ -258,7 +276,7 @@ def _capabilities(dialect: str) -> list[View]:
             f"{hex_text('o.vendor_id', 8, dialect)} AS other_vendor_id_hex, "
             f"{hex_text('o.product_code', 8, dialect)} AS other_product_code_hex, "
             f"{hex_text('o.revision_no', 8, dialect)} AS other_revision_no_hex, o.type AS other_type, "
-            f"{_flag('f.pdo_signature = g.pdo_signature')} AS same_pdo_set, f.output_bytes, "
+            f"{_integer(same_pdo_set)} AS same_pdo_set, f.output_bytes, "
             f"f.input_bytes {_DEVICES} JOIN device_facts f ON f.device_id = d.id "
             "JOIN device_facts g ON g.image_signature = f.image_signature JOIN devices o ON o.id = g.device_id "
             "WHERE o.id <> d.id AND o.variant = 1 AND f.output_bytes IS NOT NULL AND f.input_bytes IS NOT NULL",

@@ -90,7 +90,7 @@ def _neighbours(description: DeviceDescription) -> Iterator[str]:
             _hex(item.device.revision_no, 8) or "-",
             revision_text(item.device.vendor_id, item.device.revision_no) or "",
             "hidden" if item.hidden else "",
-            "layout changed" if item.layout_changed else "",
+            item.layout_words,
             item.device.type or "",
         ]
         for item in description.revisions

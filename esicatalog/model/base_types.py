@@ -79,6 +79,11 @@ _ALIASES = {
     "FLOAT": "REAL",
     "DOUBLE": "LREAL",
 }
+TYPE_NAMES: dict[str, BaseType] = {
+    **BASE_TYPES,
+    **{alias: BASE_TYPES[name] for alias, name in _ALIASES.items()},
+}
+"""What a name in capitals means; texts, whose names have a length, apart."""
 _SIZED = re.compile(r"(STRING|VISIBLE_STRING|OCTET_STRING|UNICODE_STRING)\s*\(\s*(\d+)\s*\)")
 _ARRAY = re.compile(r"ARRAY\s*\[\s*(\d+)\s*\.\.\s*(\d+)\s*\]\s*OF\s+(\w+)")
 _ARRAY_KINDS = {"BYTE": "OCTET_STRING", "USINT": "OCTET_STRING", "UINT": "UNICODE_STRING"}
@@ -90,7 +95,7 @@ def base_type(name: str | None) -> BaseType | None:
     if not name:
         return None
     text = name.strip().upper()
-    found = BASE_TYPES.get(_ALIASES.get(text, text))
+    found = TYPE_NAMES.get(text)
     if found is not None:
         return found
     sized = _SIZED.fullmatch(text)

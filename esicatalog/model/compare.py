@@ -58,12 +58,17 @@ def compare_devices(
     ]
 
 
-def summary_words(differences: Iterable[Difference]) -> str:
-    """How many there are and how many count, e.g. ``37 differences, 4 count for a master: 3 PDO, 1 Dc``."""
+def summary_words(differences: Iterable[Difference], images_are_known: bool) -> str:
+    """How many there are and how many count, e.g. ``37 differences, 4 count for a master: 3 PDO, 1 Dc``.
+
+    ``images_are_known`` is whether the default process images of both devices are described in full (see
+    :attr:`~esicatalog.model.process_data.ProcessData.image_is_known`): else nobody knows whether they are the same.
+    """
     found = list(differences)
     if not found:
         return "no differences"
-    image = "" if any(item.area == PROCESS_IMAGE for item in found) else "; the default process image is the same"
+    same = "; the default process image is the same" + ("" if images_are_known else " as far as it is described")
+    image = "" if any(item.area == PROCESS_IMAGE for item in found) else same
     counting = Counter(item.area for item in found if item.counts)
     total = counted(len(found), "difference")
     if not counting:

@@ -17,7 +17,8 @@ _BOOTSTRAP_BYTES = slice(2 * 0x14, 2 * 0x18)
 _SIZE = (
     "Bytes that the master {} in the default process image; 0 = none, NULL = not known: PDOs without SyncManagers, too "
     "long for them or of a length that is not described, a SyncManager with DefaultSize and no PDO, or a required slot "
-    "for which several modules with PDOs are described, or none"
+    "without a preset and with several ModuleIdents or a ModuleClass for modules with PDOs, with an ident of several "
+    "that differ, or of none that is described"
 )
 
 
@@ -52,7 +53,10 @@ class DeviceFacts(Record):
     image_signature: Annotated[
         str | None, Doc("Digest of the default process image: equal = same layout, as far as it is described")
     ] = None
-    pdo_signature: Annotated[str | None, Doc("Digest of all PDOs with their entries: equal = same PDO set")] = None
+    pdo_signature: Annotated[
+        str | None,
+        Doc("Digest of all PDOs of the device itself with their entries, those of modules left out; NULL without any"),
+    ] = None
     fsoe: Annotated[str | None, Doc("Evidence of FSoE: high or medium; not a safety statement")] = None
     fsoe_evidence: Annotated[str | None, Doc("That evidence in words")] = None
 

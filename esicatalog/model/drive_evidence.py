@@ -15,6 +15,7 @@ from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.model.cia402 import (
+    CONTROLWORD,
     DRIVE_MODES,
     MODE_BY_CODE,
     MODES_OF_OPERATION,
@@ -37,7 +38,9 @@ from esicatalog.model.drive_parts import (
     pdo_words,
     setpoint_words,
     single_value,
+    single_values,
 )
+from esicatalog.model.profile_facts import has_profile_402
 from esicatalog.model.start_up import start_command, written_data
 
 YES, NO = "yes", "no"
@@ -62,7 +65,7 @@ RANKS: dict[str, tuple[str, float]] = {
     "D3": ("inferred from setpoint", 0.40),
     "D3 split": ("inferred from setpoint that two modes share", 0.20),
     "E": ("inferred from the dictionary", 0.25),
-    "F": ("profile number only", 0.05),
+    "F": ("drive evidence only", 0.05),
 }
 """Words and score of each rank."""
 
@@ -94,6 +97,16 @@ def find_evidence(part: Part) -> Iterator[ModeEvidence]:
     yield from _in_range(part)
 
 
+def axis_alone(part: Part) -> ModeEvidence:
+    """What is found of an axis of which nothing says which modes it has."""
+    wording, score = RANKS["F"]
+    what = "profile number 402" if has_profile_402(part.profiles) else f"controlword 0x{part.at(CONTROLWORD):04X}"
+    text = f"{what}, but nothing says which modes"
+    return ModeEvidence(
+        axis=part.axis, module_ident=part.module_ident, rank="F", wording=wording, score=score, evidence=text
+    )
+
+
 def _finding(
     part: Part,
     mode: DriveMode,
@@ -122,22 +135,24 @@ def _finding(
 
 
 def _supported_modes(part: Part) -> Iterator[ModeEvidence]:
-    """Default of 0x6502: bit b declares mode b + 1. Absent and zero say nothing."""
+    """Default of 0x6502: bit b declares mode b + 1. Absent and zero say nothing.
+
+    Every dictionary of the part that says something counts; where one says yes and another no, both are a conflict.
+    """
     index = part.at(SUPPORTED_DRIVE_MODES)
-    entry = single_value(part, index)
-    modes = supported_modes(entry) if entry is not None else None
-    if entry is None or modes is None:
-        return
-    value, rank, doubt = modes
+    said = [(entry, modes) for entry in single_values(part, index) if (modes := supported_modes(entry)) is not None]
     for mode in DRIVE_MODES.values():
-        is_set = bool(value >> mode.bit & 1)
-        text = f"0x{index:04X} default {entry.default_raw}{doubt} has bit {mode.bit} ({mode.name})"
-        if is_set:
-            text = f"declared in ESI: {text} set; read 0x{index:04X} on the drive"
-            yield _finding(part, mode, rank, text, conflict=rank != "A+", object_index=index)
-        elif rank == "A+":
-            text = f"declared in ESI: {text} clear; read 0x{index:04X} on the drive"
-            yield _finding(part, mode, "A-", text, polarity=NO, object_index=index)
+        claims = {modes.claims(mode) for _, modes in said}
+        for entry, modes in said:
+            claim, contradicted = modes.claims(mode), {True, False} <= claims
+            bit = "set" if claim else "clear"
+            text = f"0x{index:04X} default {entry.default_raw}{modes.doubt} has bit {mode.bit} ({mode.name}) {bit}"
+            text = f"declared in ESI: {text}; read 0x{index:04X} on the drive"
+            if claim:
+                doubtful = contradicted or modes.rank != "A+"
+                yield _finding(part, mode, modes.rank, text, conflict=doubtful, object_index=index)
+            elif claim is not None:
+                yield _finding(part, mode, "A-", text, polarity=NO, conflict=contradicted, object_index=index)
 
 
 class SupportedModes(NamedTuple):
@@ -149,6 +164,12 @@ class SupportedModes(NamedTuple):
     """``A+``, or what speaks against it: ``A+ swapped``, ``A+ short``."""
     doubt: str
     """The same in words, empty where nothing does."""
+
+    def claims(self, mode: DriveMode) -> bool | None:
+        """Whether a mode is declared; None where a clear bit says nothing, since something speaks against the value."""
+        if self.bits >> mode.bit & 1:
+            return True
+        return False if self.rank == "A+" else None
 
 
 def supported_modes(entry: ObjectEntry) -> SupportedModes | None:

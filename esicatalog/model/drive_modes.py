@@ -4,8 +4,8 @@ Modules that are alternatives in one slot are judged one by one, each with the d
 what any of them can, and the recipe names which one to plug.
 """
 
-from collections.abc import Container, Iterable, Sequence
-from itertools import chain
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from itertools import chain, islice
 from typing import Annotated, NamedTuple
 
 import msgspec
@@ -19,7 +19,7 @@ from esicatalog.model.cia402 import CIA402, DRIVE_MODES, DriveMode, denies, name
 from esicatalog.model.dictionary import enum_values
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.drive_configurations import configurations, device_parts, module_parts, slots_declaring
-from esicatalog.model.drive_evidence import NO, RANKS, YES, ModeEvidence, find_evidence
+from esicatalog.model.drive_evidence import NO, RANKS, YES, ModeEvidence, axis_alone, find_evidence, module_names
 from esicatalog.model.drive_parts import Part, is_drive, mapping_pdos, marked_objects, yielding
 from esicatalog.model.drive_recipe import mode_recipe
 from esicatalog.model.drive_setup import ConfiguredDrive
@@ -75,9 +75,11 @@ def drive_modes(
     ``views`` knows dictionaries that were looked at before, ``images`` is the default process image where it is known.
     """
     views = views or DictionaryViews()
+    has_idns = device.mailbox is not None and device.mailbox.soe and not device.mailbox.coe
     drives = [module for module in modules if may_be_commanded(module, views)]
-    if not drives and not may_be_commanded(device, views):
-        return DriveModes(verdicts=tuple(_other_systems(device, views)))
+    # What SoE alone numbers are IDNs, whatever they look like: P-0-0040 of AX5000 drives is no controlword 0x8040.
+    if has_idns or (not drives and not may_be_commanded(device, views)):
+        return DriveModes(verdicts=tuple(_other_systems(device, modules, views)))
     there = default_modules(device, modules)
     images = default_process_image(device, modules) if images is None else images
     own = device_parts(device, views, images)
@@ -89,6 +91,7 @@ def drive_modes(
     groups = configurations(device, own, plugged, declaring, there)
     by_part = _findings([part for sets in groups.values() for parts in sets for part in parts], own_axes)
     evidence = list(dict.fromkeys(chain.from_iterable(by_part.values())))
+    evidence += _axes_alone(groups, {item.axis for item in evidence})
     defaults = {(item.slot_number, item.module.module_ident) for item in there}
     drive = ConfiguredDrive(device, there, images)
     judged = [
@@ -98,11 +101,7 @@ def drive_modes(
     ]
     verdicts = [verdict for verdict in judged if verdict is not None]
     if not verdicts:
-        verdicts = _other_systems(device, views)
-    if not verdicts and own_axes:
-        wording, score = RANKS["F"]
-        text = "profile number 402, but nothing says which modes"
-        evidence.append(ModeEvidence(rank="F", wording=wording, score=score, evidence=text))
+        verdicts = _other_systems(device, modules, views)
     return DriveModes(evidence=tuple(evidence), verdicts=tuple(verdicts))
 
 
@@ -112,6 +111,14 @@ def _findings(parts: Iterable[Part], own_axes: Container[int]) -> dict[int, list
         number: list(find_evidence(part)) if part.axis in own_axes or is_drive(part) else []
         for number, part in {id(part): part for part in parts}.items()
     }
+
+
+def _axes_alone(groups: Mapping[int, list[list[Part]]], told: Container[int]) -> Iterator[ModeEvidence]:
+    """A finding for each axis that has no other one."""
+    for axis, sets in sorted(groups.items()):
+        if axis not in told:
+            drives = (part for parts in sets for part in parts if is_drive(part))
+            yield from map(axis_alone, islice(drives, 1))
 
 
 class _Judged(NamedTuple):
@@ -214,31 +221,44 @@ def _word(score: float) -> str:
     return next((word for word, least in words if score >= least), "unknown")
 
 
-def _other_systems(device: Device, views: DictionaryViews) -> list[DriveModeVerdict]:
-    """Drives that do not speak CiA 402: SoE, and motion terminals of the modular device profile."""
+def _other_systems(device: Device, modules: Sequence[Module], views: DictionaryViews) -> list[DriveModeVerdict]:
+    """What does not speak CiA 402: SoE, and motion terminals of the modular device profile.
+
+    SoE is declared by other devices than drives, and no element says which it is.
+    """
     if device.mailbox is not None and device.mailbox.soe:
-        text = "SoE drive: its operation modes are in IDN S-0-0032 and following, not in CiA 402 objects"
+        text = "speaks SoE: if it is a drive, its modes are in IDN S-0-0032 and following, not in CiA 402 objects"
         return [DriveModeVerdict(mode="SoE", kind="SoE", verdict="unknown", evidence=text)]
-    found = []
-    _, score = RANKS["B2"]
-    for index, name, text in _motion_terminal_modes(device, views):
-        words = f"values of 0x{index:04X} list {text!r}; no CiA 402 object"
-        found.append(DriveModeVerdict(mode=name, kind="MDP 742", verdict=_word(score), score=score, evidence=words))
-    return found
-
-
-def _motion_terminal_modes(device: Device, views: DictionaryViews) -> list[tuple[int, str, str]]:
-    if not is_motion_terminal(device.profiles):
-        return []
-    found: dict[str, tuple[int, str, str]] = {}
-    for view in views.of(device.profiles):
-        for mode, place in view.once(_listed_modes).items():
-            found.setdefault(mode, place)
+    owners: list[Device | Module] = [device, *modules]
+    found: dict[str, DriveModeVerdict] = {}
+    for owner in owners:
+        for view in views.of(owner.profiles) if is_motion_terminal(owner.profiles) else ():
+            for mode, place in view.once(_listed_modes).items():
+                if mode not in found:
+                    found[mode] = _listed_mode(device, modules, owner, mode, place)
     return list(found.values())
 
 
-def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
-    """Modes that values of objects name: where each is named first."""
+def _listed_mode(
+    device: Device, modules: Sequence[Module], owner: Device | Module, mode: str, place: tuple[int, str]
+) -> DriveModeVerdict:
+    """What a list of a motion terminal says of a mode, be it the device's or that of one of its modules."""
+    _, score = RANKS["B2"]
+    index, text = place
+    words = f"values of 0x{index:04X} list {text!r}; no CiA 402 object"
+    verdict = DriveModeVerdict(mode=mode, kind="MDP 742", verdict=_word(score), score=score, evidence=words)
+    if not isinstance(owner, Module):
+        return verdict
+    return msgspec.structs.replace(
+        verdict,
+        evidence=f"module {module_names(owner)!r}: {words}",
+        module_ident=owner.module_ident,
+        module_is_default=any(item.module is owner for item in default_modules(device, modules)),
+    )
+
+
+def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str]]:
+    """Modes that values of objects or of their sub-items name: the object and the text where each is named first."""
     types = view.types.by_name
     named = {
         name: [
@@ -249,10 +269,11 @@ def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str, str]]:
         ]
         for name in types
     }
-    found: dict[str, tuple[int, str, str]] = {}
+    found: dict[str, tuple[int, str]] = {}
     for declared in view.dictionary.objects:
         data_type = types.get(declared.type or "")
-        for sub_item in data_type.sub_items if data_type is not None else ():
-            for mode, text in named.get(sub_item.type or "", ()):
-                found.setdefault(mode, (declared.object_index or 0, mode, text))
+        sub_items = data_type.sub_items if data_type is not None else ()
+        for type_name in (declared.type, *(sub_item.type for sub_item in sub_items)):
+            for mode, text in named.get(type_name or "", ()):
+                found.setdefault(mode, (declared.object_index or 0, text))
     return found

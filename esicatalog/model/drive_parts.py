@@ -21,7 +21,7 @@ from esicatalog.model.cia402 import (
     DriveMode,
 )
 from esicatalog.model.dictionary import ObjectEntry
-from esicatalog.model.dictionary_views import DictionaryView, counting_view
+from esicatalog.model.dictionary_views import DictionaryView
 from esicatalog.model.pdo_facts import has_length, has_object, pdo_yields, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import is_mappable
 from esicatalog.model.process_image import SmImage
@@ -78,11 +78,16 @@ def is_drive(part: Part) -> bool:
     return is_commanded_axis(part.axis, part.profiles, part.rx_pdos, part.views)
 
 
+def declaring_views(part: Part, index: int) -> list[DictionaryView]:
+    """The dictionaries with the object, as far as it counts there; the one whose object counts first."""
+    found = [view for view in part.views if index in view.by_index]
+    counting = [view for view in found if not view.by_index[index].overwritten_by_module]
+    return counting + ([] if index in part.replaced else [view for view in found if view not in counting])
+
+
 def declaring_view(part: Part, index: int) -> DictionaryView | None:
     """The dictionary with the object that counts, None without one."""
-    view = counting_view(part.views, index)
-    is_replaced = view is not None and index in part.replaced and view.by_index[index].overwritten_by_module
-    return None if is_replaced else view
+    return next(iter(declaring_views(part, index)), None)
 
 
 def is_declared(part: Part, index: int) -> bool:
@@ -99,7 +104,13 @@ def declared_entries(part: Part, index: int) -> Sequence[ObjectEntry]:
 
 def single_value(part: Part, index: int) -> ObjectEntry | None:
     """The single value of an object."""
-    return next(iter(declared_entries(part, index)), None)
+    return next(iter(single_values(part, index)), None)
+
+
+def single_values(part: Part, index: int) -> list[ObjectEntry]:
+    """The same in every dictionary that has the object."""
+    resolved = [view.resolved(index) for view in declaring_views(part, index)]
+    return [item.entries[0] for item in resolved if item is not None and item.entries]
 
 
 def may_be_mapped(part: Part, index: int) -> bool:

@@ -5,16 +5,13 @@ Bus couplers give terminals of one kind one ident (BK1120: 19 modules of ident 0
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
-
-import msgspec
 
 from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.slots import Slot
 from esicatalog.identity import ModuleChoice, one_line
+from esicatalog.model.module_effects import configure_alike
 from esicatalog.model.slots import PluggedModule, accepts, default_modules, numbered_slots
 
 _MOST_NAMED = 10
@@ -86,13 +83,12 @@ def _meant(slot_number: int, fitting: Sequence[tuple[Module, str]], wanted: Modu
     if not named:
         others: Sequence[tuple[Module, str | None]] = alike or [(module, None) for module, _ in fitting]
         raise InputError(f"module {wanted} does not fit slot {slot_number}; what fits: {_listed(others)}")
-    first = named[0][0]
-    if any(_configuring(module) != _configuring(first) for module, _ in named):
+    if not configure_alike([module for module, _ in named]):
         raise InputError(
             f"module {wanted} is ambiguous in slot {slot_number}: {len(named)} modules have this ident; write one of: "
             + _listed(named)
         )
-    return first
+    return named[0][0]
 
 
 def fitting_choices(slot: Slot, modules: Sequence[Module]) -> str:
@@ -101,18 +97,6 @@ def fitting_choices(slot: Slot, modules: Sequence[Module]) -> str:
     return _listed(
         (module, choice.label) for module, choice in labelled if choice is not None and accepts(slot, module)
     )
-
-
-def _configuring(module: Module) -> tuple[Any, ...]:
-    """What a module makes of the process image, at start-up and of the clocks; names say nothing of it."""
-    pdos = tuple(tuple(map(_layout, pdos)) for pdos in (module.rx_pdos, module.tx_pdos))
-    return pdos, module.module_pdo_group, module.mailbox, module.dc_op_mode_name
-
-
-def _layout(pdo: Pdo) -> Pdo:
-    unnamed = {"names": (), "spelling": None}
-    entries = tuple(msgspec.structs.replace(entry, comments=(), **unnamed) for entry in pdo.entries)
-    return msgspec.structs.replace(pdo, entries=entries, **unnamed)
 
 
 def _listed(modules: Iterable[tuple[Module, str | None]]) -> str:

@@ -20,6 +20,7 @@ from esicatalog.model.pdo_facts import mapped
 from esicatalog.model.process_image import SmImage, default_process_image
 from esicatalog.model.slot_indices import IndicesInSlots
 from esicatalog.model.slots import default_modules
+from esicatalog.model.sm_facts import INPUT, OUTPUT
 from esicatalog.model.sync import SyncSignals, default_position, generated_signals, op_mode_at, valid_op_modes
 
 _MAX_KNOWN = 1_000
@@ -44,6 +45,11 @@ class ProcessData:
     def images(self) -> list[SmImage]:
         """The default process image."""
         return default_process_image(self._device, self.modules)
+
+    @property
+    def image_is_known(self) -> bool:
+        """Whether that is all that is exchanged without a choice: what is not described may differ."""
+        return None not in (self.byte_size(OUTPUT), self.byte_size(INPUT))
 
     @cached_property
     def in_slots(self) -> IndicesInSlots:
@@ -101,7 +107,7 @@ class ProcessData:
 
     @cached_property
     def pdo_signature(self) -> str | None:
-        """Digest of all PDOs with their entries, None without PDOs."""
+        """Digest of all PDOs of the device itself with their entries, None without any; modules are not looked at."""
         layout = [
             [(pdo.pdo_index, [mapped(entry) for entry in pdo.entries]) for pdo in pdos]
             for pdos in (self.rx_pdos, self.tx_pdos)

@@ -17,6 +17,8 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.slots import ModulePdoGroup
+from esicatalog.esi.unreadable import unreadable
 from esicatalog.identity import MAX_INDEX
 from esicatalog.model.assignable_pdos import AvailablePdo, without_rivals
 from esicatalog.model.counting import counted
@@ -37,6 +39,9 @@ from esicatalog.model.values import byte_length
 
 MAX_SM_BYTES = 0xFFFF
 """A SyncManager's length is a 16 bit number of bytes (ESC register 0x0802)."""
+
+_GROUP_PDO_FIELDS = {"RxPdo": "rx_pdo", "TxPdo": "tx_pdo"}
+"""What fills up a module PDO group, by the direction of its PDOs."""
 
 
 class PlacedEntry(NamedTuple):
@@ -326,16 +331,30 @@ class _ImageBuilder:
         if following is not None and ended is not None and following.pdo_group == ended.pdo_group:
             return
         if ended is not None and ended.pdo_group is not None and 0 <= ended.pdo_group < len(self._groups):
-            group = self._groups[ended.pdo_group]
-            missing = -(self.bit_size - self._group_start) % (max(group.alignment or 1, 1) * 8)
-            index = group.rx_pdo if ended.direction == "RxPdo" else group.tx_pdo
-            if missing and group.alignment and self.is_known and self._has_room(index, missing):
-                gap = Entry(entry_index=0, bit_length=missing)
-                filler = Pdo(pdo_index=index, entries=(gap,))
-                entries = (PlacedEntry(self.bit_size, gap),)
-                self.placed.append(PlacedPdo(ended.direction, None, filler, 1, None, None, entries))
-                self.bit_size += missing
+            self._fill_up(self._groups[ended.pdo_group], ended.direction)
         self._group, self._group_start = following, self.bit_size
+
+    def _fill_up(self, group: ModulePdoGroup, direction: str) -> None:
+        """Transport what is missing; without a PDO of this direction that does it, nothing is."""
+        missing = -(self.bit_size - self._group_start) % (max(group.alignment or 1, 1) * 8)
+        if not missing or not group.alignment or not self.is_known:
+            return
+        field = _GROUP_PDO_FIELDS[direction]
+        index: int | None = getattr(group, field)
+        if index is None:
+            unread = unreadable(group, field)
+            why = f" ({unread})" if unread is not None else ""
+            self._remarks.append(
+                f"ModulePdoGroup {group.name or ''!r} has no {direction} to fill up with{why}: it is not aligned to "
+                f"{counted(group.alignment, 'byte')}"
+            )
+            self.is_known = unread is None
+        elif self._has_room(index, missing):
+            gap = Entry(entry_index=0, bit_length=missing)
+            filler = Pdo(pdo_index=index, entries=(gap,))
+            entries = (PlacedEntry(self.bit_size, gap),)
+            self.placed.append(PlacedPdo(direction, None, filler, 1, None, None, entries))
+            self.bit_size += missing
 
 
 def assigned_sms(images: Iterable[SmImage]) -> dict[tuple[str, int], int]:

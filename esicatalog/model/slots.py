@@ -18,6 +18,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.records.slots import Slot
 from esicatalog.identity import MAX_INDEX
+from esicatalog.model.module_effects import configure_alike
 from esicatalog.model.pdo_facts import is_pdo_mapping
 
 _MAX_INSTANCES = 255
@@ -126,9 +127,10 @@ def required_instances(slot: Slot) -> int:
 
 
 def default_modules(device: Device, modules: Sequence[Module]) -> list[PluggedModule]:
-    """What is plugged without a choice: in required slots the preset module, else the only one that fits.
+    """What is plugged without a choice: in required slots the preset module, else that of the only ModuleIdent.
 
-    A preset counts where it fits.
+    A preset counts where it fits. Nothing is plugged where modules of the ident are configured in different ways, nor
+    for a ModuleClass: what else belongs to it may be described in other documents.
     """
     by_ident: dict[int | None, list[Module]] = defaultdict(list)
     for module in modules:
@@ -138,9 +140,10 @@ def default_modules(device: Device, modules: Sequence[Module]) -> list[PluggedMo
         idents: list[int | None] = [*preset_idents(slot)]
         if not idents and len(slot.module_idents) == 1:
             idents = [slot.module_idents[0].module_ident]
-        fitting = (module for ident in idents for module in by_ident.get(ident, ()) if accepts(slot, module))
-        if (module_there := next(fitting, None)) is not None:
-            plugged += [PluggedModule(number, slot, module_there) for number in numbers[: required_instances(slot)]]
+        alternatives = ([module for module in by_ident.get(ident, ()) if accepts(slot, module)] for ident in idents)
+        fitting = next(filter(None, alternatives), [])
+        if fitting and configure_alike(fitting):
+            plugged += [PluggedModule(number, slot, fitting[0]) for number in numbers[: required_instances(slot)]]
     return plugged
 
 

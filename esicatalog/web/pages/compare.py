@@ -12,6 +12,7 @@ from esicatalog.errors import EsiCatalogError, NotFound
 from esicatalog.identity import parse_identity
 from esicatalog.model.compare import compare_devices, summary_words
 from esicatalog.model.compare_device import revision_verdict
+from esicatalog.model.process_data import ProcessData
 from esicatalog.parameters import given_texts
 from esicatalog.web.http import Page, status_of, texts_of
 from esicatalog.web.links import BASE, device_path, with_query
@@ -68,6 +69,8 @@ def _compared(left: DeviceDescription, right: DeviceDescription) -> dict[str, An
     return {
         "sides": [{"found": side.found, "path": device_path(side.found)} for side in (left, right)],
         "areas": list(areas.items()),
-        "summary": summary_words(differences),
+        "summary": summary_words(
+            differences, all(ProcessData(side.device, side.modules).image_is_known for side in (left, right))
+        ),
         "verdict": revision_verdict(left.device, right.device),
     }

@@ -163,7 +163,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
                 "number": hex32(item.device.revision_no) or "-",
                 "text": revision_text(item.device.vendor_id, item.device.revision_no),
                 "hidden": item.hidden,
-                "layout_changed": item.layout_changed,
+                "layout": item.layout_words,
                 "is_this": item.device.revision_no == found.revision_no,
             }
             for item in description.revisions
