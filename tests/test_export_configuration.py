@@ -363,18 +363,18 @@ def module(*content: str) -> str:
 def test_an_object_marked_overwritten_by_module_yields_to_the_module():
     """Unmarked ones do not: of two objects with one index the device's counts (ESI-FACTS section 12)."""
     marked = 'OverwrittenByModule="1"'
-    own = declared("#x607A", "UDINT", 32, marked) + declared("#x60FF", "UINT", 16, marked)
+    own = declared("#x207A", "UDINT", 32, marked) + declared("#x20FF", "UINT", 16, marked)
     own += declared("#x2000", "UINT", 16) + declared("#x2001", "UINT", 16, marked)
-    of_module = declared("#x607A", "DINT", 32) + declared("#x60FF", "DINT", 32) + declared("#x2000", "DINT", 32)
+    of_module = declared("#x207A", "DINT", 32) + declared("#x20FF", "DINT", 32) + declared("#x2000", "DINT", 32)
     found = configured(
         dictionary("", own) + SMS + COE + ONE_SLOT,
-        module(rx("#x1600", entry("#x607A", 32, "t")), dictionary("", of_module)),
-        pdos=parse_pdo_choice("0x1600=0x607A+0x60FF+0x2000+0x2001"),
+        module(rx("#x1600", entry("#x207A", 32, "t")), dictionary("", of_module)),
+        pdos=parse_pdo_choice("0x1600=0x207A+0x20FF+0x2000+0x2001"),
     )
     (image,) = found.images(OUTPUT)
     assert [(e.entry_index, e.bit_length, e.value.kind) for e in image.entries] == [
-        (0x607A, 32, "int"),
-        (0x60FF, 32, "int"),
+        (0x207A, 32, "int"),
+        (0x20FF, 32, "int"),
         (0x2000, 16, "uint"),
         (0x2001, 16, "uint"),
     ]
@@ -415,7 +415,7 @@ def test_a_type_name_means_the_type_of_its_own_dictionary():
         return f"<DataType><Name>DT_MODE</Name><BaseType>{base}</BaseType><BitSize>8</BitSize></DataType>"
 
     def mode(index: str) -> str:
-        return rx(index, entry("#x6060", 8, "mode", data_type="DT_MODE"))
+        return rx(index, entry("#x2060", 8, "mode", data_type="DT_MODE"))
 
     found = configured(
         dictionary(named("USINT"), "") + SMS + mode("#x1600") + ONE_SLOT,

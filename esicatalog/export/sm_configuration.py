@@ -9,7 +9,9 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.esi.unreadable import reason_words, unreadable
+from esicatalog.export.cia402_types import Mapped, entry_type
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
+from esicatalog.export.naming import EntryNames
 from esicatalog.export.pdo_objects import PdoObject
 from esicatalog.model.assignable_pdos import declares_pdo_assign
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, entry_words, has_length, has_object, is_described
@@ -146,15 +148,15 @@ def rewritten_objects(device: Device, sync_managers: Iterable[SmConfiguration]) 
 def configured_sync_managers(
     device: Device,
     images: Sequence[SmImage],
-    identifiers: dict[tuple[int, int, int], str],
+    names: EntryNames,
     objects: ObjectTable,
     remarks: list[str],
 ) -> tuple[SmConfiguration, ...]:
-    """All SyncManagers but virtual ones; ``identifiers`` are names by (SyncManager, PDO, entry), counted from 0.
+    """All SyncManagers but virtual ones, with the types of the entries as CiA 402 signs them on its axes.
 
     What is remarked goes to ``remarks``. Raises :class:`InputError` for what no master can be told.
     """
-    found = tuple(_sync_managers(device, images, identifiers, objects, remarks))
+    found = tuple(_sync_managers(device, images, names, objects, remarks))
     _check_assigned_once(found)
     return found
 
@@ -162,7 +164,7 @@ def configured_sync_managers(
 def _sync_managers(
     device: Device,
     images: Sequence[SmImage],
-    identifiers: dict[tuple[int, int, int], str],
+    names: EntryNames,
     objects: ObjectTable,
     remarks: list[str],
 ) -> Iterator[SmConfiguration]:
@@ -181,8 +183,8 @@ def _sync_managers(
             remarks.append(f"SM{number} has the ControlByte {control:#x}, which does not fit its register of 8 bits")
         pdos: list[AssignedPdo] = []
         for at, placed in enumerate(placed_pdos):
-            names = [identifiers.get((number, at, n), "") for n in range(len(placed.entries))]
-            pdos.append(_assigned_pdo(placed, names, objects))
+            identifiers = [names.identifiers.get((number, at, n), "") for n in range(len(placed.entries))]
+            pdos.append(_assigned_pdo(placed, identifiers, names.axes, objects, remarks))
         direction = _direction(number, described, pdos, remarks)
         yield SmConfiguration(
             number,
@@ -220,7 +222,9 @@ def _direction(number: int, described: SyncManager | None, pdos: Sequence[Assign
     return direction
 
 
-def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: ObjectTable) -> AssignedPdo:
+def _assigned_pdo(
+    placed: PlacedPdo, identifiers: Sequence[str], axes: Sequence[int], objects: ObjectTable, remarks: list[str]
+) -> AssignedPdo:
     pdo = placed.pdo
     name = " ".join((display_text(pdo.names) or "").split())
     if pdo.pdo_index is None or not 0 < pdo.pdo_index <= _MAX_INDEX:
@@ -242,7 +246,11 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
         if not 0 <= index <= _MAX_INDEX or not 0 <= subindex <= _MAX_SUBINDEX:
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:04X}:{subindex:02X}, which is no object")
         text = " ".join((display_text(item.entry.names) or "").split())
-        value = value_type(objects.base_type(placed.first_sample(number), placed.slot_number), bit_length)
+        first = placed.first_sample(number)
+        mapped = Mapped(first.entry_index or 0, first.subindex or 0, bit_length, text)
+        found = entry_type(mapped, objects.base_type(first, placed.slot_number), axes)
+        if found.remark is not None:
+            remarks.append(found.remark)
         entries.append(
             MappedEntry(
                 index,
@@ -251,7 +259,7 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
                 item.bit_offset or 0,
                 text if index else "",
                 entry_identifier,
-                value,
+                value_type(found.base, bit_length),
                 item.bit_offset is not None,
             )
         )
