@@ -223,7 +223,12 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
 
 
 @_target(
-    click.option("--vendor", metavar="V", type=NUMBER, help="All devices of this vendor in place of one."),
+    click.option(
+        "--vendor",
+        metavar="V",
+        type=NUMBER,
+        help="All devices of this vendor in place of one, preferred descriptions only.",
+    ),
     click.option("--with-files", is_flag=True, help="Dictionary files beside OUT where the description has them."),
     is_choosing=False,
 )
@@ -231,14 +236,18 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
 def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: bool) -> bytes:
     """ESI XML of the device, made from the catalog alone: vendor, group, device, modules.
 
-    Also of a device without revision (V:P:-); --vendor takes all, those without any codes too.
+    Also of a device without revision (V:P:-). --vendor takes all devices, those without any codes too, each by its
+    preferred description; stderr names the others.
     """
     from esicatalog.esi.records.document import Vendor
     from esicatalog.export.esi import DescribedDevice, export_esi, export_esi_files
 
-    if vendor is not None:
+    if vendor is None:
+        subjects = [inputs.subject()]
+    else:
         inputs.check_no_device("--vendor")
-    subjects = [inputs.subject()] if vendor is None else subjects_of_vendor(inputs.db, vendor)
+        subjects, further = subjects_of_vendor(inputs.db, vendor)
+        inputs.notes.extend(further)
     groups = [group for subject in subjects for group in subject.groups]
     devices = [DescribedDevice(subject.device, subject.modules) for subject in subjects]
     named = subjects[0].document_vendor or Vendor(vendor_id=subjects[0].vendor_id)

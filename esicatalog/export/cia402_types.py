@@ -43,7 +43,7 @@ class EntryType(NamedTuple):
 class Mapped(NamedTuple):
     """What is mapped: an object or one of its values."""
 
-    index: int
+    object_index: int
     subindex: int
     bit_length: int
     name: str
@@ -51,7 +51,7 @@ class Mapped(NamedTuple):
     @property
     def words(self) -> str:
         """Index, subindex and name."""
-        return f"0x{self.index:04X}:{self.subindex:02X} {self.name}".rstrip()
+        return f"0x{self.object_index:04X}:{self.subindex:02X} {self.name}".rstrip()
 
 
 def entry_type(mapped: Mapped, declared: BaseType | None, axes: Iterable[int]) -> EntryType:
@@ -77,6 +77,6 @@ def entry_type(mapped: Mapped, declared: BaseType | None, axes: Iterable[int]) -
 
 def _standard_types(mapped: Mapped, axes: Iterable[int]) -> Iterator[BaseType]:
     for axis in axes:
-        found = SIGNED_OBJECTS.get(mapped.index - axis * AXIS_STEP)
+        found = SIGNED_OBJECTS.get(mapped.object_index - axis * AXIS_STEP)
         if found is not None and mapped.subindex in found[1]:
             yield found[0]
