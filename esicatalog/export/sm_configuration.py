@@ -31,8 +31,8 @@ class MappedEntry(NamedTuple):
     bit_length: int
     bit_offset: int
     """In its SyncManager; 0 where that is not known."""
-    name: str
-    """As the vendor wrote it, empty when there is none."""
+    written_name: str
+    """As the vendor wrote it, empty when there is none; gaps may have one too."""
     identifier: str
     """Unique in the device; empty for a gap."""
     value: ValueType
@@ -43,6 +43,11 @@ class MappedEntry(NamedTuple):
     def is_gap(self) -> bool:
         """Whether only its length counts."""
         return self.entry_index == 0
+
+    @property
+    def name(self) -> str:
+        """What it is called on one line; gaps have no name."""
+        return "" if self.is_gap else _one_line(self.written_name)
 
     @property
     def comment(self) -> str:
@@ -64,7 +69,8 @@ class AssignedPdo(NamedTuple):
     """A PDO of a SyncManager."""
 
     pdo_index: int
-    name: str
+    written_name: str
+    """As the vendor wrote it, empty when there is none."""
     direction: str
     """RxPdo or TxPdo."""
     fixed: bool
@@ -74,6 +80,11 @@ class AssignedPdo(NamedTuple):
     """Whether its content is known, be it none."""
     sample_count: int
     """How often its entries come: 1 without oversampling."""
+
+    @property
+    def name(self) -> str:
+        """What it is called on one line."""
+        return _one_line(self.written_name)
 
     @property
     def mapping(self) -> PdoObject | None:
@@ -226,9 +237,9 @@ def _assigned_pdo(
     placed: PlacedPdo, identifiers: Sequence[str], axes: Sequence[int], objects: ObjectTable, remarks: list[str]
 ) -> AssignedPdo:
     pdo = placed.pdo
-    name = " ".join((display_text(pdo.names) or "").split())
+    written_name = display_text(pdo.names) or ""
     if pdo.pdo_index is None or not 0 < pdo.pdo_index <= _MAX_INDEX:
-        named = f"{placed.direction} {name or pdo.ref or 'without name'!r}"
+        named = f"{placed.direction} {_one_line(written_name) or pdo.ref or 'without name'!r}"
         unread = unreadable(pdo, "pdo_index")
         why = "has no index; its content is not described, take a newer file"
         if unread is not None:
@@ -245,9 +256,9 @@ def _assigned_pdo(
             continue
         if not 0 <= index <= _MAX_INDEX or not 0 <= subindex <= _MAX_SUBINDEX:
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:04X}:{subindex:02X}, which is no object")
-        text = " ".join((display_text(item.entry.names) or "").split())
+        entry_name = display_text(item.entry.names) or ""
         first = placed.first_sample(number)
-        mapped = Mapped(first.entry_index or 0, first.subindex or 0, bit_length, text)
+        mapped = Mapped(first.entry_index or 0, first.subindex or 0, bit_length, _one_line(entry_name))
         found = entry_type(mapped, objects.base_type(first, placed.slot_number), axes)
         if found.remark is not None:
             remarks.append(found.remark)
@@ -257,7 +268,7 @@ def _assigned_pdo(
                 subindex if index else 0,
                 bit_length,
                 item.bit_offset or 0,
-                text if index else "",
+                entry_name,
                 entry_identifier,
                 value_type(found.base, bit_length),
                 item.bit_offset is not None,
@@ -265,7 +276,7 @@ def _assigned_pdo(
         )
     return AssignedPdo(
         pdo.pdo_index,
-        name,
+        written_name,
         placed.direction,
         bool(pdo.fixed),
         placed.slot_number,
@@ -273,6 +284,10 @@ def _assigned_pdo(
         is_described(pdo),
         placed.repeat,
     )
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split())
 
 
 def _problem(entry: Entry, number: int) -> str | None:
