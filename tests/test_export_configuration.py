@@ -8,6 +8,7 @@ from snippets import device, dictionary, esi, pdo, read
 from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.reader import read_esi
 from esicatalog.export.choice import Choice, PdoChoice, parse_pdo_choice
+from esicatalog.export.clocks import Notation
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.headings import choice_lines
 from esicatalog.export.subject import Subject, choose_subject, subjects_of_document
@@ -18,6 +19,7 @@ SMS = (
     '<Sm ControlByte="#x26">MBoxOut</Sm><Sm ControlByte="#x22">MBoxIn</Sm><Sm ControlByte="#x64">Outputs</Sm>'
     '<Sm ControlByte="#x20">Inputs</Sm>'
 )
+C = Notation("C", either="or", divide="/")
 COE = '<Mailbox><CoE PdoAssign="1" PdoConfig="1"/></Mailbox>'
 
 
@@ -363,18 +365,18 @@ def module(*content: str) -> str:
 def test_an_object_marked_overwritten_by_module_yields_to_the_module():
     """Unmarked ones do not: of two objects with one index the device's counts (ESI-FACTS section 12)."""
     marked = 'OverwrittenByModule="1"'
-    own = declared("#x607A", "UDINT", 32, marked) + declared("#x60FF", "UINT", 16, marked)
+    own = declared("#x207A", "UDINT", 32, marked) + declared("#x20FF", "UINT", 16, marked)
     own += declared("#x2000", "UINT", 16) + declared("#x2001", "UINT", 16, marked)
-    of_module = declared("#x607A", "DINT", 32) + declared("#x60FF", "DINT", 32) + declared("#x2000", "DINT", 32)
+    of_module = declared("#x207A", "DINT", 32) + declared("#x20FF", "DINT", 32) + declared("#x2000", "DINT", 32)
     found = configured(
         dictionary("", own) + SMS + COE + ONE_SLOT,
-        module(rx("#x1600", entry("#x607A", 32, "t")), dictionary("", of_module)),
-        pdos=parse_pdo_choice("0x1600=0x607A+0x60FF+0x2000+0x2001"),
+        module(rx("#x1600", entry("#x207A", 32, "t")), dictionary("", of_module)),
+        pdos=parse_pdo_choice("0x1600=0x207A+0x20FF+0x2000+0x2001"),
     )
     (image,) = found.images(OUTPUT)
     assert [(e.entry_index, e.bit_length, e.value.kind) for e in image.entries] == [
-        (0x607A, 32, "int"),
-        (0x60FF, 32, "int"),
+        (0x207A, 32, "int"),
+        (0x20FF, 32, "int"),
         (0x2000, 16, "uint"),
         (0x2001, 16, "uint"),
     ]
@@ -415,7 +417,7 @@ def test_a_type_name_means_the_type_of_its_own_dictionary():
         return f"<DataType><Name>DT_MODE</Name><BaseType>{base}</BaseType><BitSize>8</BitSize></DataType>"
 
     def mode(index: str) -> str:
-        return rx(index, entry("#x6060", 8, "mode", data_type="DT_MODE"))
+        return rx(index, entry("#x2060", 8, "mode", data_type="DT_MODE"))
 
     found = configured(
         dictionary(named("USINT"), "") + SMS + mode("#x1600") + ONE_SLOT,
@@ -591,7 +593,7 @@ def test_a_bus_cycle_that_is_shorter_than_the_device_can_is_told(cycle_ns, is_to
 def conditions(content: str, cycle_ns: int) -> list[str]:
     found = configured(content, cycle_ns=cycle_ns)
     assert found.clocks is not None
-    return [condition.expression for condition in found.clocks.conditions("C", cycle_ns, "or")]
+    return [condition.expression for condition in found.clocks.conditions(C, cycle_ns)]
 
 
 @pytest.mark.parametrize(
@@ -705,7 +707,7 @@ def test_no_words_name_a_pulse_that_is_not_generated(word):
     for content in (fixed, divided):
         found = configured(content)
         assert found.clocks is not None
-        told = [*found.remarks, *(item.words for item in found.clocks.conditions("C", found.cycle_ns, "or"))]
+        told = [*found.remarks, *(item.words for item in found.clocks.conditions(C, found.cycle_ns))]
         assert told
         for words in told:
             assert not re.search("SYNC0(?! cycle)", words)

@@ -10,6 +10,7 @@ from test_export_compile import IGH_15, check_syntax, needs_gcc
 from esicatalog.export.choice import Choice
 from esicatalog.export.configuration import configure
 from esicatalog.export.cstruct import cstruct_of_configuration, cstruct_of_image
+from esicatalog.export.sii import described_image
 from esicatalog.export.subject import Subject, subjects_of_document
 from esicatalog.identity import Identity
 from esicatalog.sii.decode import decode_sii
@@ -153,3 +154,33 @@ def test_a_description_prints_in_the_same_form():
         "};\n"
         "\n"
     )
+
+
+def test_a_pdo_for_a_sync_manager_that_is_not_described_is_not_printed():
+    """The tool attaches it to none, and SM numbers stay what they are."""
+    content = (
+        '<Sm ControlByte="#x64">Outputs</Sm><Sm ControlByte="#x20">Inputs</Sm>'
+        + pdo("RxPdo", "#x1600", 16, attributes='Sm="0"')
+        + pdo("TxPdo", "#x1A00", 16, attributes='Sm="3"')
+    )
+    (subject,) = subjects_of_document(read(esi(device(content))).document, "x.xml")
+    text = cstruct_of_configuration(configure(subject))
+    assert "1a00" not in text
+    assert text.endswith(
+        "    {0, EC_DIR_OUTPUT, 1, slave_0_pdos + 0, EC_WD_ENABLE},\n"
+        "    {1, EC_DIR_INPUT, 0, NULL, EC_WD_DISABLE},\n"
+        "    {0xff}\n};\n\n"
+    )
+    assert text == cstruct_of_image(described_image(subject))
+
+
+def test_names_are_printed_as_they_are_written_those_of_gaps_too():
+    """As an image has them, from which the tool prints."""
+    gap = "<Entry><Index>0</Index><BitLen>7</BitLen><Name>Status__</Name></Entry>"
+    content = SMS + pdo("TxPdo", "#x1A00", 1, attributes='Sm="3"').replace("</TxPdo>", f"{gap}</TxPdo>")
+    content = content.replace("<Name>e1", "<Name>two  blanks").replace("<Name>TxPdo #", "<Name>TxPdo  #")
+    (subject,) = subjects_of_document(read(esi(device(content))).document, "x.xml")
+    text = cstruct_of_configuration(configure(subject))
+    assert "    {0x7000, 0x01, 1}, /* two  blanks */\n    {0x0000, 0x00, 7}, /* Status__ */\n" in text
+    assert "/* TxPdo  #x1A00 */" in text
+    assert text == cstruct_of_image(described_image(subject))

@@ -110,6 +110,38 @@ def test_commands_on_the_pdo_configuration_are_not_sent_twice(tmp_path):
         assert [line.removeprefix("sdo 3 ") for line in lines][: len(sent)] == sent
 
 
+@needs_gcc
+def test_a_long_sync0_cycle_does_not_overflow(tmp_path):
+    header = header_of(SMS + dc(("m", times("#x300", 'Factor="3">0'))), cycle_ns=1_000_000_000)
+    assert calls(tmp_path, "1.4", header, "d_config_dc") == ["dcsync0 3 1 3000000000 0"]
+
+
+@needs_gcc
+@pytest.mark.parametrize("version", VERSIONS)
+def test_bits_are_what_the_device_is_checked_by(tmp_path, version):
+    """SOEM sets Obytes for more than 7 bits only: of 4 bits (EL2004) it says 0 bytes, and 4 in Obits."""
+    bits = [entry("#x7000", 1, f"Output {n}", n) for n in range(1, 5)]
+    slave = {"1.4": "ec_slave[slave]", "2": "context->slavelist[slave]"}[version]
+    header = header_of(SMS + rx("#x1600", *bits), version)
+    assert "#define D_OUTPUT_BITS 4\n" in header
+    assert "#define D_INPUT_BITS 0\n" in header
+    assert "points to" not in header
+    words = " ".join(header.replace("*", "").split())
+    assert f"take {slave}.outputs as image, and as start_bit {slave}.Ostartbit." in words
+    assert f"what {slave}.Obits is after the mapping" in words
+    check_syntax(tmp_path, [header], CALLS[version][2])
+    whole = header_of(SMS + rx("#x1600", entry("#x7000", 12)), version)
+    assert "#define D_OUTPUT_BITS 12\n" in whole
+    assert f"what {slave}.outputs points to." in whole
+    assert "start_bit" not in whole
+
+
+def test_without_all_content_nothing_says_how_many_bits_there_are():
+    header = header_of(SMS + rx("#x1600", entry("#x7000", 16)) + rx("#x1601"))
+    assert "OUTPUT_BITS" not in header
+    assert "sizeof(d_outputs_t) == 2," in header
+
+
 NOT_DESCRIBED = rx("#x1601") + rx("#x1602", entry("#x7002", 16, "behind"))
 
 

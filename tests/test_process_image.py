@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from snippets import device, esi, pdo, read
+from snippets import device, esi, only_device, pdo, read
 
 from esicatalog.esi.reader import read_esi
 from esicatalog.model.process_image import default_process_image, process_image
@@ -159,10 +159,21 @@ def test_mandatory_pdos_stay_whatever_an_op_mode_lists():
 
 
 def test_pdos_of_the_other_direction_are_not_exchanged():
-    """SMC EX250-SEN1 has a TxPDO on a SyncManager for Outputs: the master writes the RxPDO's 2 bytes there, not 6."""
+    """The master writes the RxPDO's 2 bytes there, not 6."""
     found = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + pdo("TxPdo", "#x1A00", 32, attributes='Sm="2"'))
     assert (indices(found[2]), found[2].byte_size) == ([0x1600], 2)
     assert found[2].remarks == ("PDO 0x1A00 is left out: it is a TxPdo, SM2 is for Outputs",)
+
+
+def test_a_pdo_of_the_direction_of_the_control_byte_is_exchanged_whatever_the_role_says():
+    """SMC EX250-SEN1 calls both SyncManagers Outputs; bits 3:2 of the second one's ControlByte say input."""
+    sms = '<Sm ControlByte="#x46">Outputs</Sm><Sm ControlByte="#x0">Outputs</Sm>'
+    content = pdo("RxPdo", "#x1600", 16, attributes='Sm="0"') + pdo("TxPdo", "#x1A00", 32, attributes='Sm="1"')
+    outputs, inputs = process_image(only_device(esi(device(sms + content))))
+    assert (indices(outputs), outputs.transfer_direction, outputs.remarks) == ([0x1600], "output", ())
+    assert (indices(inputs), inputs.transfer_direction, inputs.remarks) == ([0x1A00], "input", ())
+    mailbox = '<Sm ControlByte="#x22">MBoxOut</Sm>' + pdo("TxPdo", "#x1A00", 32, attributes='Sm="0"')
+    assert indices(process_image(only_device(esi(device(mailbox))))[0]) == []
 
 
 def test_a_mailbox_exchanges_no_pdos():

@@ -21,6 +21,8 @@ from esicatalog.identity import Identity, modules_by_slot
 
 Option = Callable[[Callable[..., Any]], Callable[..., Any]]
 
+_PLAIN_FIELDS = ("op_mode", "cycle_ns", "name", "alias", "position")
+"""Of a :class:`Choice`, those that options give as they are."""
 _FILES_OF_TARGETS = ("scan", "sii", "merge")
 """Options of single targets that name a file to read."""
 
@@ -31,7 +33,7 @@ _DEVICE: tuple[Option, ...] = (
     click.option("-o", "--output", metavar="OUT", help="Write to this file, none that is read, instead of stdout."),
     click.option("--accept-revision", is_flag=True, help="Take the nearest revision when the exact one is missing."),
 )
-_CHOICE: tuple[Option, ...] = (
+_CONTENT: tuple[Option, ...] = (
     click.option(
         "--pdo", metavar="0x1600,...", help="Assign these PDOs; with chosen entries: 0x1A00=0x6041+0x6064+0x60FE:1."
     ),
@@ -54,12 +56,19 @@ _CHOICE: tuple[Option, ...] = (
         type=NUMBER,
         help=f"Bus cycle in ns; else {DEFAULT_CYCLE_NS}, or what the OpMode fixes where that does not fit.",
     ),
+)
+_NAMES: tuple[Option, ...] = (
     click.option("--name", metavar="PREFIX", help="Begin all generated names so; else the device's type."),
     click.option("--alias", metavar="N", type=NUMBER, default=0, show_default=True, help="Configured station alias."),
-    click.option(
-        "--position", metavar="N", type=NUMBER, default=0, show_default=True, help="Ring position, or behind the alias."
-    ),
 )
+
+
+def _position(words: str) -> Option:
+    return click.option("--position", metavar="N", type=NUMBER, default=0, show_default=True, help=words)
+
+
+_CHOICE: tuple[Option, ...] = (*_CONTENT, *_NAMES, _position("Ring position, or behind the alias."))
+"""Everything that can be chosen for one device."""
 
 
 @click.group("export", cls=Group)
@@ -71,10 +80,12 @@ def command() -> None:
     """
 
 
-def _target(*extra: Option, is_choosing: bool = True) -> Callable[[Callable[..., str | bytes]], click.Command]:
+def _target(
+    *extra: Option, choosing: tuple[Option, ...] = _CHOICE
+) -> Callable[[Callable[..., str | bytes]], click.Command]:
     """Make a command of a function from :class:`Inputs` and its own options to text or bytes.
 
-    What is not ``is_choosing`` is about the description itself: no PDOs, modules or clocks are chosen for it.
+    ``choosing`` are the options that make its :class:`Choice`; what has none is about the description itself.
     """
 
     def decorate(function: Callable[..., str | bytes]) -> click.Command:
@@ -82,7 +93,7 @@ def _target(*extra: Option, is_choosing: bool = True) -> Callable[[Callable[...,
         def run(
             identity: Identity | None, db: str, esi: str | None, output: str | None, accept_revision: bool, **rest: Any
         ) -> None:
-            choice = _choice(rest) if is_choosing else Choice()
+            choice = _choice(rest)
             notes: list[str] = []
             named = filter(None, (esi, *(rest.get(option) for option in _FILES_OF_TARGETS)))
             inputs = Inputs(identity, db, esi, accept_revision, choice, notes, output, [*own_files(db), *named])
@@ -93,7 +104,7 @@ def _target(*extra: Option, is_choosing: bool = True) -> Callable[[Callable[...,
                 click.echo(f"esicatalog: {note}", err=True)
 
         callback: Callable[..., Any] = reporting_errors(run)
-        for option in reversed((*_DEVICE, *(_CHOICE if is_choosing else ()), *extra)):
+        for option in reversed((*_DEVICE, *choosing, *extra)):
             callback = option(callback)
         return command.command(function.__name__)(callback)
 
@@ -101,11 +112,12 @@ def _target(*extra: Option, is_choosing: bool = True) -> Callable[[Callable[...,
 
 
 def _choice(options: dict[str, Any]) -> Choice:
-    """The choice in the options, which are taken out of them."""
+    """The choice in the options, which are taken out of them; what a target does not offer is not chosen."""
+    pdo, modules = options.pop("pdo", None), options.pop("modules", ())
     return Choice(
-        pdos=parse_pdo_choice(pdo) if (pdo := options.pop("pdo")) is not None else (),
-        modules=modules_by_slot(options.pop("modules")),
-        **{field: options.pop(field) for field in ("op_mode", "cycle_ns", "name", "alias", "position")},
+        pdos=parse_pdo_choice(pdo) if pdo is not None else (),
+        modules=modules_by_slot(modules),
+        **{field: options.pop(field) for field in _PLAIN_FIELDS if field in options},
     )
 
 
@@ -127,7 +139,10 @@ def igh(inputs: Inputs, scan: str | None) -> str:
     return header
 
 
-@_target(click.option("--sii", metavar="FILE", help="Print what this EEPROM image holds."))
+@_target(
+    click.option("--sii", metavar="FILE", help="Print what this EEPROM image holds."),
+    choosing=(*_CONTENT, _position("Ring position N: names begin with slave_N.")),
+)
 def cstruct(inputs: Inputs, sii: str | None) -> bytes:
     """What ``ethercat cstruct`` of IgH EtherLab prints for the device.
 
@@ -140,6 +155,8 @@ def cstruct(inputs: Inputs, sii: str | None) -> bytes:
         return cstruct_of_configuration(inputs.configuration()).encode()
     inputs.check_no_device("--sii")
     check_numbers(inputs.choice)
+    if inputs.choice != Choice(position=inputs.choice.position):
+        raise InputError("--sii prints what the image holds: no PDOs, modules, OpMode or cycle can be chosen")
     image = read_as(Path(sii), read_sii)
     return cstruct_of_image(image, inputs.choice.position).encode("utf-8", "surrogateescape")
 
@@ -187,7 +204,7 @@ def linuxcnc(inputs: Inputs) -> str:
     click.option(
         "--language", metavar="LCID", type=NUMBER, help="Texts in this language where the description has it."
     ),
-    is_choosing=False,
+    choosing=(),
 )
 def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> bytes:
     """EEPROM image of the device.
@@ -209,21 +226,30 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
 
 
 @_target(
-    click.option("--vendor", metavar="V", type=NUMBER, help="All devices of this vendor in place of one."),
+    click.option(
+        "--vendor",
+        metavar="V",
+        type=NUMBER,
+        help="All devices of this vendor in place of one, preferred descriptions only.",
+    ),
     click.option("--with-files", is_flag=True, help="Dictionary files beside OUT where the description has them."),
-    is_choosing=False,
+    choosing=(),
 )
 @click.pass_context
 def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: bool) -> bytes:
     """ESI XML of the device, made from the catalog alone: vendor, group, device, modules.
 
-    Also of a device without revision (V:P:-); --vendor takes all, those without any codes too.
+    Also of a device without revision (V:P:-). --vendor takes all devices, those without any codes too, each by its
+    preferred description; stderr names the others.
     """
     from esicatalog.export.esi import content_of, export_esi, export_esi_files
 
-    if vendor is not None:
+    if vendor is None:
+        subjects = [inputs.subject()]
+    else:
         inputs.check_no_device("--vendor")
-    subjects = [inputs.subject()] if vendor is None else subjects_of_vendor(inputs.db, vendor)
+        subjects, further = subjects_of_vendor(inputs.db, vendor)
+        inputs.notes.extend(further)
     content = content_of(subjects)
     if not with_files:
         return export_esi(*content)

@@ -1,14 +1,19 @@
 """Where the devices of ``esicatalog export`` come from: the catalog, an ESI file, the listing of a bus."""
 
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
+
+import msgspec
 
 from esicatalog.cli.common import read_text_as
 from esicatalog.errors import InputError, NotFound
 from esicatalog.export.choice import Choice
 from esicatalog.identity import Identity
+from esicatalog.model.counting import counted
 
 if TYPE_CHECKING:
+    from esicatalog.catalog.results import FoundDevice
     from esicatalog.export.configuration import Configuration
     from esicatalog.export.scan_bus import BusConfigurations
     from esicatalog.export.subject import Subject
@@ -88,15 +93,32 @@ def configurations_of_scan(inputs: Inputs, name: str) -> "BusConfigurations":
     return found
 
 
-def subjects_of_vendor(db: str, vendor_id: int) -> "list[Subject]":
-    """The preferred description of every device of a vendor. Raises :class:`NotFound` when there is none."""
+def subjects_of_vendor(db: str, vendor_id: int) -> "tuple[list[Subject], list[str]]":
+    """The preferred description of every device of a vendor, and words about the others.
+
+    Raises :class:`NotFound` when there is none.
+    """
     from esicatalog.api import Catalog
+    from esicatalog.catalog.device_filter import DeviceFilter
 
     with Catalog.open(db) as catalog:
         found = catalog.export_subjects(vendor_id)
+        listed = catalog.find(DeviceFilter(vendor_id=vendor_id, all_variants=True, include_hidden=True))
     if not found:
         raise NotFound(f"vendor 0x{vendor_id:08x} has no device in the catalog")
-    return found
+    return found, list(_further_descriptions(listed))
+
+
+def _further_descriptions(listed: "Iterable[FoundDevice]") -> "Iterator[str]":
+    """Identity by identity the descriptions that are not preferred."""
+    further: dict[str, list[int]] = {}
+    for device in listed:
+        if device.variant > 1:
+            preferred = msgspec.structs.replace(device, variant=1)
+            further.setdefault(preferred.identity_text, []).append(device.variant)
+    for identity, variants in further.items():
+        numbers = " to ".join(f"@{number}" for number in dict.fromkeys((min(variants), max(variants))))
+        yield f"{identity}: {counted(len(variants), 'more description')}, {numbers}"
 
 
 def _is_same_file(path: Path, other: Path) -> bool:

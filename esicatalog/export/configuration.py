@@ -125,7 +125,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *cycle_remarks(commands, names.axes, objects, programmed.cycle_ns, _sync0_ns(programmed)),
         *mode_remarks(commands, names.axes, expanded, images),
     ]
-    sync_managers = configured_sync_managers(device, images, names.identifiers, objects, remarks)
+    sync_managers = configured_sync_managers(device, images, names, objects, remarks)
     rewritten = frozenset(rewritten_objects(device, sync_managers))
     found = list(contradictions(commands, pdo_objects(sync_managers), rewritten))
     remarks += contradiction_remarks(found)

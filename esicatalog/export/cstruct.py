@@ -62,19 +62,19 @@ def cstruct_of_image(image: SiiImage, position: int = 0) -> str:
 
 
 def cstruct_of_configuration(configuration: Configuration) -> str:
-    """The C structures of a configured device; empty without SyncManagers."""
+    """The C structures of a configured device, names as they are written; empty without SyncManagers."""
     subject = configuration.subject
-    described = dict(enumerate(subject.device.sync_managers))  # also virtual ones: the EEPROM image has them all
     configured = {sm.number: sm.pdos for sm in configuration.sync_managers}
+    # Those that are described, virtual ones too, and no others that PDOs name: so has them the EEPROM image.
     sync_managers = tuple(
         _Sm(
-            (described[number].control_byte or 0) if number in described else 0,
+            described.control_byte or 0,
             tuple(
                 _Pdo(
                     pdo.pdo_index,
-                    _cut(pdo.name),
+                    _cut(pdo.written_name),
                     tuple(
-                        _Entry(entry.entry_index, entry.subindex, length, _cut(entry.name))
+                        _Entry(entry.entry_index, entry.subindex, length, _cut(entry.written_name))
                         for entry in pdo.entries
                         for length in pieces(entry.bit_length)
                     ),
@@ -82,7 +82,7 @@ def cstruct_of_configuration(configuration: Configuration) -> str:
                 for pdo in configured.get(number, ())
             ),
         )
-        for number in sorted(described.keys() | configured.keys())
+        for number, described in enumerate(subject.device.sync_managers)
     )
     order_number, identity = subject.device.type or "", subject.required_codes()
     return _text(_Slave(configuration.choice.position, order_number, identity, sync_managers))

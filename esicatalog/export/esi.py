@@ -59,7 +59,7 @@ def export_esi(vendor: Vendor, groups: Iterable[Group], devices: Iterable[Device
         other = documents[1].devices[0]
         raise InputError(
             f"device {other.type!r} cannot share a document with the others: modules of the same ModuleIdent or "
-            "ModuleClass would fit its slots or theirs; export fewer devices, or with files"
+            "ModuleClass would fit its slots or theirs; write several documents: --with-files -o OUT"
         )
     return write_esi(_info(vendor, tuple(groups), documents[0], None))
 

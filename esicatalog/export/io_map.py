@@ -32,6 +32,8 @@ class IoMap(NamedTuple):
     members: tuple[Member, ...]
     others: tuple[MappedEntry, ...]
     """Values that are no members: they begin or end inside a byte, or have a width that no type has."""
+    is_described: bool
+    """Whether it is all that the device exchanges in this direction."""
     remarks: tuple[str, ...]
 
     @property
@@ -42,7 +44,7 @@ class IoMap(NamedTuple):
 
 def io_map(configuration: Configuration, direction: str) -> IoMap:
     """The image of one direction; without members when nothing is exchanged."""
-    entries, byte_size, bit_size = [], 0, 0
+    entries, byte_size, bit_size, is_described = [], 0, 0, True
     images = [sm for sm in configuration.sync_managers if sm.direction == direction and (sm.pdos or sm.is_left_open)]
     has_pdos = any(sm.pdos for sm in images)
     remarks = []
@@ -53,6 +55,7 @@ def io_map(configuration: Configuration, direction: str) -> IoMap:
         byte_size += byte_length(sm.placed_bit_size)
         bit_size += sm.placed_bit_size
         if not sm.is_described:
+            is_described = False
             # Of a direction without any PDO the remark about the SyncManager says all.
             if has_pdos:
                 remarks.append(_end_words(direction, byte_size, _end(sm)))
@@ -70,6 +73,7 @@ def io_map(configuration: Configuration, direction: str) -> IoMap:
         bit_size,
         tuple(_members(entries, byte_size)),
         tuple(entry for entry in entries if not _is_member(entry)),
+        is_described,
         tuple(remarks),
     )
 

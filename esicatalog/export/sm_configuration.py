@@ -9,7 +9,9 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.esi.unreadable import reason_words, unreadable
+from esicatalog.export.cia402_types import Mapped, entry_type
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
+from esicatalog.export.naming import EntryNames
 from esicatalog.export.pdo_objects import PdoObject
 from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX
 from esicatalog.model.assignable_pdos import declares_pdo_assign
@@ -30,8 +32,8 @@ class MappedEntry(NamedTuple):
     bit_length: int
     bit_offset: int
     """In its SyncManager; 0 where that is not known."""
-    name: str
-    """As the vendor wrote it, empty when there is none."""
+    written_name: str
+    """As the vendor wrote it, empty when there is none; gaps may have one too."""
     identifier: str
     """Unique in the device; empty for a gap."""
     value: ValueType
@@ -42,6 +44,11 @@ class MappedEntry(NamedTuple):
     def is_gap(self) -> bool:
         """Whether only its length counts."""
         return self.entry_index == 0
+
+    @property
+    def name(self) -> str:
+        """What it is called on one line; gaps have no name."""
+        return "" if self.is_gap else _one_line(self.written_name)
 
     @property
     def comment(self) -> str:
@@ -63,7 +70,8 @@ class AssignedPdo(NamedTuple):
     """A PDO of a SyncManager."""
 
     pdo_index: int
-    name: str
+    written_name: str
+    """As the vendor wrote it, empty when there is none."""
     direction: str
     """RxPdo or TxPdo."""
     fixed: bool
@@ -73,6 +81,11 @@ class AssignedPdo(NamedTuple):
     """Whether its content is known, be it none."""
     sample_count: int
     """How often its entries come: 1 without oversampling."""
+
+    @property
+    def name(self) -> str:
+        """What it is called on one line."""
+        return _one_line(self.written_name)
 
     @property
     def mapping(self) -> PdoObject | None:
@@ -147,15 +160,15 @@ def rewritten_objects(device: Device, sync_managers: Iterable[SmConfiguration]) 
 def configured_sync_managers(
     device: Device,
     images: Sequence[SmImage],
-    identifiers: dict[tuple[int, int, int], str],
+    names: EntryNames,
     objects: ObjectTable,
     remarks: list[str],
 ) -> tuple[SmConfiguration, ...]:
-    """All SyncManagers but virtual ones; ``identifiers`` are names by (SyncManager, PDO, entry), counted from 0.
+    """All SyncManagers but virtual ones, with the types of the entries as CiA 402 signs them on its axes.
 
     What is remarked goes to ``remarks``. Raises :class:`InputError` for what no master can be told.
     """
-    found = tuple(_sync_managers(device, images, identifiers, objects, remarks))
+    found = tuple(_sync_managers(device, images, names, objects, remarks))
     _check_assigned_once(found)
     return found
 
@@ -163,7 +176,7 @@ def configured_sync_managers(
 def _sync_managers(
     device: Device,
     images: Sequence[SmImage],
-    identifiers: dict[tuple[int, int, int], str],
+    names: EntryNames,
     objects: ObjectTable,
     remarks: list[str],
 ) -> Iterator[SmConfiguration]:
@@ -182,8 +195,8 @@ def _sync_managers(
             remarks.append(f"SM{number} has the ControlByte {control:#x}, which does not fit its register of 8 bits")
         pdos: list[AssignedPdo] = []
         for at, placed in enumerate(placed_pdos):
-            names = [identifiers.get((number, at, n), "") for n in range(len(placed.entries))]
-            pdos.append(_assigned_pdo(placed, names, objects))
+            identifiers = [names.identifiers.get((number, at, n), "") for n in range(len(placed.entries))]
+            pdos.append(_assigned_pdo(placed, identifiers, names.axes, objects, remarks))
         direction = _direction(number, described, pdos, remarks)
         yield SmConfiguration(
             number,
@@ -221,11 +234,13 @@ def _direction(number: int, described: SyncManager | None, pdos: Sequence[Assign
     return direction
 
 
-def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: ObjectTable) -> AssignedPdo:
+def _assigned_pdo(
+    placed: PlacedPdo, identifiers: Sequence[str], axes: Sequence[int], objects: ObjectTable, remarks: list[str]
+) -> AssignedPdo:
     pdo = placed.pdo
-    name = " ".join((display_text(pdo.names) or "").split())
+    written_name = display_text(pdo.names) or ""
     if pdo.pdo_index is None or not 0 < pdo.pdo_index <= MAX_INDEX:
-        named = f"{placed.direction} {name or pdo.ref or 'without name'!r}"
+        named = f"{placed.direction} {_one_line(written_name) or pdo.ref or 'without name'!r}"
         unread = unreadable(pdo, "pdo_index")
         why = "has no index; its content is not described, take a newer file"
         if unread is not None:
@@ -242,23 +257,27 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
             continue
         if not 0 <= index <= MAX_INDEX or not 0 <= subindex <= MAX_SUBINDEX:
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:04X}:{subindex:02X}, which is no object")
-        text = " ".join((display_text(item.entry.names) or "").split())
-        value = value_type(objects.base_type(placed.first_sample(number), placed.slot_number), bit_length)
+        entry_name = display_text(item.entry.names) or ""
+        first = placed.first_sample(number)
+        mapped = Mapped(first.entry_index or 0, first.subindex or 0, bit_length, _one_line(entry_name))
+        found = entry_type(mapped, objects.base_type(first, placed.slot_number), axes)
+        if found.remark is not None:
+            remarks.append(found.remark)
         entries.append(
             MappedEntry(
                 index,
                 subindex if index else 0,
                 bit_length,
                 item.bit_offset or 0,
-                text if index else "",
+                entry_name,
                 entry_identifier,
-                value,
+                value_type(found.base, bit_length),
                 item.bit_offset is not None,
             )
         )
     return AssignedPdo(
         pdo.pdo_index,
-        name,
+        written_name,
         placed.direction,
         bool(pdo.fixed),
         placed.slot_number,
@@ -266,6 +285,10 @@ def _assigned_pdo(placed: PlacedPdo, identifiers: Sequence[str], objects: Object
         is_described(pdo),
         placed.repeat,
     )
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.split())
 
 
 def _problem(entry: Entry, number: int) -> str | None:

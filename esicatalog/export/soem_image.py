@@ -26,6 +26,10 @@ class ImageCode(NamedTuple):
     direction: str
     type_name: str
     byte_size: int
+    bit_size: int | None
+    """All bits that the device exchanges in this direction; None where that is not known."""
+    starts_inside_byte: bool
+    """Whether SOEM may let the image begin at any bit."""
     members: tuple[MemberCode, ...]
     accessors: tuple[Function, ...]
     remarks: tuple[str, ...]
@@ -44,6 +48,8 @@ def image_code(configuration: Configuration, direction: str) -> ImageCode:
         direction,
         type_name,
         layout.byte_size,
+        layout.bit_size if layout.is_described else None,
+        layout.starts_inside_byte,
         tuple(map(_member, layout.members)),
         tuple(
             function

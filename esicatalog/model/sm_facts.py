@@ -47,9 +47,15 @@ def sm_role(sync_manager: SyncManager) -> SmRole | None:
 
 
 def may_transport(sync_manager: SyncManager, direction: str) -> bool:
-    """Whether a SyncManager can have a RxPdo or TxPdo: as its role says, any where nobody knows that."""
+    """Whether a SyncManager can have a RxPdo or TxPdo: as its role says, any where nobody knows that.
+
+    Where the ControlByte contradicts the role of one for process data, its direction counts too: it is what the slave
+    controller does (:func:`transfer_direction`).
+    """
     role = sm_role(sync_manager)
-    return role is None or role.pdo_direction == direction
+    if role is None or role.pdo_direction == direction:
+        return True
+    return not role.is_mailbox and sm_facts(sync_manager).transfer_direction == TRANSFER_DIRECTIONS[direction]
 
 
 def transfer_direction(sync_manager: SyncManager | None, pdo_directions: Iterable[str]) -> str:

@@ -22,9 +22,11 @@ typedef struct {
    uint32 eep_man;
    uint32 eep_id;
    uint32 eep_rev;
+   uint16 Obits;
    uint32 Obytes;
    uint8 *outputs;
    uint8 Ostartbit;
+   uint16 Ibits;
    uint32 Ibytes;
    uint8 *inputs;
    uint8 Istartbit;
