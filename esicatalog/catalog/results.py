@@ -100,7 +100,10 @@ class Identification(msgspec.Struct, frozen=True):
     product_code: int | None
     revision_no: int | None
     match: str
-    """exact, accepted, older, newer, product, vendor or none."""
+    """exact, accepted, older, newer, product, vendor or none.
+
+    Vendor 0 and product 0 are always none: so masters print a slave whose identity they did not read.
+    """
     reason: str
     device: IdentifiedDevice | None
     variants: tuple[IdentifiedDevice, ...]
