@@ -820,7 +820,11 @@ def test_the_variant_that_fits_the_printed_pdos_is_named(tmp_path):
             'SM0: PhysAddr 0x1000, DefaultSize 0, ControlRegister 0x64, Enable 1\n  RxPDO 0x1601 "R"\n',
         ).stdout
     )
-    assert (neither["device"]["variant"], neither["slave"]["notes"]) == (1, ["all 2 variants fit its PDOs alike"])
+    assert neither["device"]["variant"] == 1
+    assert neither["slave"]["notes"] == [
+        "bytes out: 0 configured, 2 in the default process image of the description",
+        "all 2 variants fit its PDOs alike",
+    ]
 
 
 async def test_an_exact_slave_with_several_descriptions_is_told(several):
@@ -920,7 +924,10 @@ def test_variants_that_fit_best_alike_are_all_named(tmp_path):
     printed = f'{PDOS}    PDO entry 0x7000:01, 24 bit, "a"\n'
     (found,) = json.loads(compared(db, tmp_path, "vendor,product,revision\n0xe5c,1,1\n", printed).stdout)
     assert [item["variant"] for item in found["variants"]] == [1, 2, 3]
-    assert found["slave"]["notes"] == ["variants 2 and 3 of 3 fit its PDOs best and alike; 2 is taken"]
+    assert found["slave"]["notes"] == [
+        "bytes out: 3 configured, 2 in the default process image of the description",
+        "variants 2 and 3 of 3 fit its PDOs best and alike; 2 is taken",
+    ]
     assert found["device"]["variant"] == 2
 
 

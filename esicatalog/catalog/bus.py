@@ -2,7 +2,7 @@
 
 import functools
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import msgspec
@@ -12,7 +12,7 @@ from esicatalog.catalog.results import FoundDevice, Identification, hex32
 from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, look_at_bus
+from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, as_listed, look_at_bus
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.revision_check import EXACT
@@ -145,8 +145,8 @@ def bus_reports(
         buses[slave.bus].append((slave, findings))
     found = []
     for number, listed in sorted(buses.items()):
-        slaves = [slave for slave, _ in listed]
-        fits = [_fitting(lookup, slave, read, pdos, dictionaries) for slave in slaves]
+        fits = [_fitting(lookup, slave, read, pdos, dictionaries) for slave, _ in listed]
+        slaves = [as_listed(slave, [item for item in pdos if _belongs(item, slave)]) for slave, _ in listed]
         devices = [_at_bus(lookup, slave, fit.answer, read) for slave, fit in zip(slaves, fits, strict=True)]
         reports, summary = look_at_bus(list(zip(slaves, devices, strict=True)))
         together = zip(listed, fits, reports, strict=True)
@@ -201,21 +201,53 @@ def _fitting(
     )
     own_pdos = [item for item in pdos if _belongs(item, slave)]
     own_dictionaries = [item for item in dictionaries if _belongs(item, slave)]
-    lists = " and ".join(["PDOs"] * bool(own_pdos) + ["objects"] * bool(own_dictionaries))
-    if not lists:
+    if not own_pdos and not own_dictionaries:
         return _Fit(answer)
     if answer.device is None:
+        lists = _list_words(own_pdos, own_dictionaries)
         return _Fit(answer, notes=(f"{lists} not compared: no description of slave {slave.position}",))
-    compared = [
-        tuple(_differences(*records(variant.device), own_pdos, own_dictionaries)) for variant in answer.variants
-    ]
-    fewest = min(map(len, compared))
-    best = [place for place, found in enumerate(compared) if len(found) == fewest]
-    device = answer.variants[best[0]]
-    numbers = [answer.variants[place].device.variant for place in best]
-    notes = (_best_words(numbers, len(compared), lists),) if len(compared) > 1 else ()
+    compared = [_compared(*records(variant.device), own_pdos, own_dictionaries) for variant in answer.variants]
+    best = min(compared, key=_rank)
+    device = answer.variants[compared.index(best)]
+    notes = _choice_notes(
+        {variant.device.variant: found for variant, found in zip(answer.variants, compared, strict=True)},
+        _list_words(own_pdos, own_dictionaries if best.objects_compared else ()),
+    )
     answer = msgspec.structs.replace(answer, device=device, variant_warning=lookup.other_variants(device.device))
-    return _Fit(answer, compared[best[0]], notes)
+    return _Fit(answer, best.differences, notes)
+
+
+def _list_words(pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]) -> str:
+    return " and ".join(["PDOs"] * bool(pdos) + ["objects"] * bool(dictionaries))
+
+
+class _Compared(NamedTuple):
+    """A description beside what the master printed of a slave."""
+
+    differences: tuple[str, ...]
+    objects_compared: bool
+    """False where objects were printed and the description has none to compare them with."""
+
+
+def _rank(found: _Compared) -> tuple[bool, int]:
+    """Where nothing can be compared nothing differs: such a description fits last, not best."""
+    return not found.objects_compared, len(found.differences)
+
+
+def _choice_notes(compared: Mapping[int, _Compared], lists: str) -> tuple[str, ...]:
+    """What is told of the descriptions by their variant; ``lists`` are those that the taken one was compared with."""
+    fewest = min(map(_rank, compared.values()))
+    best = [variant for variant, found in compared.items() if _rank(found) == fewest]
+    silent = [variant for variant, found in compared.items() if not found.objects_compared]
+    notes = []
+    if len(compared) - len(silent) == 1 < len(compared):
+        notes.append(f"variant {best[0]} of {len(compared)} is taken: of the others no objects are described")
+    elif lists and len(compared) > 1:
+        notes.append(_best_words(best, len(compared), lists))
+    if silent:
+        of_variants = f" of variant {', '.join(map(str, silent))}" if len(compared) > 1 else ""
+        notes.append(f"objects not compared: the description{of_variants} has no dictionary of the device itself")
+    return tuple(notes)
 
 
 def _best_words(best: Sequence[int], count: int, lists: str) -> str:
@@ -228,13 +260,13 @@ def _best_words(best: Sequence[int], count: int, lists: str) -> str:
     return f"variants {named} of {count} fit its {lists} best and alike; {best[0]} is taken"
 
 
-def _differences(
+def _compared(
     device: Device, modules: Sequence[Module], pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]
-) -> Iterator[str]:
-    for item in pdos:
-        yield from compare_pdos(device, modules, item)
-    for dictionary in dictionaries:
-        yield from compare_objects(device, modules, dictionary)
+) -> _Compared:
+    of_pdos = [words for item in pdos for words in compare_pdos(device, modules, item)]
+    of_objects = [compare_objects(device, modules, dictionary) for dictionary in dictionaries]
+    told = [words for found in of_objects for words in found or ()]
+    return _Compared((*of_pdos, *told), None not in of_objects)
 
 
 def _check_place(item: ScannedPdos | ScannedDictionary, scan: Scan) -> None:

@@ -9,9 +9,13 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from esicatalog.scan.records import ScannedSlave
+import msgspec
+
+from esicatalog.model.sm_facts import INPUT, OUTPUT, control_facts
+from esicatalog.scan.records import ScannedPdos, ScannedSlave, ScannedSyncManager
 
 _E_BUS = "EBUS"
+_BUFFERED = "buffered"
 
 
 class DeviceAtBus(NamedTuple):
@@ -65,6 +69,33 @@ class BusSummary(NamedTuple):
     clock_unknown_at: tuple[int, ...]
     """Slaves before it (all where there is none) of which neither scan nor description tells."""
     no_lrw_at: tuple[int, ...]
+
+
+def as_listed(slave: ScannedSlave, lists: Sequence[ScannedPdos]) -> ScannedSlave:
+    """The slave with the process data of the PDOs that a master listed: what is assigned is what is exchanged.
+
+    Every SyncManager begins at a byte. A direction of which the lists say nothing stays as the scan has it.
+    """
+    bits: dict[str, dict[int, int]] = defaultdict(dict)
+    for sync_manager in (item for listed in lists for item in listed.sync_managers):
+        for direction, size in _listed_bits(sync_manager).items():
+            bits[direction][sync_manager.number] = (size + 7) // 8 * 8
+    sizes = {direction: sum(of_direction.values()) for direction, of_direction in bits.items()}
+    return msgspec.structs.replace(
+        slave,
+        output_bits=sizes.get(OUTPUT, slave.output_bits),
+        input_bits=sizes.get(INPUT, slave.input_bits),
+    )
+
+
+def _listed_bits(sync_manager: ScannedSyncManager) -> dict[str, int]:
+    """Bits by direction; nothing where a size without PDOs tells of process data that nobody maps."""
+    bits: dict[str, int] = defaultdict(int)
+    for pdo in sync_manager.pdos:
+        bits[OUTPUT if pdo.is_rx else INPUT] += sum(entry.bit_length for entry in pdo.entries)
+    facts = control_facts(sync_manager.control)
+    is_empty = not sync_manager.pdos and not sync_manager.size_bytes and facts.buffer_mode == _BUFFERED
+    return {facts.transfer_direction: 0} if is_empty and facts.transfer_direction is not None else bits
 
 
 def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple[list[SlaveReport], BusSummary]:
