@@ -133,6 +133,22 @@ def test_a_slave_of_which_nothing_is_known_may_be_the_reference_clock():
     assert clocks(SILENT, DRIVE, at0={"dc_capable": False, "dc_system_time": False}) == (1, ())
 
 
+def test_a_system_time_is_told_by_the_master_or_by_a_description_that_synchronises():
+    """``slaveinfo`` prints "Has DC: 1" also of a coupler that only measures delays, of which ESI files say nothing."""
+    with_clock = {"dc_capable": True}
+    for devices, scanned, known in (
+        ((SILENT,), with_clock, False),
+        ((None,), with_clock, False),
+        ((None,), with_clock | {"dc_system_time": True}, True),
+        ((DRIVE,), with_clock, True),
+        ((CLOCK,), {}, True),
+        ((NO_CLOCK,), with_clock, False),
+    ):
+        _, summary = bus(*devices, at0=scanned)
+        assert summary.system_time_known is known
+        assert (summary.reference_clock_candidate is None) == (devices == (NO_CLOCK,))
+
+
 def test_an_empty_bus():
     reports, summary = look_at_bus([])
     assert reports == []

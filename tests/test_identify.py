@@ -1017,6 +1017,24 @@ def test_a_reference_clock_behind_slaves_of_which_nothing_is_known(tmp_path):
     assert "  reference clock  slave 1 is the first that can be it" in done.stdout.splitlines()
 
 
+@pytest.mark.parametrize(
+    ("scan", "words"),
+    [
+        ("Slave:1\n Has DC: 1\n Man: 00000e5c ID: 00000001 Rev: 00000001\n", "; system time not told"),
+        (
+            "=== Master 0, Slave 0 ===\nDL information:\n  Distributed clocks: yes, delay measurement only\n",
+            "no candidate",
+        ),
+    ],
+)
+def test_a_coupler_that_only_measures_delays_is_no_sure_reference_clock(tmp_path, scan, words):
+    db = catalog_of(tmp_path, esi(device()))
+    lines = run("identify", "--slaves", "-", db=db, stdin=scan).stdout.splitlines()
+    (told,) = (line.removeprefix("  reference clock  ") for line in lines if line.startswith("  reference clock"))
+    first = "slave 0 is the first known to have distributed clocks"
+    assert told == (first + words if words.startswith(";") else words)
+
+
 def test_a_master_configuration(data_db, tmp_path):
     eni = (
         "<EtherCATConfig><Config><Slave><Info><Name>Term</Name><PhysAddr>1001</PhysAddr><VendorId>3676</VendorId>"

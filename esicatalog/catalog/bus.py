@@ -102,12 +102,15 @@ def alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:
 
 def reference_clock_words(bus: BusReport) -> str:
     """Which slave can be the reference clock, and of which ones before it nothing is known or described."""
-    clock, unknown = bus.summary.reference_clock_candidate, bus.summary.clock_unknown_at
-    if not unknown:
-        return f"slave {clock} is the first that can be it" if clock is not None else "no candidate"
-    known = (
-        f"slave {clock} is the first known to have distributed clocks" if clock is not None else "no candidate known"
-    )
+    summary = bus.summary
+    clock, unknown = summary.reference_clock_candidate, summary.clock_unknown_at
+    if clock is None:
+        known = ["no candidate known" if unknown else "no candidate"]
+    elif summary.system_time_known and not unknown:
+        known = [f"slave {clock} is the first that can be it"]
+    else:
+        known = [f"slave {clock} is the first known to have distributed clocks"]
+        known += ["system time not told"] * (not summary.system_time_known)
     described = {item.slave.position for item in bus.slaves if item.identification.device is not None}
     silent = [position for position in unknown if position in described]
     says = "its description says" if len(silent) == 1 else "their descriptions say"
@@ -115,7 +118,7 @@ def reference_clock_words(bus: BusReport) -> str:
         "nothing is known of {}": [position for position in unknown if position not in described],
         f"of {{}} {says} nothing of clocks": silent,
     }
-    return "; ".join([known, *(text.format(slave_words(at)) for text, at in words.items() if at)])
+    return "; ".join([*known, *(text.format(slave_words(at)) for text, at in words.items() if at)])
 
 
 _Listed = tuple[ScannedSlave, tuple[ScanFinding, ...]]

@@ -65,7 +65,9 @@ class BusSummary(NamedTuple):
     input_bytes: int
     bytes_unknown_at: tuple[int, ...]
     reference_clock_candidate: int | None
-    """The first slave that is known to have what a reference clock needs."""
+    """The first slave that is known to have distributed clocks, and not to be excluded as reference clock."""
+    system_time_known: bool
+    """Whether it is also known to have the system time that a reference clock needs, not delay measurement alone."""
     clock_unknown_at: tuple[int, ...]
     """Slaves before it (all where there is none) of which neither scan nor description tells."""
     no_lrw_at: tuple[int, ...]
@@ -205,6 +207,11 @@ def _can_be_reference_clock(slave: ScannedSlave, device: DeviceAtBus | None, has
     return has_clock
 
 
+def _has_system_time(slave: ScannedSlave, device: DeviceAtBus | None) -> bool:
+    """Whether scan or description tells so: what synchronises by a sync unit has one, slaveinfo prints none."""
+    return bool(slave.dc_system_time or (device is not None and device.has_clock))
+
+
 def _summary(
     bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]],
     reports: Sequence[SlaveReport],
@@ -214,6 +221,7 @@ def _summary(
     together = [(slave, report) for (slave, _), report in zip(bus, reports, strict=True)]
     clocks = {s.position: _can_be_reference_clock(s, d, r.dc_capable) for (s, d), r in zip(bus, reports, strict=True)}
     candidate = next((position for position, can in clocks.items() if can), None)
+    told = {slave.position: _has_system_time(slave, device) for slave, device in bus}
     before = itertools.takewhile(lambda item: item[0] != candidate, clocks.items())
     return BusSummary(
         duplicate_aliases=duplicates,
@@ -223,6 +231,7 @@ def _summary(
         input_bytes=sum(report.input_bytes or 0 for report in reports),
         bytes_unknown_at=tuple(s.position for s, r in together if r.output_bytes is None or r.input_bytes is None),
         reference_clock_candidate=candidate,
+        system_time_known=candidate is not None and told[candidate],
         clock_unknown_at=tuple(position for position, can in before if can is None),
         no_lrw_at=tuple(s.position for s, r in together if r.no_lrw),
     )
