@@ -707,7 +707,7 @@ async def test_a_description_without_revision_at_a_bus(tmp_path):
     assert (slave["output_bytes"], slave["input_bytes"]) == (2, 0)
     posted = await (await client(db)).post("/-/esi/scan", data={"scan": scan})
     row = html.fromstring(posted.text).cssselect("table.slaves tbody tr:not(.remarks)")[1]
-    assert [cell.text_content() for cell in row.cssselect("td")[4:8]] == ["A", "800 mA", "2", "0"]
+    assert [cell.text_content() for cell in row.cssselect("td")[4:9]] == ["A", "-", "800 mA", "2", "0"]
 
 
 async def test_pages_and_warnings_name_no_revision_that_is_not_there(tmp_path):

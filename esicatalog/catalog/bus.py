@@ -12,6 +12,7 @@ from esicatalog.catalog.results import FoundDevice, Identification, hex32
 from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
+from esicatalog.identity import NO_REVISION
 from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, as_listed, look_at_bus
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.required_slots import missing_pdos
@@ -40,6 +41,22 @@ class IdentifiedSlave(NamedTuple):
         """The identity as the scan gives it, ``-`` where it does not."""
         numbers = (self.slave.vendor_id, self.slave.product_code, self.slave.revision_no)
         return ":".join(hex32(number) or "-" for number in numbers)
+
+    @property
+    def described_revision(self) -> str:
+        """The revision of the description that stands in for that of the slave; empty where it is the same or none."""
+        answer = self.identification
+        if answer.device is None or answer.match == EXACT:
+            return ""
+        return hex32(answer.device.device.revision_no) or NO_REVISION
+
+    @property
+    def source(self) -> str:
+        """The first document that carries the description, and the line in it; empty without description."""
+        described = self.identification.device
+        if described is None or not described.sources:
+            return ""
+        return f"{described.sources[0].member}, line {described.sources[0].line}"
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -83,6 +100,13 @@ class BusReport(NamedTuple):
     bus: int
     slaves: tuple[IdentifiedSlave, ...]
     summary: BusSummary
+
+    @property
+    def title(self) -> str:
+        """Which bus it is of several: its number in the text, and the master or interface where the text names one."""
+        first = self.slaves[0].slave
+        place = f"master {first.master}" if first.master is not None else first.interface
+        return f"Bus {self.bus}" + (f", {place}" if place else "")
 
     @property
     def not_exact_at(self) -> tuple[int, ...]:
