@@ -58,6 +58,14 @@ class Bounds(NamedTuple):
     most: int | None
 
 
+def is_read(vendor_id: int, product_code: int) -> bool:
+    """Whether an identity is one: vendor 0 and product 0 are what masters print of a slave whose SII they did not read.
+
+    An EEPROM that nobody wrote holds the same.
+    """
+    return bool(vendor_id or product_code)
+
+
 def parse_number(text: str, what: str = "number", limit: int = UINT32_MAX) -> int:
     """A number written ``0x1097``, ``#x1097`` or ``4247``. Raises :class:`InputError`."""
     match = _NUMBER.fullmatch(text.strip())

@@ -2,7 +2,8 @@
 
 import msgspec
 
-from esicatalog.model.bus import DeviceAtBus, look_at_bus
+from esicatalog.model.bus import DeviceAtBus, as_listed, look_at_bus
+from esicatalog.scan.front import read_pdos
 from esicatalog.scan.records import ScannedPort, ScannedSlave
 
 COUPLER = DeviceAtBus("YKY", -2000, False, 0, 0, True)
@@ -73,6 +74,25 @@ def test_process_data_of_another_size_than_described_is_told():
     assert [(report.output_bytes, report.input_bytes) for report in reports] == [(10, 16), (8, 0), (8, 16), (1, None)]
 
 
+def listed_bits(*lines: str) -> tuple[int | None, int | None]:
+    slave = as_listed(ScannedSlave(line=1, position=0, output_bits=80), read_pdos("\n".join(lines)).slaves)
+    return slave.output_bits, slave.input_bits
+
+
+def test_listed_pdos_are_configured():
+    """Every SyncManager begins at a byte: 3 and 5 bits in two of them are two bytes."""
+    sm = "SM{}: PhysAddr 0x1000, DefaultSize {:4}, ControlRegister 0x{:02x}, Enable 1"
+    rx, entry = 'RxPDO 0x160{} "R"', 'PDO entry 0x7000:01, {} bit, "e"'
+    outputs = (sm.format(2, 0, 0x64), rx.format(0), entry.format(3), rx.format(1), entry.format(4))
+    assert listed_bits(*outputs) == (8, None)
+    more = (sm.format(3, 0, 0x64), rx.format(2), entry.format(5))
+    assert listed_bits(*outputs, *more) == (16, None)
+    assert listed_bits(sm.format(2, 0, 0x64)) == (0, None)
+    assert listed_bits(sm.format(3, 0, 0x20)) == (80, 0)
+    assert listed_bits(sm.format(3, 4, 0x20)) == (80, None)
+    assert listed_bits(sm.format(0, 0, 0x26), sm.format(1, 0, 0x22)) == (80, None)
+
+
 def test_ports_of_the_scan_say_what_is_on_the_e_bus():
     ports = (ScannedPort(number=0, kind="MII"), ScannedPort(number=1, kind="N/A"))
     reports, _ = bus(COUPLER, None, at1={"ports": ports, "e_bus_current_ma": 0})
@@ -111,6 +131,22 @@ def test_a_slave_of_which_nothing_is_known_may_be_the_reference_clock():
     assert clocks(SILENT, None, DRIVE, SILENT) == (2, (0, 1))
     assert clocks(SILENT, None) == (None, (0, 1))
     assert clocks(SILENT, DRIVE, at0={"dc_capable": False, "dc_system_time": False}) == (1, ())
+
+
+def test_a_system_time_is_told_by_the_master_or_by_a_description_that_synchronises():
+    """``slaveinfo`` prints "Has DC: 1" also of a coupler that only measures delays, of which ESI files say nothing."""
+    with_clock = {"dc_capable": True}
+    for devices, scanned, known in (
+        ((SILENT,), with_clock, False),
+        ((None,), with_clock, False),
+        ((None,), with_clock | {"dc_system_time": True}, True),
+        ((DRIVE,), with_clock, True),
+        ((CLOCK,), {}, True),
+        ((NO_CLOCK,), with_clock, False),
+    ):
+        _, summary = bus(*devices, at0=scanned)
+        assert summary.system_time_known is known
+        assert (summary.reference_clock_candidate is None) == (devices == (NO_CLOCK,))
 
 
 def test_an_empty_bus():

@@ -736,7 +736,7 @@ async def test_a_description_without_revision_at_a_bus(tmp_path):
     assert (slave["output_bytes"], slave["input_bytes"]) == (2, 0)
     posted = await (await client(db)).post("/-/esi/scan", data={"scan": scan})
     row = html.fromstring(posted.text).cssselect("table.slaves tbody tr:not(.remarks)")[1]
-    assert [cell.text_content() for cell in row.cssselect("td")[4:8]] == ["A", "800 mA", "2", "0"]
+    assert [cell.text_content() for cell in row.cssselect("td")[4:9]] == ["A", "-", "800 mA", "2", "0"]
 
 
 async def test_pages_and_warnings_name_no_revision_that_is_not_there(tmp_path):
@@ -849,7 +849,11 @@ def test_the_variant_that_fits_the_printed_pdos_is_named(tmp_path):
             'SM0: PhysAddr 0x1000, DefaultSize 0, ControlRegister 0x64, Enable 1\n  RxPDO 0x1601 "R"\n',
         ).stdout
     )
-    assert (neither["device"]["variant"], neither["slave"]["notes"]) == (1, ["all 2 variants fit its PDOs alike"])
+    assert neither["device"]["variant"] == 1
+    assert neither["slave"]["notes"] == [
+        "bytes out: 0 configured, 2 in the default process image of the description",
+        "all 2 variants fit its PDOs alike",
+    ]
 
 
 async def test_an_exact_slave_with_several_descriptions_is_told(several):
@@ -949,7 +953,10 @@ def test_variants_that_fit_best_alike_are_all_named(tmp_path):
     printed = f'{PDOS}    PDO entry 0x7000:01, 24 bit, "a"\n'
     (found,) = json.loads(compared(db, tmp_path, "vendor,product,revision\n0xe5c,1,1\n", printed).stdout)
     assert [item["variant"] for item in found["variants"]] == [1, 2, 3]
-    assert found["slave"]["notes"] == ["variants 2 and 3 of 3 fit its PDOs best and alike; 2 is taken"]
+    assert found["slave"]["notes"] == [
+        "bytes out: 3 configured, 2 in the default process image of the description",
+        "variants 2 and 3 of 3 fit its PDOs best and alike; 2 is taken",
+    ]
     assert found["device"]["variant"] == 2
 
 
@@ -1037,6 +1044,24 @@ def test_a_reference_clock_behind_slaves_of_which_nothing_is_known(tmp_path):
     other = catalog_of(tmp_path / "other", esi(device(mode, product="#x1") + device(excluded, product="#x2")))
     done = run("identify", "--slaves", "-", db=other, stdin="vendor,product,revision\n0xe5c,2,1\n0xe5c,1,1\n")
     assert "  reference clock  slave 1 is the first that can be it" in done.stdout.splitlines()
+
+
+@pytest.mark.parametrize(
+    ("scan", "words"),
+    [
+        ("Slave:1\n Has DC: 1\n Man: 00000e5c ID: 00000001 Rev: 00000001\n", "; system time not told"),
+        (
+            "=== Master 0, Slave 0 ===\nDL information:\n  Distributed clocks: yes, delay measurement only\n",
+            "no candidate",
+        ),
+    ],
+)
+def test_a_coupler_that_only_measures_delays_is_no_sure_reference_clock(tmp_path, scan, words):
+    db = catalog_of(tmp_path, esi(device()))
+    lines = run("identify", "--slaves", "-", db=db, stdin=scan).stdout.splitlines()
+    (told,) = (line.removeprefix("  reference clock  ") for line in lines if line.startswith("  reference clock"))
+    first = "slave 0 is the first known to have distributed clocks"
+    assert told == (first + words if words.startswith(";") else words)
 
 
 def test_a_master_configuration(data_db, tmp_path):

@@ -205,6 +205,18 @@ async def test_scan_pasted_and_dropped(data_db):
     assert (refused.status_code, "no scan is recognised" in refused.text) == (400, True)
 
 
+async def test_the_scan_page_says_what_the_shell_says(data_db):
+    """Which master a bus is of, and for every slave which revision is described instead of its own, and where."""
+    of_two = SLAVES.replace("Master 0", "Master 3", 1)
+    tree = html.fromstring((await (await client(data_db)).post("/-/esi/scan", data={"scan": of_two})).text)
+    assert texts(tree, "h2") == ["Bus 0, master 3: 1 slaves", "Bus 1, master 0: 2 slaves"]
+    assert texts(tree, "td[data-label=Revision]") == ["", "0x00110000", ""]
+    (line,) = rows(data_db, "SELECT line FROM device_sources x JOIN devices d ON d.id = x.device_id "
+        "WHERE d.product_code = 0x0d080808 AND d.revision_no = 0x00110000")[0]  # fmt: skip
+    source = f"io_terminal_8di_8do.xml, line {line}"
+    assert texts(tree, "td[data-label=Source]") == [source, source, ""]
+
+
 async def test_a_text_beside_a_file_is_refused_and_kept(data_db):
     web = await client(data_db)
     both = {"data": {"scan": SLAVES}, "files": {"file": ("bus.txt", b"vendor,product,revision\n1,2,3\n")}}
@@ -796,7 +808,7 @@ async def test_a_coupler_has_no_process_data(tmp_path):
     scanned = html.fromstring(
         (await web.post("/-/esi/scan", data={"scan": "vendor,product,revision\n0xe5c,1,1\n"})).text
     )
-    assert [texts(scanned, f"table.slaves td:nth-child({place})") for place in (7, 8)] == [["0"], ["0"]]
+    assert [texts(scanned, f"table.slaves td:nth-child({place})") for place in (8, 9)] == [["0"], ["0"]]
     assert "sizes unknown of" not in texts(scanned, "dl.facts dt")
 
 

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import msgspec
 from snippets import device, dictionary, esi, only_device, pdo, read
 
 from esicatalog.esi.records.device import Device
@@ -228,9 +229,12 @@ def test_an_object_that_yields_may_be_as_modules_have_it():
     ]
 
 
-def test_a_description_without_dictionary_says_nothing():
+def test_without_a_dictionary_of_the_device_itself_nothing_is_compared():
+    """That of a module says nothing of the objects that every device has."""
     (slave,) = read_sdos('SDO 0x6040, "C"\n  0x6040:00, rwrwrw, uint16, 16 bit, "C"\n').slaves
-    assert compare_objects(only_device(esi(device())), (), slave) == []
+    assert compare_objects(only_device(esi(device())), (), slave) is None
+    unit, modules = coupler(1)
+    assert compare_objects(msgspec.structs.replace(unit, profiles=()), modules, slave) is None
 
 
 def test_access_words_as_masters_print_them():

@@ -228,6 +228,29 @@ def test_the_same_output_twice_is_one_bus():
     assert messages(scan) == [(67, "the listing repeats the one from line 1; it is read once")]
 
 
+SECOND = STABLE[STABLE.index("=== Master 0, Slave 1") :]
+
+
+def test_a_part_of_the_output_again_is_no_other_bus():
+    scan = read_scan(STABLE + SECOND)
+    assert scan.slaves == (COUPLER, DRIVE)
+    assert messages(scan) == [(67, f"the listing repeats the one from line {DRIVE.line}; it is read once")]
+
+
+def test_a_listing_may_go_on_behind_what_it_repeats():
+    further = SECOND.replace("Slave 1", "Slave 2")
+    scan = read_scan(STABLE + SECOND + further)
+    assert [(slave.bus, slave.position) for slave in scan.slaves] == [(0, 0), (0, 1), (0, 2)]
+    assert messages(scan) == [(67, f"a part of the listing repeats the one from line {DRIVE.line}; it is read once")]
+
+
+def test_an_earlier_bus_again_is_no_third_one():
+    other = STABLE.replace("0x515050a1", "0x515050a2")
+    scan = read_scan(STABLE + other + STABLE)
+    assert [slave.bus for slave in scan.slaves] == [0, 0, 1, 1]
+    assert messages(scan)[-1] == (133, "the listing repeats the one from line 1; it is read once")
+
+
 def test_another_listing_of_the_same_master_is_kept():
     scan = read_scan(STABLE + STABLE.replace("0x515050a1", "0x515050a2"))
     assert [(slave.bus, slave.position) for slave in scan.slaves] == [(0, 0), (0, 1), (1, 0), (1, 1)]

@@ -2,7 +2,7 @@
 
 import functools
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import msgspec
@@ -12,7 +12,8 @@ from esicatalog.catalog.results import NONE, FoundDevice, Identification, hex32
 from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, look_at_bus
+from esicatalog.identity import NO_REVISION
+from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, as_listed, look_at_bus
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.scan_compare import compare_objects, compare_pdos
@@ -39,6 +40,22 @@ class IdentifiedSlave(NamedTuple):
         """The identity as the scan gives it, ``-`` where it does not."""
         numbers = (self.slave.vendor_id, self.slave.product_code, self.slave.revision_no)
         return ":".join(hex32(number) or "-" for number in numbers)
+
+    @property
+    def described_revision(self) -> str:
+        """The revision of the description that stands in for that of the slave; empty where it is the same or none."""
+        answer = self.identification
+        if answer.device is None or answer.is_exact:
+            return ""
+        return hex32(answer.device.device.revision_no) or NO_REVISION
+
+    @property
+    def source(self) -> str:
+        """The first document that carries the description, and the line in it; empty without description."""
+        described = self.identification.device
+        if described is None or not described.sources:
+            return ""
+        return f"{described.sources[0].member}, line {described.sources[0].line}"
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -84,6 +101,13 @@ class BusReport(NamedTuple):
     summary: BusSummary
 
     @property
+    def title(self) -> str:
+        """Which bus it is of several: its number in the text, and the master or interface where the text names one."""
+        first = self.slaves[0].slave
+        place = f"master {first.master}" if first.master is not None else first.interface
+        return f"Bus {self.bus}" + (f", {place}" if place else "")
+
+    @property
     def not_exact_at(self) -> tuple[int, ...]:
         """Positions of the slaves without exact ESI."""
         return tuple(item.slave.position for item in self.slaves if not item.identification.is_exact)
@@ -101,12 +125,15 @@ def alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:
 
 def reference_clock_words(bus: BusReport) -> str:
     """Which slave can be the reference clock, and of which ones before it nothing is known or described."""
-    clock, unknown = bus.summary.reference_clock_candidate, bus.summary.clock_unknown_at
-    if not unknown:
-        return f"slave {clock} is the first that can be it" if clock is not None else "no candidate"
-    known = (
-        f"slave {clock} is the first known to have distributed clocks" if clock is not None else "no candidate known"
-    )
+    summary = bus.summary
+    clock, unknown = summary.reference_clock_candidate, summary.clock_unknown_at
+    if clock is None:
+        known = ["no candidate known" if unknown else "no candidate"]
+    elif summary.system_time_known and not unknown:
+        known = [f"slave {clock} is the first that can be it"]
+    else:
+        known = [f"slave {clock} is the first known to have distributed clocks"]
+        known += ["system time not told"] * (not summary.system_time_known)
     described = {item.slave.position for item in bus.slaves if item.identification.device is not None}
     silent = [position for position in unknown if position in described]
     says = "its description says" if len(silent) == 1 else "their descriptions say"
@@ -114,7 +141,7 @@ def reference_clock_words(bus: BusReport) -> str:
         "nothing is known of {}": [position for position in unknown if position not in described],
         f"of {{}} {says} nothing of clocks": silent,
     }
-    return "; ".join([known, *(text.format(slave_words(at)) for text, at in words.items() if at)])
+    return "; ".join([*known, *(text.format(slave_words(at)) for text, at in words.items() if at)])
 
 
 _Listed = tuple[ScannedSlave, tuple[ScanFinding, ...]]
@@ -144,8 +171,8 @@ def bus_reports(
         buses[slave.bus].append((slave, findings))
     found = []
     for number, listed in sorted(buses.items()):
-        slaves = [slave for slave, _ in listed]
-        fits = [_fitting(lookup, slave, read, pdos, dictionaries) for slave in slaves]
+        fits = [_fitting(lookup, slave, read, pdos, dictionaries) for slave, _ in listed]
+        slaves = [as_listed(slave, [item for item in pdos if _belongs(item, slave)]) for slave, _ in listed]
         devices = [_at_bus(lookup, slave, fit.answer, read) for slave, fit in zip(slaves, fits, strict=True)]
         reports, summary = look_at_bus(list(zip(slaves, devices, strict=True)))
         together = zip(listed, fits, reports, strict=True)
@@ -200,21 +227,53 @@ def _fitting(
     )
     own_pdos = [item for item in pdos if _belongs(item, slave)]
     own_dictionaries = [item for item in dictionaries if _belongs(item, slave)]
-    lists = " and ".join(["PDOs"] * bool(own_pdos) + ["objects"] * bool(own_dictionaries))
-    if not lists:
+    if not own_pdos and not own_dictionaries:
         return _Fit(answer)
     if answer.device is None:
+        lists = _list_words(own_pdos, own_dictionaries)
         return _Fit(answer, notes=(f"{lists} not compared: no description of slave {slave.position}",))
-    compared = [
-        tuple(_differences(*records(variant.device), own_pdos, own_dictionaries)) for variant in answer.variants
-    ]
-    fewest = min(map(len, compared))
-    best = [place for place, found in enumerate(compared) if len(found) == fewest]
-    device = answer.variants[best[0]]
-    numbers = [answer.variants[place].device.variant for place in best]
-    notes = (_best_words(numbers, len(compared), lists),) if len(compared) > 1 else ()
+    compared = [_compared(*records(variant.device), own_pdos, own_dictionaries) for variant in answer.variants]
+    best = min(compared, key=_rank)
+    device = answer.variants[compared.index(best)]
+    notes = _choice_notes(
+        {variant.device.variant: found for variant, found in zip(answer.variants, compared, strict=True)},
+        _list_words(own_pdos, own_dictionaries if best.objects_compared else ()),
+    )
     answer = msgspec.structs.replace(answer, device=device, variant_warning=lookup.other_variants(device.device))
-    return _Fit(answer, compared[best[0]], notes)
+    return _Fit(answer, best.differences, notes)
+
+
+def _list_words(pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]) -> str:
+    return " and ".join(["PDOs"] * bool(pdos) + ["objects"] * bool(dictionaries))
+
+
+class _Compared(NamedTuple):
+    """A description beside what the master printed of a slave."""
+
+    differences: tuple[str, ...]
+    objects_compared: bool
+    """False where objects were printed and the description has none to compare them with."""
+
+
+def _rank(found: _Compared) -> tuple[bool, int]:
+    """Where nothing can be compared nothing differs: such a description fits last, not best."""
+    return not found.objects_compared, len(found.differences)
+
+
+def _choice_notes(compared: Mapping[int, _Compared], lists: str) -> tuple[str, ...]:
+    """What is told of the descriptions by their variant; ``lists`` are those that the taken one was compared with."""
+    fewest = min(map(_rank, compared.values()))
+    best = [variant for variant, found in compared.items() if _rank(found) == fewest]
+    silent = [variant for variant, found in compared.items() if not found.objects_compared]
+    notes = []
+    if len(compared) - len(silent) == 1 < len(compared):
+        notes.append(f"variant {best[0]} of {len(compared)} is taken: of the others no objects are described")
+    elif lists and len(compared) > 1:
+        notes.append(_best_words(best, len(compared), lists))
+    if silent:
+        of_variants = f" of variant {', '.join(map(str, silent))}" if len(compared) > 1 else ""
+        notes.append(f"objects not compared: the description{of_variants} has no dictionary of the device itself")
+    return tuple(notes)
 
 
 def _best_words(best: Sequence[int], count: int, lists: str) -> str:
@@ -227,13 +286,13 @@ def _best_words(best: Sequence[int], count: int, lists: str) -> str:
     return f"variants {named} of {count} fit its {lists} best and alike; {best[0]} is taken"
 
 
-def _differences(
+def _compared(
     device: Device, modules: Sequence[Module], pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]
-) -> Iterator[str]:
-    for item in pdos:
-        yield from compare_pdos(device, modules, item)
-    for dictionary in dictionaries:
-        yield from compare_objects(device, modules, dictionary)
+) -> _Compared:
+    of_pdos = [words for item in pdos for words in compare_pdos(device, modules, item)]
+    of_objects = [compare_objects(device, modules, dictionary) for dictionary in dictionaries]
+    told = [words for found in of_objects for words in found or ()]
+    return _Compared((*of_pdos, *told), None not in of_objects)
 
 
 def _check_place(item: ScannedPdos | ScannedDictionary, scan: Scan) -> None:

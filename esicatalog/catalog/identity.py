@@ -11,6 +11,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 import msgspec
 
 from esicatalog.catalog.results import NONE, VENDOR, DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
+from esicatalog.identity import is_read
 from esicatalog.model.bus import DeviceAtBus
 from esicatalog.model.pdo_facts import mapped_words
 from esicatalog.model.process_image import byte_bit
@@ -98,11 +99,12 @@ _VENDOR = "SELECT name FROM vendors WHERE vendor_id = ?"
 _NEAR_PRODUCTS = " UNION ALL ".join(
     f"SELECT * FROM (SELECT {_COLUMNS} FROM devices d LEFT JOIN vendors v ON v.vendor_id = d.vendor_id "
     f"WHERE d.vendor_id = ? AND d.variant = 1 AND d.product_code {beside} ? "
+    "AND (d.vendor_id <> 0 OR d.product_code <> 0) "
     f"ORDER BY d.product_code {direction}, d.hidden, d.revision_no NULLS FIRST, d.type NULLS FIRST "
     f"LIMIT {NEAREST}) AS {name}"
     for beside, direction, name in (("<", "DESC", "below"), (">", "ASC", "above"))
 )
-"""On both sides of a product code by the index, however many products the vendor has."""
+"""On both sides of a product code by the index, however many products the vendor has; none that is no identity."""
 
 Query = Callable[[str, tuple[Any, ...]], Iterable[tuple[Any, ...]]]
 """Runs a statement with ``?`` marks and gives its rows."""
@@ -179,6 +181,9 @@ class IdentityLookup:
 
     def _identify(self, query: tuple[int, int, int | None], changes: int | None) -> Identification:
         vendor_id, product_code, revision_no = query
+        if not is_read(vendor_id, product_code):
+            # Vendors' templates have this identity too: one of them would be found for whatever was not read.
+            return Identification(*query, "none", "vendor and product 0: identity not read", None, (), ())
         rows = self._of_product((vendor_id, product_code), changes)
         if not rows:
             return self._unknown_product(query)

@@ -104,7 +104,10 @@ class Identification(msgspec.Struct, frozen=True):
     product_code: int | None
     revision_no: int | None
     match: str
-    """One of :data:`MATCHES`."""
+    """One of :data:`MATCHES`.
+
+    Vendor 0 and product 0 are always none: so masters print a slave whose identity they did not read.
+    """
     reason: str
     device: IdentifiedDevice | None
     variants: tuple[IdentifiedDevice, ...]

@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 
 from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, reference_clock_words, slave_words
-from esicatalog.catalog.results import hex32
 from esicatalog.cli.common import table_lines
 from esicatalog.model.counting import counted
 
@@ -16,33 +15,26 @@ def bus_lines(buses: Sequence[BusReport]) -> Iterator[str]:
         if number:
             yield ""
         if len(buses) > 1:
-            yield _bus_title(bus)
+            yield bus.title
         yield from table_lines([_row(item) for item in bus.slaves], _HEAD)
         yield from _notes(bus.slaves)
         yield from _summary(bus)
 
 
-def _bus_title(bus: BusReport) -> str:
-    first = bus.slaves[0].slave
-    place = f"master {first.master}" if first.master is not None else first.interface
-    return f"Bus {bus.bus}" + (f", {place}" if place else "")
-
-
 def _row(item: IdentifiedSlave) -> list[str]:
     slave, answer, report = item.slave, item.identification, item.report
     described = answer.device
-    source = described.sources[0] if described is not None and described.sources else None
     return [
         str(slave.position),
         "" if slave.alias is None else str(slave.alias),
         item.identity_text,
         answer.match,
         (described.device.type or "" if described is not None else slave.name or "").strip(),
-        "" if described is None or answer.is_exact else hex32(described.device.revision_no) or "-",
+        item.described_revision,
         "" if report.e_bus_left_ma is None else f"{report.e_bus_left_ma} mA",
         _bytes(report.output_bytes),
         _bytes(report.input_bytes),
-        "" if source is None else f"{source.member}, line {source.line}",
+        item.source,
     ]
 
 

@@ -67,6 +67,7 @@ def command(
     """Say what a device is, or every slave of a bus, and which documents describe it.
 
     Numbers are written 0x1097, #x1097 or 4247. Without exact description the nearest one is named with the reason.
+    Vendor 0 and product 0 are none: so masters print a slave whose SII they did not read.
     Exit code 1 when nothing of the product is known (of a scan: of no slave).
     """
     from esicatalog.api import Catalog

@@ -9,10 +9,14 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+import msgspec
+
+from esicatalog.model.sm_facts import INPUT, OUTPUT, control_facts
 from esicatalog.model.values import byte_length
-from esicatalog.scan.records import ScannedSlave
+from esicatalog.scan.records import ScannedPdos, ScannedSlave, ScannedSyncManager
 
 _E_BUS = "EBUS"
+_BUFFERED = "buffered"
 
 
 class DeviceAtBus(NamedTuple):
@@ -62,10 +66,39 @@ class BusSummary(NamedTuple):
     input_bytes: int
     bytes_unknown_at: tuple[int, ...]
     reference_clock_candidate: int | None
-    """The first slave that is known to have what a reference clock needs."""
+    """The first slave that is known to have distributed clocks, and not to be excluded as reference clock."""
+    system_time_known: bool
+    """Whether it is also known to have the system time that a reference clock needs, not delay measurement alone."""
     clock_unknown_at: tuple[int, ...]
     """Slaves before it (all where there is none) of which neither scan nor description tells."""
     no_lrw_at: tuple[int, ...]
+
+
+def as_listed(slave: ScannedSlave, lists: Sequence[ScannedPdos]) -> ScannedSlave:
+    """The slave with the process data of the PDOs that a master listed: what is assigned is what is exchanged.
+
+    Every SyncManager begins at a byte. A direction of which the lists say nothing stays as the scan has it.
+    """
+    bits: dict[str, dict[int, int]] = defaultdict(dict)
+    for sync_manager in (item for listed in lists for item in listed.sync_managers):
+        for direction, size in _listed_bits(sync_manager).items():
+            bits[direction][sync_manager.number] = (size + 7) // 8 * 8
+    sizes = {direction: sum(of_direction.values()) for direction, of_direction in bits.items()}
+    return msgspec.structs.replace(
+        slave,
+        output_bits=sizes.get(OUTPUT, slave.output_bits),
+        input_bits=sizes.get(INPUT, slave.input_bits),
+    )
+
+
+def _listed_bits(sync_manager: ScannedSyncManager) -> dict[str, int]:
+    """Bits by direction; nothing where a size without PDOs tells of process data that nobody maps."""
+    bits: dict[str, int] = defaultdict(int)
+    for pdo in sync_manager.pdos:
+        bits[OUTPUT if pdo.is_rx else INPUT] += sum(entry.bit_length for entry in pdo.entries)
+    facts = control_facts(sync_manager.control)
+    is_empty = not sync_manager.pdos and not sync_manager.size_bytes and facts.buffer_mode == _BUFFERED
+    return {facts.transfer_direction: 0} if is_empty and facts.transfer_direction is not None else bits
 
 
 def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple[list[SlaveReport], BusSummary]:
@@ -175,6 +208,11 @@ def _can_be_reference_clock(slave: ScannedSlave, device: DeviceAtBus | None, has
     return has_clock
 
 
+def _has_system_time(slave: ScannedSlave, device: DeviceAtBus | None) -> bool:
+    """Whether scan or description tells so: what synchronises by a sync unit has one, slaveinfo prints none."""
+    return bool(slave.dc_system_time or (device is not None and device.has_clock))
+
+
 def _summary(
     bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]],
     reports: Sequence[SlaveReport],
@@ -184,6 +222,7 @@ def _summary(
     together = [(slave, report) for (slave, _), report in zip(bus, reports, strict=True)]
     clocks = {s.position: _can_be_reference_clock(s, d, r.dc_capable) for (s, d), r in zip(bus, reports, strict=True)}
     candidate = next((position for position, can in clocks.items() if can), None)
+    told = {slave.position: _has_system_time(slave, device) for slave, device in bus}
     before = itertools.takewhile(lambda item: item[0] != candidate, clocks.items())
     return BusSummary(
         duplicate_aliases=duplicates,
@@ -193,6 +232,7 @@ def _summary(
         input_bytes=sum(report.input_bytes or 0 for report in reports),
         bytes_unknown_at=tuple(s.position for s, r in together if r.output_bytes is None or r.input_bytes is None),
         reference_clock_candidate=candidate,
+        system_time_known=candidate is not None and told[candidate],
         clock_unknown_at=tuple(position for position, can in before if can is None),
         no_lrw_at=tuple(s.position for s, r in together if r.no_lrw),
     )

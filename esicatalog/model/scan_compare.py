@@ -144,16 +144,17 @@ def _pdo_differences(pdo: ScannedPdo, known: Mapping[tuple[bool, int], Collectio
             yield f"{where}, entry {number}: maps {mapped_words(*ours)}; described is {mapped_words(*theirs)}"
 
 
-def compare_objects(device: Device, modules: Sequence[Module], seen: ScannedDictionary) -> list[str]:
+def compare_objects(device: Device, modules: Sequence[Module], seen: ScannedDictionary) -> list[str] | None:
     """What of the printed object dictionary is not as described: objects, subindices, types, access.
 
-    Objects that only a module brings need not be there. A description without dictionary says nothing.
+    Objects that only a module brings need not be there. None where the description has no dictionary of the device
+    itself: nothing is compared then, which is another thing than no difference.
     """
     views = DictionaryViews()
     described = views.of(device.profiles)
     own = sorted({index for view in described for index in view.by_index})
     if not own:
-        return []
+        return None
     shown = {item.index for item in seen.objects}
     dictionaries = [p.dictionary for module in modules for p in module.profiles if p.dictionary is not None]
     slots = _AnySlot(device, modules, sum(len(dictionary.objects) for dictionary in dictionaries))

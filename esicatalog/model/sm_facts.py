@@ -83,11 +83,12 @@ class SmFacts(Record):
 
 def sm_facts(sync_manager: SyncManager) -> SmFacts:
     """Decode the ControlByte; everything is None when it is not given."""
-    return _control_facts(sync_manager.control_byte)
+    return control_facts(sync_manager.control_byte)
 
 
 @functools.lru_cache(256)
-def _control_facts(control: int | None) -> SmFacts:
+def control_facts(control: int | None) -> SmFacts:
+    """Decode a ControlByte, wherever it stands; everything is None for None."""
     if control is None:
         return SmFacts()
     return SmFacts(

@@ -9,7 +9,7 @@ _Listing = list[ScannedSlave]
 
 
 def separate_buses(slaves: list[ScannedSlave]) -> tuple[tuple[ScannedSlave, ...], list[ScanFinding]]:
-    """Number the buses of a text in ``bus``; drop a listing that repeats an earlier one of the same bus.
+    """Number the buses of a text in ``bus``; drop what repeats a listing of the same bus, or a part of it.
 
     A listing is a run of rising positions under one master and interface. Listings of one master or interface belong
     to one bus unless their positions overlap: then the same slaves mean the same output twice (``slaveinfo`` and
@@ -17,24 +17,30 @@ def separate_buses(slaves: list[ScannedSlave]) -> tuple[tuple[ScannedSlave, ...]
     """
     numbered: list[ScannedSlave] = []
     findings = []
-    latest: dict[_Key, tuple[int, set[int]]] = {}
+    latest: dict[_Key, tuple[int, dict[int, ScannedSlave]]] = {}
     known: dict[tuple[object, ...], int] = {}
     buses = 0
     for listing in _listings(slaves):
         key, line = _key(listing[0]), listing[0].line
-        first_line = known.setdefault((key, *_identities(listing)), line)
-        if first_line != line:
-            message = f"the listing repeats the one from line {first_line}; it is read once"
-            findings.append(ScanFinding(line=line, message=message))
-            continue
-        positions = {slave.position for slave in listing}
-        bus, taken = latest.get(key, (buses, set()))
-        if not taken.isdisjoint(positions):
-            bus, taken = buses, set()
+        first_line = known.setdefault((key, *map(_identity, listing)), line)
+        bus, taken = latest.get(key, (buses, {}))
+        again = [slave for slave in listing if slave.position in taken]
+        is_same = all(_identity(slave) == _identity(taken[slave.position]) for slave in again)
+        if again and is_same:
+            first_line = taken[again[0].position].line
+            listing = [slave for slave in listing if slave.position not in taken]
+        elif first_line != line:
+            listing = []
+        elif again:
+            bus, taken = buses, {}
             message = "positions are listed again with other slaves; kept apart as another bus"
             findings.append(ScanFinding(line=line, message=message))
+        if first_line != line:
+            what = "a part of the listing" if listing else "the listing"
+            message = f"{what} repeats the one from line {first_line}; it is read once"
+            findings.append(ScanFinding(line=line, message=message))
         buses = max(buses, bus + 1)
-        taken |= positions
+        taken |= {slave.position: slave for slave in listing}
         latest[key] = bus, taken
         numbered += [msgspec.structs.replace(slave, bus=bus) for slave in listing]
     return tuple(numbered), findings
@@ -55,17 +61,14 @@ def _key(slave: ScannedSlave) -> _Key:
     return slave.master, slave.interface
 
 
-def _identities(listing: _Listing) -> list[tuple[object, ...]]:
-    """Who the slaves are: by their name too, for tables show it instead of the identity."""
-    return [
-        (
-            slave.position,
-            slave.vendor_id,
-            slave.product_code,
-            slave.revision_no,
-            slave.serial_no,
-            slave.alias,
-            slave.name,
-        )
-        for slave in listing
-    ]
+def _identity(slave: ScannedSlave) -> tuple[object, ...]:
+    """Who a slave is: by its name too, for tables show it instead of the identity."""
+    return (
+        slave.position,
+        slave.vendor_id,
+        slave.product_code,
+        slave.revision_no,
+        slave.serial_no,
+        slave.alias,
+        slave.name,
+    )

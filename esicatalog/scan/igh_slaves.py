@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable
 from typing import Any
 
+from esicatalog.identity import is_read
 from esicatalog.scan.buses import separate_buses
 from esicatalog.scan.records import Scan, ScanError, ScanFinding, ScannedCoe, ScannedPort, ScannedSlave
 from esicatalog.scan.text import Skipped, heading_of, in_order, numbered_lines, quoted
@@ -149,7 +150,7 @@ class _Block:
         missing = [words for field, words in _REQUIRED.items() if self.facts.get(field) is None]
         if missing:
             return [self._finding(f"has no {', '.join(missing)}; kept without")]
-        if not self.facts["vendor_id"] and not self.facts["product_code"]:
+        if not is_read(self.facts["vendor_id"], self.facts["product_code"]):
             return [self._finding("has vendor id and product code 0: its SII was not read or is empty")]
         return []
 

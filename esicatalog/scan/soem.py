@@ -12,6 +12,7 @@ import re
 from collections.abc import Callable
 from typing import Any
 
+from esicatalog.identity import is_read
 from esicatalog.scan.buses import separate_buses
 from esicatalog.scan.records import Scan, ScanFinding, ScannedCoe, ScannedPort, ScannedSlave, ScannedSyncManager
 from esicatalog.scan.text import Skipped, in_order, numbered_lines, quoted
@@ -139,7 +140,7 @@ class _Block:
     def findings(self) -> list[ScanFinding]:
         if self.facts.get("product_code") is None:
             message = f"slave {self.number} has no line `Man: ID: Rev:`; kept without identity"
-        elif not self.facts["vendor_id"] and not self.facts["product_code"]:
+        elif not is_read(self.facts["vendor_id"], self.facts["product_code"]):
             message = f"slave {self.number} has vendor id and product code 0: its SII was not read or is empty"
         else:
             return []

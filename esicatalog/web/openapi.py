@@ -105,7 +105,10 @@ _DEVICE = {
 _SOURCE = _object({"member": {"type": "string"}, "line": {"type": "integer"}, "group_type": _TEXT})
 _ANSWER = {
     "query": _object(_IDENTITY),
-    "match": {"enum": list(MATCHES)},
+    "match": {
+        "enum": list(MATCHES),
+        "description": "none also where vendor and product are 0: so masters print a slave whose identity was not read",
+    },
     "reason": {"type": "string"},
     "device": {"oneOf": [_ref("DescribedDevice"), {"type": "null"}]},
     "variants": _list(_ref("DescribedDevice")),

@@ -108,7 +108,7 @@ def _bus(bus: BusReport) -> dict[str, Any]:
         ("same alias", alias_words(summary.duplicate_aliases)),
     ]
     return {
-        "bus": bus.bus,
+        "title": bus.title,
         "slaves": [_slave(item) for item in bus.slaves],
         "summary": [(name, words) for name, words in facts if words],
     }
@@ -124,6 +124,8 @@ def _slave(item: IdentifiedSlave) -> dict[str, Any]:
         "match": answer.match,
         "path": device_path(device) if device is not None else None,
         "type": device.shown_type if device is not None else slave.name or "",
+        "revision": item.described_revision,
+        "source": item.source,
         "left": "" if report.e_bus_left_ma is None else f"{report.e_bus_left_ma} mA",
         "out": "?" if report.output_bytes is None else report.output_bytes,
         "in": "?" if report.input_bytes is None else report.input_bytes,
