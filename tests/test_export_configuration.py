@@ -159,6 +159,15 @@ def test_a_mandatory_pdo_that_is_itself_left_out_stands_in_no_way():
     assert pdos(found) == {2: [0x1600, 0x1602]}
 
 
+@pytest.mark.parametrize("chosen", [0x1600, 0x1601])
+@pytest.mark.parametrize("listed", ["", '<Sm No="2"><Pdo>#x1601</Pdo></Sm>'])
+def test_of_two_mandatory_pdos_that_exclude_each_other_the_chosen_one_is_assigned(chosen, listed):
+    first = pdo("RxPdo", "#x1600", 16, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1601</Exclude>")
+    second = pdo("RxPdo", "#x1601", 8, attributes='Sm="2" Mandatory="1"')
+    found = configured(SMS + first + second + COE + dc(("DC", listed)), pdos=parse_pdo_choice(f"{chosen:#x}"))
+    assert pdos(found) == {2: [chosen]}
+
+
 BOTH_WAYS = (
     pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')
     + pdo("RxPdo", "#x1601", 16, extra="<Exclude>#x1A00</Exclude>")

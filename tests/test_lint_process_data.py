@@ -329,3 +329,34 @@ def test_l31_knows_the_lists_of_op_modes(tmp_path, attributes, modes, words, bef
     found = linted(tmp_path, "L31", device(f"<Sm>Outputs</Sm>{pdos}<Dc>{op_modes}</Dc>"))
     said = f"RxPdo 0x1601 and 0x1600 exclude each other, but {words}"
     assert [item["message"] for item in found] == ([said] if words else [])
+
+
+ONE_LISTED = "the OpMode 'M0' lists {} and {} stays, being mandatory: correct the list or Mandatory"
+
+
+@pytest.mark.parametrize(
+    ("mandatory", "lists", "words"),
+    [
+        ((True, True), ("#x1600",), None),
+        ((True, True), ("#x1601",), None),
+        ((True, True), ("#x1600", "#x1602"), "both are mandatory and the OpMode 'M1' lists neither: list one of them"),
+        ((False, True), ("#x1600",), ONE_LISTED.format("0x1600", "0x1601")),
+        ((True, False), ("#x1601",), ONE_LISTED.format("0x1601", "0x1600")),
+        ((True, False), ("#x1600",), None),
+        ((True, True), ("#x1601#x1600",), "the OpMode 'M0' assigns both: take one of them out of its list"),
+    ],
+)
+def test_l31_says_which_pdo_is_listed_and_which_stays_because_it_is_mandatory(tmp_path, mandatory, lists, words):
+    """0x1600 and 0x1601 exclude each other: a list chooses between two mandatory ones, not against a single one."""
+    pdos = pdo("RxPdo", "#x1602", 8) + "".join(
+        pdo("RxPdo", index, 8, attributes=f'Sm="0" Mandatory="{int(stays)}"', extra=f"<Exclude>{other}</Exclude>")
+        for index, other, stays in zip(("#x1600", "#x1601"), ("#x1601", "#x1600"), mandatory, strict=True)
+    )
+    op_modes = "".join(
+        f"<OpMode><Name>M{number}</Name><AssignActivate>0</AssignActivate>"
+        f'<Sm No="0">{"".join(f"<Pdo>#{index}</Pdo>" for index in indices.split("#")[1:])}</Sm></OpMode>'
+        for number, indices in enumerate(lists)
+    )
+    found = linted(tmp_path, "L31", device(f"<Sm>Outputs</Sm>{pdos}<Dc>{op_modes}</Dc>"))
+    said = f"RxPdo 0x1601 and 0x1600 exclude each other, but {words}"
+    assert [item["message"] for item in found] == ([said] if words else [])

@@ -110,6 +110,42 @@ def test_of_two_mandatory_pdos_that_exclude_each_other_one_is_assigned_too_and_t
     )
 
 
+EXCLUSIVE = (
+    pdo("RxPdo", "#x1600", 8, attributes='Sm="2" Mandatory="1"', extra="<Exclude>#x1601</Exclude>")
+    + pdo("RxPdo", "#x1601", 8, attributes='Sm="2" Mandatory="1"')
+    + pdo("RxPdo", "#x1602", 8)
+)
+
+
+@pytest.mark.parametrize(("listed", "other"), [(0x1600, 0x1601), (0x1601, 0x1600)])
+def test_a_list_chooses_between_two_mandatory_pdos_that_exclude_each_other(listed, other):
+    """ESI-FACTS 0.5: the lists win."""
+    mode = op_mode(f'<Sm No="2"><Pdo>#x{listed:X}</Pdo></Sm>')
+    image = images(f"{EXCLUSIVE}<Dc>{mode}</Dc>")[2]
+    assert indices(image) == [listed]
+    assert image.remarks == (f"PDO 0x{other:X} is left out: 0x{listed:X} excludes it",)
+
+
+def test_a_mandatory_pdo_that_a_list_leaves_out_stays_beside_one_that_is_not_mandatory():
+    """ESI-FACTS section 9: it must stay assigned."""
+    optional = EXCLUSIVE.replace(' Mandatory="1"', "", 1)
+    mode = op_mode('<Sm No="2"><Pdo>#x1600</Pdo></Sm>')
+    assert indices(images(f"{optional}<Dc>{mode}</Dc>")[2]) == [0x1601]
+
+
+@pytest.mark.parametrize("listed", [0x1600, 0x1601])
+def test_a_mandatory_pdo_of_the_list_stays_where_the_user_lists_others(listed):
+    """Of the two that exclude each other that one which the OpMode lists."""
+    mode = op_mode(f'<Sm No="2"><Pdo>#x{listed:X}</Pdo></Sm>')
+    (info,) = read(esi(device(SMS + f"{EXCLUSIVE}<Dc>{mode}</Dc>"))).document.infos
+    (found,) = (
+        image
+        for image in process_image(info.devices[0], (), info.devices[0].op_modes[0], {2: [0x1602]})
+        if image.sm == 2
+    )
+    assert indices(found) == [listed, 0x1602]
+
+
 @pytest.mark.parametrize(("order", "offset"), [(("#x1A00", "#x1B02"), 0), (("#x1B02", "#x1A00"), None)])
 def test_a_pdo_that_is_listed_and_not_described_has_no_known_length(order, offset):
     """It is exchanged all the same: the image is longer than what is described, and what follows has no place."""
@@ -129,6 +165,14 @@ def test_a_listed_pdo_goes_the_way_of_its_sync_manager_be_it_described_or_not():
     assert [(placed.direction, placed.pdo.pdo_index) for placed in found[2].pdos] == [("RxPdo", 100)]
     assert [(placed.direction, placed.pdo.pdo_index) for placed in found[7].pdos] == [("RxPdo", 0x1650)]
     assert found[1].pdos == ()
+
+
+def test_a_listed_pdo_that_nobody_describes_goes_the_way_of_its_index():
+    """0x1600 to 0x17FF are RxPDOs, 0x1A00 to 0x1BFF TxPDOs (ETG.1000.6): outputs have none of these."""
+    found = images(f"""<Dc>{op_mode('<Sm No="2"><Pdo>#x1A99</Pdo></Sm><Sm No="3"><Pdo>#x17FF</Pdo></Sm>')}</Dc>""")
+    assert (found[2].pdos, found[3].pdos) == ((), ())
+    assert found[2].remarks[-1] == "PDO 0x1A99 is left out: it is a TxPdo, SM2 is for Outputs"
+    assert found[3].remarks[-1] == "PDO 0x17FF is left out: it is a RxPdo, SM3 is for Inputs"
 
 
 def test_a_listed_pdo_may_be_that_of_a_module_that_is_not_plugged():

@@ -105,12 +105,13 @@ def _check_exclusions(
         if image.sm not in assignment
         for placed in image.pdos
     }
+    chosen = [index for indices in assignment.values() for index in indices]
+    by_default = [placed.pdo.pdo_index for image in default for placed in image.pdos]
     beside |= {
         index: "is mandatory"
-        for index, sm in staying_pdos(device, available).items()
+        for index, sm in staying_pdos(device, available, [*chosen, *by_default]).items()
         if sm in assignment or index in beside
     }
-    chosen = {index for indices in assignment.values() for index in indices}
     for index in sorted(chosen):
         for rival in exclusions.get(index, ()):
             words = f"PDO 0x{index:04X} and PDO 0x{rival:04X} exclude each other"

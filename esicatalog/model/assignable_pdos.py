@@ -132,8 +132,11 @@ def _transports(sync_manager: SyncManager, direction: str) -> bool:
     return role is not None and role.pdo_direction == direction and not sync_manager.virtual
 
 
-def staying_pdos(device: Device, available: Sequence[AvailablePdo]) -> dict[int, int]:
-    """Indices of the PDOs that stay whatever is chosen beside them, each with its SyncManager."""
+def staying_pdos(device: Device, available: Sequence[AvailablePdo], listed: Iterable[int | None]) -> dict[int, int]:
+    """Indices of the mandatory PDOs that stay beside those that are listed, each with its SyncManager.
+
+    ``listed`` are the PDOs that are chosen, then those assigned without a choice, mandatory or not.
+    """
     exclusions = symmetric_exclusions(item.pdo for item in available)
     places = {
         item.pdo.pdo_index: item.pdo.sm
@@ -141,13 +144,16 @@ def staying_pdos(device: Device, available: Sequence[AvailablePdo]) -> dict[int,
         if item.pdo.mandatory and not item.pdo.virtual and item.pdo.pdo_index is not None and item.pdo.sm is not None
         if assignment_place(device, item.direction, item.pdo).sm is not None
     }
-    return {index: places[index] for index in without_rivals(sorted(places, key=places.__getitem__), exclusions)}
+    order = {index: position for position, index in enumerate(dict.fromkeys(listed))}
+    in_order = sorted(places, key=lambda index: (order.get(index, len(order)), places[index]))
+    return {index: places[index] for index in without_rivals(in_order, exclusions)}
 
 
 def without_rivals(mandatory: Iterable[int], exclusions: Mapping[int | None, Collection[int]]) -> list[int]:
-    """The mandatory PDOs that stay, given in the order of their assignment: of two that exclude each other the first.
+    """The mandatory PDOs that stay: of two that exclude each other the first.
 
-    One that is itself left out excludes nothing.
+    Those that a list names are given first (ESI-FACTS 0.5: the lists win), then the others in the order of their
+    assignment. One that is itself left out excludes nothing.
     """
     staying: list[int] = []
     for index in mandatory:

@@ -51,10 +51,10 @@ class DriveSetup:
     def _available(self) -> list[AvailablePdo]:
         return available_pdos(self.device, self._plugged).pdos
 
-    @cached_property
-    def _staying(self) -> Collection[int]:
-        """Indices of the mandatory PDOs that stay whatever is chosen."""
-        return staying_pdos(self.device, self._available)
+    def _staying(self, pdo_index: int | None) -> Collection[int]:
+        """Indices of the mandatory PDOs that stay where a PDO is chosen."""
+        placed = (placed.pdo.pdo_index for image in self.images for placed in image.pdos)
+        return staying_pdos(self.device, self._available, [pdo_index, *placed])
 
     @property
     def op_mode_choice(self) -> str | None:
@@ -89,7 +89,7 @@ class DriveSetup:
         place = assignment_place(self.device, meant.found.direction, meant.found.pdo)
         if place.sm is None:
             return place.obstacle
-        for rival in sorted(set(self.exclusions.get(pdo.pdo_index, ())).intersection(self._staying)):
+        for rival in sorted(set(self.exclusions.get(pdo.pdo_index, ())).intersection(self._staying(pdo.pdo_index))):
             return f"cannot be assigned beside 0x{rival:04X}, which is mandatory"
         return None
 

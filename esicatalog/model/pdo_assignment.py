@@ -1,7 +1,8 @@
 """Which PDOs are assigned to which SyncManager (ESI-FACTS sections 0, 9, 12 and 18).
 
 A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the SyncManager: then that list counts, with
-the mandatory ones, which have to stay; a PDO that it lists goes there, whatever its own Sm says. One that it lists and
+the mandatory ones, which have to stay; a PDO that it lists goes there, whatever its own Sm says. A list of the user
+takes the place of the OpMode's, whose mandatory PDOs stay too. One that it lists and
 nobody describes is exchanged all the same: it has no known entries. What a virtual SyncManager has is described, not
 transported, like a virtual PDO.
 """
@@ -12,8 +13,8 @@ from typing import NamedTuple
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos, without_rivals
-from esicatalog.model.pdo_facts import PDO_MAPPINGS, index_words, symmetric_exclusions
+from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos
+from esicatalog.model.pdo_facts import PDO_MAPPINGS, index_words
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import may_transport, sm_role
 
@@ -31,6 +32,8 @@ class SmAssignment(NamedTuple):
     is_named: bool
     """Whether a PDO names it, be it one that is not exchanged, or an OpMode or the user lists PDOs for it."""
     remarks: list[str]
+    listed: Collection[int] | None
+    """Indices that the OpMode or the user lists for it, None without a list; others stay because they are mandatory."""
 
 
 class PdoAssignment(NamedTuple):
@@ -49,8 +52,8 @@ def assigned_pdos(
     candidates, problems = _candidates(device, plugged)
     lists = _lists(op_mode)
     by_choice = {index for indices in chosen.values() for index in indices}
-    wanted = {number: [index for index in items if index not in by_choice] for number, items in lists.items()}
-    wanted |= {number: [*indices] for number, indices in chosen.items()}
+    by_mode = {number: [index for index in items if index not in by_choice] for number, items in lists.items()}
+    wanted = by_mode | {number: [*indices] for number, indices in chosen.items()}
     unlisted = _unlisted(device, candidates, [*lists.items(), *chosen.items()]) if wanted else candidates
     numbers = {c.pdo.sm for c in candidates if c.pdo.sm is not None} | wanted.keys()
     numbers |= {number for number, sm in enumerate(device.sync_managers) if has_default_image(sm)}
@@ -58,12 +61,14 @@ def assigned_pdos(
     for number in sorted(numbers):
         sm, remarks = _sync_manager(device, number), [*problems]
         if number in wanted:
-            listed = _with_mandatory(number, wanted[number], unlisted, remarks)
-            meant = list(_by_index(device, sm, candidates, listed, remarks))
+            replaced = [index for index in by_mode.get(number, ()) if index not in wanted[number]]
+            indices = [*_mandatory(number, candidates, unlisted, replaced), *wanted[number]]
+            meant = list(_by_index(device, sm, candidates, indices, remarks))
         else:
             meant = [[candidate] for candidate in unlisted if candidate.pdo.sm == number]
         pdos = list(_transported(number, sm, _fitting(number, sm, meant, remarks), remarks))
-        found.append(SmAssignment(number, sm, pdos, number in wanted or bool(meant), remarks))
+        is_named = number in wanted or bool(meant)
+        found.append(SmAssignment(number, sm, pdos, is_named, remarks, wanted.get(number)))
     return PdoAssignment(found, {index: factor for items in lists.values() for index, factor in items.items()})
 
 
@@ -93,16 +98,15 @@ def _unlisted(
     return [candidate for candidate in candidates if (candidate.direction, candidate.pdo.pdo_index) not in listed]
 
 
-def _with_mandatory(
-    number: int, wanted: Sequence[int], candidates: list[AvailablePdo], remarks: list[str]
+def _mandatory(
+    number: int, candidates: list[AvailablePdo], unlisted: list[AvailablePdo], replaced: Sequence[int]
 ) -> list[int]:
-    """A list with the mandatory PDOs before it that it leaves out; those that exclude each other are told once."""
-    mandatory = [c.pdo for c in candidates if c.pdo.sm == number and c.pdo.mandatory and not c.pdo.virtual]
-    found = [pdo.pdo_index for pdo in mandatory if pdo.pdo_index is not None]
-    missing = [index for index in dict.fromkeys(found) if index not in wanted]
-    staying = without_rivals(missing, symmetric_exclusions(mandatory))
-    remarks += [f"PDO {index_words(index)} is mandatory: assigned too" for index in staying]
-    return [*missing, *wanted]
+    """The mandatory PDOs of a SyncManager, those first that a list names in whose place another one counts."""
+    named = [c for index in replaced for c in candidates if c.pdo.pdo_index == index]
+    own = [c for c in unlisted if c.pdo.sm == number]
+    return [
+        c.pdo.pdo_index for c in (*named, *own) if c.pdo.mandatory and not c.pdo.virtual and c.pdo.pdo_index is not None
+    ]
 
 
 def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> AvailablePdos:
@@ -152,11 +156,11 @@ def _by_index(
 
 
 def _undescribed(sm: SyncManager | None, index: int) -> AvailablePdo:
-    """A PDO of which nothing is known but its index; its direction is that of the SyncManager, else of the index."""
+    """A PDO of which nothing is known but its index, which tells its direction; elsewhere its SyncManager does."""
+    by_index = next((direction for direction, indices in PDO_MAPPINGS.items() if index in indices), None)
     role = sm_role(sm) if sm is not None else None
-    by_index = "RxPdo" if index in PDO_MAPPINGS["RxPdo"] else "TxPdo"
-    direction = role.pdo_direction if role is not None else None
-    return AvailablePdo(direction or by_index, None, Pdo(pdo_index=index), None, None)
+    by_role = role.pdo_direction if role is not None else None
+    return AvailablePdo(by_index or by_role or "TxPdo", None, Pdo(pdo_index=index), None, None)
 
 
 def _fitting(

@@ -174,7 +174,7 @@ def process_image(
     OpMode's oversampling factors count whoever assigns the PDO, since its SYNC0 runs that often.
     """
     assigned = assigned_pdos(device, plugged, op_mode, assignment)
-    rivals = _Rivals(item.pdo for of_sm in assigned.sync_managers for item in of_sm.pdos)
+    rivals = _Rivals(assigned.sync_managers)
     has_module_pdos = any(item.module.rx_pdos or item.module.tx_pdos for item in plugged)
     return [_image(device, of_sm, assigned.factors, rivals, has_module_pdos) for of_sm in assigned.sync_managers]
 
@@ -182,11 +182,16 @@ def process_image(
 class _Rivals:
     """PDOs that exclude each other, be they of one SyncManager or of several."""
 
-    def __init__(self, pdos: Iterable[Pdo]) -> None:
-        known = list(pdos)
-        self._exclusions = symmetric_exclusions(known)
-        mandatory = [pdo.pdo_index for pdo in known if pdo.mandatory and pdo.pdo_index is not None]
-        self._taken: set[int | None] = {*without_rivals(mandatory, self._exclusions)}
+    def __init__(self, assignments: Iterable[SmAssignment]) -> None:
+        known = [(item.pdo, of_sm.listed or ()) for of_sm in assignments for item in of_sm.pdos]
+        self._exclusions = symmetric_exclusions(pdo for pdo, _ in known)
+        mandatory = {
+            pdo.pdo_index: pdo.pdo_index not in listed
+            for pdo, listed in known
+            if pdo.mandatory and pdo.pdo_index is not None
+        }
+        staying = without_rivals(sorted(mandatory, key=mandatory.__getitem__), self._exclusions)
+        self._taken: set[int | None] = {*staying}
 
     def rival(self, pdo: Pdo) -> int | None:
         """What excludes a PDO: one that was taken before, or a mandatory one that stays."""
@@ -205,7 +210,7 @@ def _image(
     has_module_pdos: bool,
 ) -> SmImage:
     number, sm, remarks = assigned.number, assigned.sync_manager, assigned.remarks
-    builder = _ImageBuilder(device, factors, rivals, remarks)
+    builder = _ImageBuilder(device, factors, rivals, assigned)
     for pdo in assigned.pdos:
         builder.place(pdo)
     builder.align(None)
@@ -260,11 +265,14 @@ def _unknown_words(number: int, placed: Iterable[PlacedPdo]) -> Iterator[str]:
 class _ImageBuilder:
     """Puts PDOs one behind the other, bit by bit; groups of module PDOs end on their alignment."""
 
-    def __init__(self, device: Device, factors: Mapping[int, int | None], rivals: _Rivals, remarks: list[str]) -> None:
+    def __init__(
+        self, device: Device, factors: Mapping[int, int | None], rivals: _Rivals, assigned: SmAssignment
+    ) -> None:
         self._factors = factors
         self._groups = device.module_pdo_groups
         self._rivals = rivals
-        self._remarks = remarks
+        self._remarks = assigned.remarks
+        self._listed = assigned.listed
         self._group: AvailablePdo | None = None
         self._group_start = 0
         self.placed: list[PlacedPdo] = []
@@ -279,6 +287,8 @@ class _ImageBuilder:
         if rival is not None:
             self._remarks.append(f"PDO {index_words(pdo.pdo_index)} is left out: {index_words(rival)} excludes it")
             return
+        if self._listed is not None and pdo.pdo_index not in self._listed:
+            self._remarks.append(f"PDO {index_words(pdo.pdo_index)} is mandatory: assigned too")
         self.align(candidate)
         repeat = self._repeat(pdo)
         # An entry of no bits counts as one here, else nothing would bound how often it is repeated.

@@ -1,6 +1,6 @@
 """Rules about PDOs: index, assignment, exclusions, entries (ESI-FACTS section 9)."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Container, Iterable, Iterator, Sequence
 
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.pdo import Exclude, Pdo
@@ -114,13 +114,29 @@ def exclusive_defaults(subject: ProcessSubject | ModuleSubject) -> Iterator[Foun
                     (*placed.place, "excludes", number),
                 )
     told: set[tuple[int | None, int]] = set()
-    for assigned, words, field in _assignments(subject):
+    for assigned, mode in _assignments(subject):
         for placed, other in _exclusive(assigned):
             index = placed.pdo.pdo_index
-            if (index, other) not in told:
+            if index is not None and (index, other) not in told:
                 told.add((index, other))
                 both = f"{_words(placed.direction, index)} and 0x{other:04X}"
+                words, field = _assigning(mode, (other, index))
                 yield Found(f"{both} exclude each other, but {words}", (*placed.place, *field))
+
+
+def _assigning(mode: OpMode | None, both: Sequence[int]) -> tuple[str, tuple[str, ...]]:
+    """Why two PDOs are assigned, by default or in an OpMode, with what to do, and the field that assigns them."""
+    if mode is None:
+        return "both are assigned by default: one of them must lose its Sm", ("sm",)
+    listed = [index for index in both if index in listed_pdos([mode])]
+    staying = [index for index in both if index not in listed]
+    name = f"the OpMode {mode.name!r}"
+    if not listed:
+        return f"both are mandatory and {name} lists neither: list one of them", ()
+    if not staying:
+        return f"{name} assigns both: take one of them out of its list", ()
+    (one,), (other,) = listed, staying
+    return f"{name} lists 0x{one:04X} and 0x{other:04X} stays, being mandatory: correct the list or Mandatory", ()
 
 
 def _exclusive(assigned: Sequence[DeclaredPdo]) -> Iterator[tuple[DeclaredPdo, int]]:
@@ -135,24 +151,23 @@ def _exclusive(assigned: Sequence[DeclaredPdo]) -> Iterator[tuple[DeclaredPdo, i
             before.append(index)
 
 
-def _assignments(subject: ProcessSubject | ModuleSubject) -> Iterator[tuple[list[DeclaredPdo], str, tuple[str, ...]]]:
-    """What is assigned together, with what assigns it in words and the field that does: by default, by each list."""
-    yield _assigned_by_default(subject), "both are assigned by default: one of them must lose its Sm", ("sm",)
+def _assignments(subject: ProcessSubject | ModuleSubject) -> Iterator[tuple[list[DeclaredPdo], OpMode | None]]:
+    """What is assigned together: by default, then by each OpMode with lists."""
+    yield _assigned_by_default(subject), None
     if isinstance(subject, ModuleSubject):
         return
+    transported = [placed for placed in subject.pdos if not placed.pdo.virtual]
+    exclusions = symmetric_exclusions(placed.pdo for placed in transported)
     for mode in subject.data.op_modes:
         if indices := listed_pdos([mode]):
-            assigned = [
-                placed
-                for placed in subject.pdos
-                if not placed.pdo.virtual and (placed.pdo.pdo_index in indices or _stays(placed.pdo))
-            ]
-            yield assigned, f"the OpMode {mode.name!r} assigns both: take one of them out of its list", ()
+            listed = [placed.pdo for placed in transported if placed.pdo.pdo_index in indices]
+            chosen = {rival for pdo in listed if pdo.mandatory for rival in exclusions.get(pdo.pdo_index, ())}
+            yield [item for item in transported if item.pdo.pdo_index in indices or _stays(item.pdo, chosen)], mode
 
 
-def _stays(pdo: Pdo) -> bool:
-    """Whether a PDO is assigned to its SyncManager whatever a list has."""
-    return bool(pdo.mandatory) and pdo.sm is not None
+def _stays(pdo: Pdo, ruled_out: Container[int | None]) -> bool:
+    """Whether a PDO is assigned to its SyncManager whatever a list has, unless it names another mandatory one."""
+    return bool(pdo.mandatory) and pdo.sm is not None and pdo.pdo_index not in ruled_out
 
 
 def _any_excludes(subject: ProcessSubject | ModuleSubject) -> bool:
