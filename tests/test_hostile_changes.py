@@ -273,6 +273,7 @@ def test_nothing_below_an_unreadable_folder_is_pruned(folder, stored, monkeypatc
         closed_to_us(changed, folder / "sub")
         (folder / "victim.xml").unlink()
         lines = reported(stored, folder, prune=True)
+    assert lines.pop("victim.xml")[0] == "removed"
     assert lines == {GOOD: ("unchanged", None), "sub": ("failed", "folder cannot be read: Permission denied")}
     assert products(stored) == [1, 3, 5]
     write(folder, {"victim.xml": esi(device(product="#x2"))})
