@@ -17,8 +17,7 @@ def described(text: str) -> DescribedDevice:
 
 def compared(left: str, right: str) -> list[Difference]:
     """Differences of the devices of two documents."""
-    ours, theirs = described(left), described(right)
-    return compare_devices(ours.device, ours.modules, theirs.device, theirs.modules)
+    return compare_devices(described(left), described(right))
 
 
 def told(left: str, right: str, **sides: str) -> list[tuple[str, str | None, str | None, bool]]:
@@ -109,11 +108,9 @@ def test_of_one_revision_there_is_no_verdict():
     assert revision_verdict(one.device, one.device) is None
 
 
-def test_vendors_are_compared_when_they_are_given():
+def test_vendors_are_compared():
     one = described(esi(device()))
-    (found,) = compare_devices(
-        one.device, one.modules, one.device, one.modules, left_vendor_id=2, right_vendor_id=0x1097
-    )
+    (found,) = compare_devices(one._replace(vendor_id=2), one._replace(vendor_id=0x1097))
     assert (found.area, found.place, found.left, found.right) == ("identity", "vendor", "0x00000002", "0x00001097")
     assert found.counts
 

@@ -100,8 +100,7 @@ def described(root: etree._Element):
 
 def differs(left, right) -> bool:
     return len(left) != len(right) or any(
-        compare_devices(ours.device, ours.modules, theirs.device, theirs.modules)
-        for ours, theirs in zip(left, right, strict=True)
+        compare_devices(ours, theirs) for ours, theirs in zip(left, right, strict=True)
     )
 
 

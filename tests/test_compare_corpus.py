@@ -43,7 +43,7 @@ def read_devices(path: Path, wanted: str = "", prepared: Callable[[bytes], bytes
 
 
 def compared(left: DescribedDevice, right: DescribedDevice) -> list[Difference]:
-    return compare_devices(left.device, left.modules, right.device, right.modules)
+    return compare_devices(left, right)
 
 
 def mirrored(differences: list[Difference]) -> Counter[tuple[str | None, ...]]:

@@ -8,6 +8,7 @@ import esicatalog
 from esicatalog.cli.main import cli
 from esicatalog.identity import Bounds
 from esicatalog.model.compare import compare_devices
+from esicatalog.model.compare_documents import DescribedDevice
 from esicatalog.model.derivation import derive
 from esicatalog.model.process_image import default_process_image, whole_process_image
 from esicatalog.model.slots import PluggedModule, reachable_modules
@@ -95,7 +96,8 @@ def test_an_image_that_lacks_required_modules_is_another_layout():
     required, optional = described(slot(REQUIRED, 1, 2)), described(slot(OPTIONAL, 1, 2))
     signatures = [derive(*item).facts.image_signature for item in (required, optional)]
     assert signatures[0] != signatures[1]
-    places = {item.place: (item.left, item.right) for item in compare_devices(*required, *optional)}
+    sides = [DescribedDevice(None, None, *item, 0) for item in (required, optional)]
+    places = {item.place: (item.left, item.right) for item in compare_devices(*sides)}
     assert places["SM2 size"] == ("at least 2 bytes (16 bits)", "2 bytes (16 bits)")
 
 

@@ -58,6 +58,11 @@ class DeviceDescription(NamedTuple):
     variants_with_slots: tuple[int, ...] = ()
     """Of several descriptions of the identity, those that have slots."""
 
+    @property
+    def vendor_id(self) -> int | None:
+        """Its vendor, None for one without id."""
+        return self.found.vendor_id
+
     def plugged(self, choice: Mapping[int, ModuleChoice]) -> list[PluggedModule]:
         """The default modules with these in their place. Raises :class:`InputError` for a choice that does not fit."""
         return chosen_modules(self.device, self.modules, choice, self.variants_with_slots)

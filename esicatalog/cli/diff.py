@@ -138,16 +138,7 @@ def _devices(path: Path) -> list[DescribedDevice]:
 
 
 def _compared(left: _Side, right: _Side) -> _Pair:
-    ours, theirs = left.described, right.described
-    differences = compare_devices(
-        ours.device,
-        ours.modules,
-        theirs.device,
-        theirs.modules,
-        left_vendor_id=ours.vendor_id,
-        right_vendor_id=theirs.vendor_id,
-    )
-    return _Pair(left, right, differences)
+    return _Pair(left, right, compare_devices(left.described, right.described))
 
 
 def _lines(comparison: _Comparison) -> Iterator[str]:

@@ -7,6 +7,7 @@ Not compared: images, check sums, texts in other languages than the one shown, a
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from typing import Protocol
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -27,34 +28,43 @@ from esicatalog.model.compare_slots import compare_slots
 from esicatalog.model.counting import counted
 
 
-def compare_devices(
-    left: Device,
-    left_modules: Sequence[Module],
-    right: Device,
-    right_modules: Sequence[Module],
-    *,
-    left_vendor_id: int | None = None,
-    right_vendor_id: int | None = None,
-) -> list[Difference]:
+class Comparable(Protocol):
+    """A device with the modules that its slots can reach."""
+
+    @property
+    def vendor_id(self) -> int | None:
+        """Its vendor, None for one without id."""
+
+    @property
+    def device(self) -> Device:
+        """What the vendor describes."""
+
+    @property
+    def modules(self) -> Sequence[Module]:
+        """Modules that its slots can reach."""
+
+
+def compare_devices(left: Comparable, right: Comparable) -> list[Difference]:
     """All differences of two devices with the modules that their slots can reach, in the order of the areas.
 
     Exchanged sides give the same differences with exchanged values; only ``counts`` has a direction (see
-    :mod:`esicatalog.model.compare_facts`). Vendors are no part of a description: they are compared when given.
+    :mod:`esicatalog.model.compare_facts`).
     """
+    ours, theirs = left.device, right.device
     return [
-        *compare_identity(left, right, left_vendor_id, right_vendor_id),
-        *compare_general(left, right),
-        *compare_sync_managers(left, right),
-        *compare_fmmus(left, right),
-        *compare_pdos(left, right),
-        *compare_predefined_assignments(left, right),
-        *compare_images(left, left_modules, right, right_modules),
-        *compare_mailboxes(left.mailbox, right.mailbox),
-        *compare_init_cmds(left.mailbox, right.mailbox),
-        *compare_clocks(left, right),
-        *compare_objects(left.profiles, right.profiles),
-        *compare_slots(left, left_modules, right, right_modules),
-        *compare_eeprom(left, right),
+        *compare_identity(ours, theirs, left.vendor_id, right.vendor_id),
+        *compare_general(ours, theirs),
+        *compare_sync_managers(ours, theirs),
+        *compare_fmmus(ours, theirs),
+        *compare_pdos(ours, theirs),
+        *compare_predefined_assignments(ours, theirs),
+        *compare_images(ours, left.modules, theirs, right.modules),
+        *compare_mailboxes(ours.mailbox, theirs.mailbox),
+        *compare_init_cmds(ours.mailbox, theirs.mailbox),
+        *compare_clocks(ours, theirs),
+        *compare_objects(ours.profiles, theirs.profiles),
+        *compare_slots(ours, left.modules, theirs, right.modules),
+        *compare_eeprom(ours, theirs),
     ]
 
 

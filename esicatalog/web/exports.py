@@ -24,7 +24,7 @@ from esicatalog.identity import ModuleChoice, modules_by_slot, parse_number, par
 from esicatalog.parameters import given_texts
 from esicatalog.sii.encode import encode_sii
 from esicatalog.web.http import refusal, texts_of
-from esicatalog.web.links import identity_of_path
+from esicatalog.web.links import asked_identity
 from esicatalog.web.state import catalog_for
 
 _REPEATABLE = ("module",)
@@ -86,7 +86,7 @@ def _generated(request: Any, catalog: Catalog) -> Response:
     if target is None:
         raise NotFound(f"no such export; there are {', '.join(TARGETS)}")
     given = given_texts(texts_of(request), target.parameters, _REPEATABLE)
-    identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
+    identity = asked_identity(request)
     subject = catalog.export_subject(identity)
     made = target.generate(subject, _choice(given))
     data = made.encode() if isinstance(made, str) else made

@@ -1,5 +1,6 @@
 """Addresses of pages, relative to where Datasette is mounted."""
 
+from typing import Any
 from urllib.parse import quote, unquote, urlencode
 
 from esicatalog.catalog.results import FoundDevice
@@ -22,15 +23,11 @@ def device_row_path(number: int) -> str:
     return f"row/{number}"
 
 
-def identity_of_path(vendor: str, product: str, revision: str) -> Identity:
-    """The identity in the path of a device page, as it was sent; ``latest`` is the latest visible revision."""
-    revision_text, at, variant = unquote(revision).partition("@")
-    return identity_of_parts(
-        unquote(vendor),
-        unquote(product),
-        revision_text if revision_text != "latest" else None,
-        variant if at else None,
-    )
+def asked_identity(request: Any) -> Identity:
+    """The identity in the path of a device page; ``latest`` is the latest visible revision."""
+    vendor, product, last = (unquote(request.url_vars[name]) for name in ("vendor", "product", "revision"))
+    revision, at, variant = last.partition("@")
+    return identity_of_parts(vendor, product, revision if revision != "latest" else None, variant if at else None)
 
 
 def with_query(path: str, parameters: list[tuple[str, str]]) -> str:

@@ -7,6 +7,7 @@ from esicatalog.catalog.filter_texts import FALSE_WORDS, PARAMETERS, SHARPENS, T
 from esicatalog.catalog.results import MATCHES
 from esicatalog.identity import UINT32_MAX, parse_bounds, parse_identity, parse_number, parse_object
 from esicatalog.version import __version__
+from esicatalog.web.links import BASE
 
 
 def _decimals(limit: int) -> str:
@@ -211,7 +212,7 @@ _MODULE = {
 
 
 _PATHS = {
-    "/-/esi/identify.json": {
+    f"{BASE}identify.json": {
         "get": {
             "operationId": "identifyDevice",
             "summary": "The description of an identity, or the nearest one with the reason",
@@ -248,7 +249,7 @@ _PATHS = {
             },
         },
     },
-    "/-/esi/devices.json": {
+    f"{BASE}devices.json": {
         "get": {
             "operationId": "findDevices",
             "summary": "Devices that fulfil all filters, each with its evidence",
@@ -260,7 +261,7 @@ _PATHS = {
             },
         },
     },
-    "/-/esi/device/{vendor}/{product}/{revision}.json": {
+    f"{BASE}device/{{vendor}}/{{product}}/{{revision}}.json": {
         "get": {
             "operationId": "showDevice",
             "summary": "Everything that the catalog knows of one device",

@@ -36,7 +36,7 @@ _FOR_EVER = "public, max-age=31536000, immutable"
 
 async def _openapi(request: Any, catalog: Catalog) -> tuple[Any, int]:
     check_names(request.args, ())
-    base = request.path.partition("/-/esi/")[0]
+    base = request.path.partition(BASE)[0]
     return openapi_document(base or "/"), 200
 
 
@@ -74,19 +74,19 @@ def _found(datasette: Any, path: str) -> Response:
 
 
 ROUTES: list[tuple[str, Any]] = [
-    (r"^/-/esi/?$", page_route(home_page)),
-    (r"^/-/esi/scan$", page_route(scan_page, post=True)),
-    (r"^/-/esi/compare$", page_route(compare_page)),
-    (rf"^/-/esi/device/{_PRODUCT}(?P<ending>(?:\.json)?)/?$", file_route(_latest)),
-    (rf"^/-/esi/device/{_IDENTITY}\.json$", json_route({"GET": device_json})),
-    (rf"^/-/esi/device/{_IDENTITY}$", page_route(device_page)),
-    (rf"^/-/esi/device/{_IDENTITY}/export/(?P<target>[a-z0-9]+)$", file_route(export_route)),
-    (rf"^/-/esi/device/{_IDENTITY}/objects$", page_route(objects_page, part=PART)),
-    (r"^/-/esi/row/(?P<number>[0-9]{1,18})$", file_route(_row)),
-    (r"^/-/esi/image/(?P<sha256>[0-9a-f]{64})$", file_route(_image)),
-    (r"^/-/esi/identify\.json$", json_route({"GET": identify_one, "POST": identify_many})),
-    (r"^/-/esi/devices\.json$", json_route({"GET": devices_json})),
-    (r"^/-/esi/openapi\.json$", json_route({"GET": _openapi})),
-    (r"^/-/esi/", unknown_address),
+    (rf"^{BASE}?$", page_route(home_page)),
+    (rf"^{BASE}scan$", page_route(scan_page, post=True)),
+    (rf"^{BASE}compare$", page_route(compare_page)),
+    (rf"^{BASE}device/{_PRODUCT}(?P<ending>(?:\.json)?)/?$", file_route(_latest)),
+    (rf"^{BASE}device/{_IDENTITY}\.json$", json_route({"GET": device_json})),
+    (rf"^{BASE}device/{_IDENTITY}$", page_route(device_page)),
+    (rf"^{BASE}device/{_IDENTITY}/export/(?P<target>[a-z0-9]+)$", file_route(export_route)),
+    (rf"^{BASE}device/{_IDENTITY}/objects$", page_route(objects_page, part=PART)),
+    (rf"^{BASE}row/(?P<number>[0-9]{{1,18}})$", file_route(_row)),
+    (rf"^{BASE}image/(?P<sha256>[0-9a-f]{{64}})$", file_route(_image)),
+    (rf"^{BASE}identify\.json$", json_route({"GET": identify_one, "POST": identify_many})),
+    (rf"^{BASE}devices\.json$", json_route({"GET": devices_json})),
+    (rf"^{BASE}openapi\.json$", json_route({"GET": _openapi})),
+    (rf"^{BASE}", unknown_address),
 ]
 """Regular expressions of paths, and Datasette views."""

@@ -55,14 +55,7 @@ def _instead(texts: dict[str, str], name: str, device: FoundDevice) -> str:
 
 
 def _compared(left: DeviceDescription, right: DeviceDescription) -> dict[str, Any]:
-    differences = compare_devices(
-        left.device,
-        left.modules,
-        right.device,
-        right.modules,
-        left_vendor_id=left.found.vendor_id,
-        right_vendor_id=right.found.vendor_id,
-    )
+    differences = compare_devices(left, right)
     areas: dict[str, list[Any]] = defaultdict(list)
     for item in differences:
         areas[f"{item.module}: {item.area}" if item.module else item.area].append(item)

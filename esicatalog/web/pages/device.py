@@ -41,7 +41,7 @@ from esicatalog.model.words import (
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
 from esicatalog.web.exports import TARGETS, asked_modules
 from esicatalog.web.http import Page, status_of
-from esicatalog.web.links import BASE, device_path, identity_of_path, with_query
+from esicatalog.web.links import BASE, asked_identity, device_path, with_query
 from esicatalog.web.pages.nearest import nearest, nearest_json
 
 _LONGEST_NUMBER = 8
@@ -86,8 +86,7 @@ async def device_json(request: Any, catalog: Catalog) -> tuple[Any, int]:
 
 def _asked(request: Any) -> tuple[Identity, Mapping[int, ModuleChoice]]:
     choice = asked_modules(request)
-    identity = identity_of_path(**{name: request.url_vars[name] for name in ("vendor", "product", "revision")})
-    return identity, choice
+    return asked_identity(request), choice
 
 
 def _image_remarks(description: DeviceDescription) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ from esicatalog.model.access import access_text
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
 from esicatalog.parameters import check_names
 from esicatalog.web.http import Page, Part
-from esicatalog.web.links import device_path, identity_of_path
+from esicatalog.web.links import asked_identity, device_path
 
 PART = Part("Sec-Fetch-Dest", "empty")
 """Scripts ask so."""
@@ -19,9 +19,7 @@ PART = Part("Sec-Fetch-Dest", "empty")
 async def objects_page(request: Any, catalog: Catalog) -> Page:
     """The objects: a part of a page for scripts, a page of its own for people."""
     check_names(request.args, ())
-    names = ("vendor", "product", "revision")
-    identity = identity_of_path(**{name: request.url_vars[name] for name in names})
-    description = await asyncio.to_thread(catalog.device, identity)
+    description = await asyncio.to_thread(catalog.device, asked_identity(request))
     objects = await asyncio.to_thread(_objects, description)
     context = {
         "objects": objects,

@@ -11,6 +11,7 @@ from esicatalog.catalog.views import FULL_TEXT
 from esicatalog.web.cells import cell, decimal_filters
 from esicatalog.web.descriptions import complete_links
 from esicatalog.web.functions import bound_work, hex0x, parse_hex
+from esicatalog.web.links import BASE
 from esicatalog.web.routes import ROUTES
 from esicatalog.web.state import MOUNTED_AS
 
@@ -61,7 +62,7 @@ def register_routes() -> list[tuple[str, Any]]:
 @hookimpl  # type: ignore[untyped-decorator]
 def skip_csrf(scope: dict[str, Any]) -> bool:
     """POST to the routes below /-/esi/ changes nothing and needs no token."""
-    return "/-/esi/" in str(scope.get("path", ""))
+    return BASE in str(scope.get("path", ""))
 
 
 @hookimpl  # type: ignore[untyped-decorator]
@@ -96,7 +97,7 @@ def _table_prefix(datasette: Any) -> str:
 @hookimpl  # type: ignore[untyped-decorator]
 def menu_links(datasette: Any) -> list[dict[str, str]]:
     """The way from the tables to the pages."""
-    return [{"href": datasette.urls.path("/-/esi/"), "label": "Devices"}]
+    return [{"href": datasette.urls.path(BASE), "label": "Devices"}]
 
 
 @hookimpl(optionalhook=True)  # type: ignore[untyped-decorator]
