@@ -269,6 +269,16 @@ def test_l22_counts_from_the_sync_manager_that_reaches_furthest(tmp_path):
     ]
 
 
+@pytest.mark.parametrize(("enable", "counts"), [("", 1), ('Enable="9"', 1), ('Enable="8"', 0), ('Enable="0"', 0)])
+def test_l22_counts_sync_managers_that_bit_0_of_enable_activates(tmp_path, enable, counts):
+    """8 is what the EEPROM says of one that is not activated and of use in OP only; absent says nothing."""
+    sync_managers = (
+        '<Sm StartAddress="#x1000" ControlByte="#x26" DefaultSize="64" Enable="1">MBoxOut</Sm>'
+        f'<Sm StartAddress="#x1020" ControlByte="#x22" DefaultSize="64" {enable}>MBoxIn</Sm>'
+    )
+    assert len(linted(tmp_path, "L22", device(sync_managers))) == counts
+
+
 def test_a_sub_item_of_a_wrong_size_is_blamed_alone(tmp_path):
     """BitSize and BitOffs of the last one are swapped; whatever it seems to overlap is sound."""
     places = [("n", "USINT", 8, 0), ("a", "UDINT", 32, 16), ("b", "UDINT", 32, 48), ("c", "UDINT", 80, 32)]
