@@ -253,6 +253,21 @@ def test_l55_looks_at_every_slot(tmp_path, instances, own, position):
     assert f"/Slot[{position}]" in found["path"]
 
 
+@pytest.mark.parametrize(
+    ("letters", "words"),
+    [
+        ("YX", ["Physics 'YX' is not up to four of Y, K, H and blank"]),
+        ("yk", ["Physics 'yk' is not up to four of Y, K, H and blank"]),
+        ("YYYYY", ["Physics 'YYYYY' is not up to four of Y, K, H and blank"]),
+        ("BB", ["Physics 'BB' is not up to four of Y, K, H and blank; B (E-bus cable) is of schemas before 1.6"]),
+        ("YK H", []),
+    ],
+)
+def test_l14_letters(tmp_path, letters, words):
+    found = linted(tmp_path, "L14", device().replace('Physics="YY"', f'Physics="{letters}"'))
+    assert [item["message"] for item in found] == words
+
+
 MOVE = "move one of them, or correct DefaultSize"
 
 

@@ -9,6 +9,7 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from esicatalog.model.ports import has_e_bus
 from esicatalog.scan.records import ScannedSlave
 
 _E_BUS = "EBUS"
@@ -160,7 +161,7 @@ def _on_e_bus(slave: ScannedSlave, device: DeviceAtBus | None) -> bool | None:
     kinds = [port.kind for port in slave.ports if port.kind is not None]
     if kinds:
         return _E_BUS in kinds
-    return "K" in device.physics if device is not None and device.physics else None
+    return has_e_bus(device.physics) if device is not None and device.physics else None
 
 
 def _can_be_reference_clock(slave: ScannedSlave, device: DeviceAtBus | None, has_clock: bool | None) -> bool | None:
