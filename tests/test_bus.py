@@ -33,6 +33,13 @@ def test_what_has_no_e_bus_port_ends_the_segment():
     assert [report.e_bus_left_ma for report in reports] == [2000, None, None]
 
 
+def test_the_letters_of_physics_that_are_e_bus():
+    """B is the E-bus by cable of schemas before 1.6: what such a device takes of the supply is unknown, not nothing."""
+    for physics, is_e_bus in (("BB", True), ("YB", True), ("kk", True), ("YY K", True), ("YH", False), ("YX", False)):
+        _, summary = bus(COUPLER, UNKNOWN_CURRENT._replace(physics=physics))
+        assert summary.e_bus_unknown_at == ((1,) if is_e_bus else ()), physics
+
+
 def test_an_unknown_current_ends_the_budget_and_is_told():
     reports, summary = bus(COUPLER, UNKNOWN_CURRENT, None, TERMINAL)
     assert [report.e_bus_left_ma for report in reports] == [2000, None, None, None]

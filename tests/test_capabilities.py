@@ -41,6 +41,15 @@ def test_filters_on_our_examples(data_db, wanted, found):
     assert types(data_db, **wanted) == found
 
 
+def test_ports_are_told_in_words(tmp_path):
+    db = catalog_of(tmp_path, esi(device().replace('Physics="YY"', 'Physics="BK H"')))
+    with Catalog.open(db) as catalog:
+        (found,) = catalog.devices(physics="BK H")
+    assert found.evidence == (
+        "Physics 'BK H': port A E-bus cable, port B E-bus, port C unused, port D MII fast hot connect",
+    )
+
+
 def test_a_mode_answer_is_a_recipe_with_its_evidence(data_db):
     with Catalog.open(data_db) as catalog:
         (eyou,) = catalog.devices(modes=["CSV"], vendor_id=0x1097)

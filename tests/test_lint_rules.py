@@ -253,6 +253,21 @@ def test_l55_looks_at_every_slot(tmp_path, instances, own, position):
     assert f"/Slot[{position}]" in found["path"]
 
 
+@pytest.mark.parametrize(
+    ("letters", "words"),
+    [
+        ("YX", ["Physics 'YX' is not up to four of Y, K, H and blank"]),
+        ("yk", ["Physics 'yk' is not up to four of Y, K, H and blank"]),
+        ("YYYYY", ["Physics 'YYYYY' is not up to four of Y, K, H and blank"]),
+        ("BB", ["Physics 'BB' is not up to four of Y, K, H and blank; B (E-bus cable) is of schemas before 1.6"]),
+        ("YK H", []),
+    ],
+)
+def test_l14_letters(tmp_path, letters, words):
+    found = linted(tmp_path, "L14", device().replace('Physics="YY"', f'Physics="{letters}"'))
+    assert [item["message"] for item in found] == words
+
+
 MOVE = "move one of them, or correct DefaultSize"
 
 
@@ -267,6 +282,16 @@ def test_l22_counts_from_the_sync_manager_that_reaches_furthest(tmp_path):
         "SM 0 takes 0x1000 to 0x13FF and SM 1 starts at 0x1080: they overlap by 16 bytes; " + MOVE,
         "SM 0 takes 0x1000 to 0x13FF and SM 2 starts at 0x1100: they overlap by 12 bytes; " + MOVE,
     ]
+
+
+@pytest.mark.parametrize(("enable", "counts"), [("", 1), ('Enable="9"', 1), ('Enable="8"', 0), ('Enable="0"', 0)])
+def test_l22_counts_sync_managers_that_bit_0_of_enable_activates(tmp_path, enable, counts):
+    """8 is what the EEPROM says of one that is not activated and of use in OP only; absent says nothing."""
+    sync_managers = (
+        '<Sm StartAddress="#x1000" ControlByte="#x26" DefaultSize="64" Enable="1">MBoxOut</Sm>'
+        f'<Sm StartAddress="#x1020" ControlByte="#x22" DefaultSize="64" {enable}>MBoxIn</Sm>'
+    )
+    assert len(linted(tmp_path, "L22", device(sync_managers))) == counts
 
 
 def test_a_sub_item_of_a_wrong_size_is_blamed_alone(tmp_path):

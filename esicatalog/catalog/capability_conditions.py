@@ -11,6 +11,7 @@ from esicatalog.catalog.schema import dc_modes, device_facts, devices, drive_mod
 from esicatalog.identity import Bounds
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.drive_modes import accepted_verdicts
+from esicatalog.model.ports import port_kind
 from esicatalog.model.sync_parameters import MINIMUM_CYCLE, SYNC_PARAMETERS
 from esicatalog.model.words import protocol_name
 
@@ -61,8 +62,6 @@ _AMOUNTS: dict[str, tuple[Callable[..., str], sa.Column[Any], *tuple[sa.ScalarSe
     "axes": ("{} axis(es) with CiA 402 evidence".format, device_facts.c.axis_count),
 }
 """Numbers: evidence, column, and what else the evidence tells."""
-
-_PORTS = {"Y": "MII", "K": "E-bus", "H": "MII fast hot connect", " ": "unused"}
 
 
 def flag(name: str) -> Condition:
@@ -146,8 +145,9 @@ def identification(method: str) -> Condition:
 def physics(text: str) -> Condition:
     """Devices with these ports; trailing blanks do not count."""
     wanted = text.rstrip(" ")
-    ports = ", ".join(f"port {'ABCD'[at]} {_PORTS.get(letter, letter)}" for at, letter in enumerate(wanted[:4]))
-    return Condition(sa.func.rtrim(devices.c.physics) == wanted, stated(f"Physics {wanted!r}: {ports}"))
+    kinds = [(port_kind(letter), letter) for letter in wanted[:4]]
+    words = [f"port {'ABCD'[at]} {kind.words if kind else letter}" for at, (kind, letter) in enumerate(kinds)]
+    return Condition(sa.func.rtrim(devices.c.physics) == wanted, stated(f"Physics {wanted!r}: {', '.join(words)}"))
 
 
 def like(number: int, words: str, facts: Any) -> Condition:

@@ -19,6 +19,7 @@ from esicatalog.export.sii_texts import Texts
 from esicatalog.export.subject import Subject
 from esicatalog.model.base_types import BASE_TYPES, base_type
 from esicatalog.model.pdo_facts import entry_facts
+from esicatalog.model.ports import port_kind
 from esicatalog.model.sync import is_superseded
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
@@ -39,8 +40,6 @@ NOT_ASSIGNED = 0xFF
 """SyncManager of a PDO that no SyncManager is assigned."""
 FMMU_USAGE_CODES = {usage: code for code, usage in FMMU_USAGES.items()}
 SM_USAGE_CODES = {usage: code for code, usage in SM_USAGES.items()}
-PORT_CODES = {" ": 0, "Y": 1, "B": 2, "K": 3, "H": 4}
-"""Physics letters; B is the E-bus cable of schemas before 1.6."""
 _UNUSED_FMMU = 0xFF
 _LEGACY_PORTS = {"YY": 1, "YKY": 2, "KK": 12}
 """Byte 4 of the General category, a reserved code for Physics as a whole: what real images carry."""
@@ -133,6 +132,7 @@ def data_type_code(name: str | None) -> int:
 def _general(group: Group | None, device: Device, texts: Texts) -> General:
     mailbox = device.mailbox or Mailbox()
     physics = (device.physics or "").upper()
+    ports = map(port_kind, physics[:4])
     flags = flags_of(GeneralFlags(0), _DEVICE_FLAGS, device) | flags_of(GeneralFlags(0), _MAILBOX_FLAGS, mailbox)
     address = device.identification_ado or 0
     if address == _REGISTER_AL_STATUS_CODE:
@@ -157,7 +157,7 @@ def _general(group: Group | None, device: Device, texts: Texts) -> General:
         ds402_channels=mailbox.coe_ds402_channels or 0,
         flags=flags,
         e_bus_current_ma=device.e_bus_current_ma or 0,
-        physical_ports=sum(PORT_CODES.get(letter, 0) << 4 * port for port, letter in enumerate(physics[:4])),
+        physical_ports=sum(kind.sii_code << 4 * port for port, kind in enumerate(ports) if kind is not None),
         identification_address=address,
     )
 

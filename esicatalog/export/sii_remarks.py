@@ -9,7 +9,7 @@ from esicatalog.esi.records.mailbox import Mailbox
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.unreadable import unreadable_values
 from esicatalog.export.esc_registers import esc_registers
-from esicatalog.export.sii import FMMU_USAGE_CODES, PORT_CODES, SM_USAGE_CODES, data_type_code, op_modes_of_image
+from esicatalog.export.sii import FMMU_USAGE_CODES, SM_USAGE_CODES, data_type_code, op_modes_of_image
 from esicatalog.export.sii_header import (
     ASSUMED_BYTE_SIZE,
     BOOTSTRAP_BYTES,
@@ -23,6 +23,7 @@ from esicatalog.export.sii_texts import storable
 from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
 from esicatalog.model.pdo_facts import entry_facts, entry_words, has_length, has_object
+from esicatalog.model.ports import port_kind
 from esicatalog.model.sm_facts import sm_facts, sm_role
 from esicatalog.sii.checksum import CHECKSUM_OFFSET
 from esicatalog.sii.decode import decode_sii
@@ -257,7 +258,7 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
         "stored: {}.",
     ),
     (
-        lambda device: [letter for letter in (device.physics or "").upper() if letter not in PORT_CODES],
+        lambda device: [letter for letter in (device.physics or "").upper() if port_kind(letter) is None],
         "Physics letters without a code, stored as unused ports: {}.",
     ),
     (

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import msgspec
 
+from esicatalog.model.ports import has_e_bus
 from esicatalog.model.sm_facts import INPUT, OUTPUT, control_facts
 from esicatalog.model.values import byte_length
 from esicatalog.scan.records import ScannedPdos, ScannedSlave, ScannedSyncManager
@@ -194,7 +195,7 @@ def _on_e_bus(slave: ScannedSlave, device: DeviceAtBus | None) -> bool | None:
     kinds = [port.kind for port in slave.ports if port.kind is not None]
     if kinds:
         return _E_BUS in kinds
-    return "K" in device.physics if device is not None and device.physics else None
+    return has_e_bus(device.physics) if device is not None and device.physics else None
 
 
 def _can_be_reference_clock(slave: ScannedSlave, device: DeviceAtBus | None, has_clock: bool | None) -> bool | None:

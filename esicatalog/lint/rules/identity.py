@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from esicatalog.lint.library import DeviceFact, Library
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject, is_absent
+from esicatalog.model.ports import port_kind
 from esicatalog.model.revision_check import CHECK_REVISION_NO, is_known
 
 _SECONDARY_VENDOR = 0xE
@@ -14,7 +15,6 @@ _LEGAL_FORMS = frozenset(
     {"ag", "and", "co", "corp", "corporation", "gmbh", "inc", "kg", "limited", "llc", "ltd", "sa", "sas", "srl"}
 )
 _IDENTITY_OBJECT = 0x1018
-_PORTS = frozenset("YKH ")
 
 
 @rule(
@@ -154,8 +154,11 @@ def physics(subject: DeviceSubject) -> Iterator[Found]:
         if not device.invisible:
             words = "is missing" if text is None else "is empty"
             yield Found(f"Physics {words}: name each port, e.g. YY for two 100BASE-TX ports", ("physics",))
-    elif len(text) > 4 or not _PORTS.issuperset(text):
-        yield Found(f"Physics {text!r} is not up to four of Y, K, H and blank", ("physics",))
+        return
+    kinds = [(letter, port_kind(letter)) for letter in text]
+    if len(text) > 4 or any(kind is None or kind.is_old for _, kind in kinds):
+        old = {f"; {letter} ({kind.words}) is of schemas before 1.6" for letter, kind in kinds if kind and kind.is_old}
+        yield Found(f"Physics {text!r} is not up to four of Y, K, H and blank{''.join(old)}", ("physics",))
 
 
 @rule("L68", WARNING, "ETG.2000 Type/@CheckRevisionNo; later files of Beckhoff have L24_EQ_H8_EQ_OR_G too")

@@ -9,9 +9,11 @@ from itertools import combinations
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.model.areas import Area
 from esicatalog.model.counting import counted
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.sm_facts import SmFacts, sm_facts, sm_role
+from esicatalog.model.sm_memory import MEMORY_START, buffer_count, is_enabled, occupied_area
 from esicatalog.web.drawings.svg import (
     WIDTH,
     clipped,
@@ -28,8 +30,7 @@ from esicatalog.web.drawings.svg import (
 MOST_SYNC_MANAGERS = 16
 """So many have registers, 0x0800 to 0x087F."""
 
-_MEMORY_START, _MEMORY_END = 0x1000, 0x10000
-_BUFFERS = {"buffered": 3, "mailbox": 1}
+_MEMORY_END = 0x10000
 _COLOURS = {"output": "pdo-0", "input": "pdo-2"}
 _LEFT, _RIGHT, _TOP = 52, WIDTH - 2, 8
 _LINE = 14
@@ -46,6 +47,8 @@ class _Area(NamedTuple):
     facts: SmFacts
     buffers: int
     enabled: bool
+    occupied: Area | None
+    """The addresses that it takes from others, None without any."""
     is_mailbox: bool
 
     @property
@@ -105,8 +108,9 @@ def _area(number: int, sync_manager: SyncManager, image: SmImage | None) -> _Are
         size,
         _size_words(sync_manager.default_size, image),
         facts,
-        _BUFFERS.get(facts.buffer_mode or "", 1) if size else 1,
-        sync_manager.enable is None or bool(sync_manager.enable & 1),
+        buffer_count(sync_manager) if size else 1,
+        is_enabled(sync_manager),
+        occupied_area(number, sync_manager, size),
         role is not None and role.is_mailbox,
     )
 
@@ -125,7 +129,7 @@ def _not_drawn(sync_manager: SyncManager, area: _Area) -> str | None:
         return "is virtual"
     if sync_manager.start_address is None:
         return "has no StartAddress"
-    if area.start < _MEMORY_START:
+    if area.start < MEMORY_START:
         return f"at {hexadecimal(area.start)} lies in the registers"
     if area.end > _MEMORY_END:
         return f"at {hexadecimal(area.start)} leaves the address space of 64 KiB"
@@ -133,9 +137,9 @@ def _not_drawn(sync_manager: SyncManager, area: _Area) -> str | None:
 
 
 def _overlaps(areas: Sequence[_Area]) -> Iterator[_Overlap]:
-    enabled = [area for area in areas if area.enabled and area.size]
-    for one, other in combinations(enabled, 2):
-        first, end = max(one.start, other.start), min(one.end, other.end)
+    taken = [(area, area.occupied) for area in areas if area.occupied is not None]
+    for (one, ours), (other, theirs) in combinations(taken, 2):
+        first, end = max(ours.start, theirs.start), min(ours.end, theirs.end)
         if first < end:
             shared = f"{_span(first, end)} ({counted(end - first, 'byte', 'bytes')})"
             yield _Overlap((one.sm, other.sm), first, end, f"{one.name} and {other.name} overlap at {shared}.")
