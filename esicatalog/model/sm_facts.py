@@ -5,13 +5,15 @@ from collections.abc import Iterable
 from typing import Annotated, NamedTuple
 
 from esicatalog.esi.binding import Doc, Record
-from esicatalog.esi.records.device import SyncManager
+from esicatalog.esi.records.device import Device, SyncManager
 
 OUTPUT, INPUT = "output", "input"
 """Transfer directions: the master writes, the master reads."""
 TRANSFER_DIRECTIONS = {"RxPdo": OUTPUT, "TxPdo": INPUT}
 """By the direction of a PDO, which is named from the device's side."""
-_MODES = {0b00: "buffered", 0b10: "mailbox"}
+_MAILBOX_MODE = "mailbox"
+"""One buffer, which one side fills and the other empties in turn."""
+_MODES = {0b00: "buffered", 0b10: _MAILBOX_MODE}
 _DIRECTIONS = {0b00: INPUT, 0b01: OUTPUT}
 _WATCHDOG = 0x40
 _PDI_INTERRUPT = 0x20
@@ -48,6 +50,21 @@ SM_ROLES = {
 def sm_role(sync_manager: SyncManager) -> SmRole | None:
     """The role of a SyncManager, None where nobody knows its text."""
     return SM_ROLES.get(sync_manager.usage or "")
+
+
+def mailbox_sync_managers(device: Device) -> list[int]:
+    """Numbers of those that carry a mailbox: by their role; without a known one by mailbox mode.
+
+    Not where a PDO names it: process data may have a single buffer, too (ESI-FACTS section 8).
+    """
+    named = {pdo.sm for pdo in (*device.rx_pdos, *device.tx_pdos)}
+    found = []
+    for number, sm in enumerate(device.sync_managers):
+        role = sm_role(sm)
+        in_mailbox_mode = sm_facts(sm).buffer_mode == _MAILBOX_MODE and number not in named and not sm.virtual
+        if role.is_mailbox if role is not None else in_mailbox_mode:
+            found.append(number)
+    return found
 
 
 def may_transport(sync_manager: SyncManager, direction: str) -> bool:
