@@ -123,6 +123,13 @@ def test_latch_units_given_to_the_slave_count_as_latch_use():
     assert not facts(op_modes("#x300")).uses_latch
 
 
+def test_time_loop_control_only_uses_no_latch():
+    """DC time and no LATCH (ESI-FACTS 11), though 0x0120 gives a latch unit to the slave, and 0x0100 makes no pulse."""
+    for word in ("#x120", "#x100"):
+        assert facts(op_modes(word)).uses_latch
+        assert not facts(op_modes(word).replace("<Dc>", '<Dc TimeLoopControlOnly="1">')).uses_latch
+
+
 def test_equal_layouts_have_equal_signatures_whatever_the_names():
     first = OUTPUTS + pdo("RxPdo", "#x1600", 8, 16, attributes="Sm='0'")
     renamed = first.replace(">e1<", ">other<")

@@ -412,3 +412,14 @@ def test_files_of_the_whole_corpus(corpus):
             bits = sum(bits_of(channel["type"]) for item in slave.get(key, ()) for channel in item["channels"])
             assert bits == sum(sm.bit_size for sm in found.images(usage) if sm.is_described)
     assert refused < 200
+
+
+def test_a_sync_manager_without_a_role_has_no_empty_comment():
+    """``ethercat xml`` prints no roles."""
+    sms = '<Sm ControlByte="#x26"/><Sm ControlByte="#x22"/><Sm ControlByte="#x64"/><Sm ControlByte="#x20"/>'
+    found = configured(sms + rx("#x1600", entry("#x7000", 16)))
+    lines = ros2_slave(found).splitlines()
+    assert [line for line in lines if line.startswith("  - {index: 2")] == [
+        "  - {index: 2, type: output, pdo: rpdo}",
+    ]
+    assert not re.search(r"<!--\s*-->", linuxcnc_configuration(found))

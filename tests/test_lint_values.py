@@ -56,6 +56,27 @@ def test_l17_looks_at_the_names_of_channels(tmp_path):
     assert found["path"].endswith("Device/Profile/ChannelInfo[1]/DisplayName[1]")
 
 
+@pytest.mark.parametrize(
+    ("index", "words"),
+    [
+        ("<Index>#x0x8001x</Index>", "InitCmd for ? '#x0x8001x':0A has no Transition, so it is never sent: give one"),
+        ("", "InitCmd without Index has no Transition, so it is never sent: give one"),
+    ],
+)
+def test_l56_shows_an_index_as_it_stands(tmp_path, index, words):
+    command = f"<InitCmd>{index}<SubIndex>10</SubIndex><Data>01</Data></InitCmd>"
+    (found,) = linted(tmp_path, "L56", device(f"<Mailbox><CoE>{command}</CoE></Mailbox>"))
+    assert found["message"] == words
+
+
+def test_l18_knows_a_mailbox_by_its_mode(tmp_path):
+    """What ``ethercat xml`` prints: no roles, no Mailbox; 0x26 and 0x22 are mailboxes."""
+    sms = "".join(f'<Sm ControlByte="#x{control}"/>' for control in ("26", "22", "64", "20"))
+    found = linted(tmp_path, "L18", device(sms))
+    words = "is in mailbox mode, but there is no Mailbox: say which protocols it carries"
+    assert [item["message"] for item in found] == [f"SM {number} {words}" for number in (0, 1)]
+
+
 def test_l56_says_nothing_of_a_command_that_nobody_sends(tmp_path):
     """Where it writes to is not known: its SubIndex cannot be read."""
     command = (

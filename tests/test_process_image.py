@@ -353,6 +353,14 @@ def test_what_no_sync_manager_holds_is_left_out(content):
     assert image.overflow in image.remarks and "PDO 0x1600" in image.overflow
 
 
+def test_a_list_for_no_sync_manager_is_told():
+    """No is required (ETG.2000 OpMode/Sm); without it nobody knows where the PDO goes, nor how often it is sampled."""
+    lists = '<Sm><Pdo OSFac="2">#x1600</Pdo></Sm>'
+    image = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + f"<Dc>{op_mode(lists)}</Dc>")[2]
+    assert (indices(image), image.bit_size) == ([0x1600], 16)
+    assert image.remarks == ("the OpMode's list of PDO 0x1600 names no SyncManager (No): it is ignored",)
+
+
 def test_a_full_sync_manager():
     image = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="32767"'))[2]
     assert (image.byte_size, image.overflow) == (65534, None)

@@ -26,7 +26,7 @@ from esicatalog.model.words import (
     coe_details,
     fsoe_words,
     init_cmd_target,
-    mailbox_protocols,
+    mailbox_words,
     profile_words,
 )
 from esicatalog.sii.words import signal_names
@@ -46,7 +46,7 @@ def sheet_lines(description: DeviceDescription, choice: Mapping[int, ModuleChoic
     yield from _pdos(description.device, assigned_sms(images), "PDOs of the device")
     for module, label in zip(description.modules, module_labels(description.modules), strict=True):
         yield from _module(module, label)
-    yield from _mailbox(description.device.mailbox)
+    yield from _mailbox(description.device)
     yield from _dc_modes(description.device, description.default_position(choice))
     yield from _drive_modes(derived.modes)
     yield from _neighbours(description)
@@ -179,7 +179,7 @@ def _process_image(images: list[SmImage], heading: str) -> Iterator[str]:
             for pdo in image.pdos
             for placed in pdo.entries
         ]
-        title = f"{heading}, SM{image.sm} {image.usage or ''}: {image.size_words}"
+        title = f"{heading}, {' '.join(filter(None, (f'SM{image.sm}', image.usage)))}: {image.size_words}"
         yield ""
         yield title
         for line in table_lines(rows, ("byte.bit", "bits", "entry", "type", "name", "PDO")) if rows else []:
@@ -220,15 +220,12 @@ def _module(module: Module, label: str) -> Iterator[str]:
         yield from _init_cmds(module.mailbox, "  InitCmds of the module")
 
 
-def _mailbox(mailbox: Mailbox | None) -> Iterator[str]:
-    if mailbox is None:
-        yield ""
-        yield "No mailbox"
-        return
-    protocols, details = mailbox_protocols(mailbox), coe_details(mailbox)
+def _mailbox(device: Device) -> Iterator[str]:
+    details = coe_details(device.mailbox)
     yield ""
-    yield f"Mailbox: {', '.join(protocols) or 'no protocol'}" + (f"; CoE: {', '.join(details)}" if details else "")
-    yield from _init_cmds(mailbox, "InitCmds")
+    yield f"Mailbox: {mailbox_words(device)}" + (f"; CoE: {', '.join(details)}" if details else "")
+    if device.mailbox is not None:
+        yield from _init_cmds(device.mailbox, "InitCmds")
 
 
 def _init_cmds(mailbox: Mailbox, title: str) -> Iterator[str]:

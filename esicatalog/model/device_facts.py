@@ -34,9 +34,12 @@ class DeviceFacts(Record):
     )
     supports_sync0: Annotated[bool, Doc("Some OpMode generates SYNC0")] = False
     supports_sync1: Annotated[bool, Doc("Some OpMode generates SYNC1")] = False
-    uses_latch: Annotated[bool, Doc("Some OpMode gives a latch unit to the slave, or uses DC time without pulses")] = (
-        False
-    )
+    uses_latch: Annotated[
+        bool,
+        Doc(
+            "Some OpMode gives a latch unit to the slave, or uses DC time without pulses; not with TimeLoopControlOnly"
+        ),
+    ] = False
     output_sync_types: Annotated[
         int | None, Doc("Default of 0x1C32:04, supported sync types: weak evidence, kept apart from AssignActivate")
     ] = None
@@ -75,7 +78,8 @@ def device_facts(
         runs_without_dc=not valid or any(signal.dc_active is False for signal in valid),
         supports_sync0=any(signal.sync0 for signal in signals),
         supports_sync1=any(signal.sync1 for signal in signals),
-        uses_latch=any(signal.latch0_pdi or signal.latch1_pdi or signal.time_only for signal in signals),
+        uses_latch=not device.dc_time_loop_control_only
+        and any(signal.latch0_pdi or signal.latch1_pdi or signal.time_only for signal in signals),
         output_sync_types=sync[OUTPUT_SYNC].get(SYNC_TYPES),
         input_sync_types=sync[INPUT_SYNC].get(SYNC_TYPES),
         min_cycle_ns=min_cycle_ns(device, sync),

@@ -50,6 +50,7 @@ def assigned_pdos(
     """The PDOs of each SyncManager that PDOs name, a list has or whose role has a default, in ascending order."""
     chosen = assignment or {}
     candidates, problems = _candidates(device, plugged)
+    problems = [*problems, *_lists_of_nobody(op_mode)]
     lists = _lists(op_mode)
     by_choice = {index for indices in chosen.values() for index in indices}
     by_mode = {number: [index for index in items if index not in by_choice] for number, items in lists.items()}
@@ -124,6 +125,14 @@ def _lists(op_mode: OpMode | None) -> dict[int, dict[int, int | None]]:
         for item in (op_mode.sm_assignments if op_mode is not None else ())
         if item.no is not None and item.pdos
     }
+
+
+def _lists_of_nobody(op_mode: OpMode | None) -> Iterator[str]:
+    """What an OpMode lists for no SyncManager."""
+    for item in op_mode.sm_assignments if op_mode is not None else ():
+        if item.no is None and item.pdos:
+            indices = ", ".join(index_words(pdo.pdo_index) for pdo in item.pdos)
+            yield f"the OpMode's list of PDO {indices} names no SyncManager (No): it is ignored"
 
 
 def _may_have(sm: SyncManager | None, candidate: AvailablePdo) -> bool:

@@ -5,13 +5,15 @@ from collections.abc import Iterable
 from typing import Annotated, NamedTuple
 
 from esicatalog.esi.binding import Doc, Record
-from esicatalog.esi.records.device import SyncManager
+from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.sii.words import SM_DIRECTIONS, SM_MODES, SmControl
 
 INPUT, OUTPUT = SM_DIRECTIONS[0b00], SM_DIRECTIONS[0b01]
 """Transfer directions: the master reads, the master writes."""
 TRANSFER_DIRECTIONS = {"RxPdo": OUTPUT, "TxPdo": INPUT}
 """By the direction of a PDO, which is named from the device's side."""
+_MAILBOX_MODE = SM_MODES[0b10]
+"""One buffer, which one side fills and the other empties in turn."""
 
 
 class SmRole(NamedTuple):
@@ -44,6 +46,21 @@ SM_ROLES = {
 def sm_role(sync_manager: SyncManager) -> SmRole | None:
     """The role of a SyncManager, None where nobody knows its text."""
     return SM_ROLES.get(sync_manager.usage or "")
+
+
+def mailbox_sync_managers(device: Device) -> list[int]:
+    """Numbers of those that carry a mailbox: by their role; without a known one by mailbox mode.
+
+    Not where a PDO names it: process data may have a single buffer, too (ESI-FACTS section 8).
+    """
+    named = {pdo.sm for pdo in (*device.rx_pdos, *device.tx_pdos)}
+    found = []
+    for number, sm in enumerate(device.sync_managers):
+        role = sm_role(sm)
+        in_mailbox_mode = sm_facts(sm).buffer_mode == _MAILBOX_MODE and number not in named and not sm.virtual
+        if role.is_mailbox if role is not None else in_mailbox_mode:
+            found.append(number)
+    return found
 
 
 def may_transport(sync_manager: SyncManager, direction: str) -> bool:

@@ -2,8 +2,11 @@
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.esi.unreadable import unreadable
 from esicatalog.model.device_facts import DeviceFacts
+from esicatalog.model.pdo_facts import index_words, subindex_words
 from esicatalog.model.profile_facts import profile_numbers
+from esicatalog.model.sm_facts import mailbox_sync_managers
 from esicatalog.sii.words import signal_names
 
 MAILBOX_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
@@ -31,6 +34,20 @@ def mailbox_protocols(mailbox: Mailbox | None) -> list[str]:
     return [protocol_name(name) for name in MAILBOX_PROTOCOLS if mailbox is not None and getattr(mailbox, name)]
 
 
+def mailbox_words(device: Device) -> str:
+    """The protocols of a device, or what speaks for and against a mailbox that it does not describe.
+
+    ``ethercat xml`` prints SyncManagers and no Mailbox.
+    """
+    if device.mailbox is not None:
+        return ", ".join(mailbox_protocols(device.mailbox)) or "no protocol"
+    numbers = mailbox_sync_managers(device)
+    if not numbers:
+        return "none"
+    which = " and ".join(f"SM{number}" for number in numbers)
+    return f"not described ({which} {'is' if len(numbers) == 1 else 'are'} for one)"
+
+
 def coe_details(mailbox: Mailbox | None) -> list[str]:
     """The options that a mailbox declares for CoE."""
     return [words for field, words in _COE_DETAILS.items() if mailbox is not None and getattr(mailbox, field)]
@@ -45,10 +62,18 @@ def init_cmd_target(command: InitCmd) -> str:
     """What a start-up command writes to; an IDN in the words of :func:`soe_target`."""
     if command.idn is not None:
         return soe_target(f"IDN {command.idn}", command.channel)
-    if command.object_index is not None:
+    index, subindex = (_as_it_stands(command, name) for name in ("object_index", "subindex"))
+    if index is not None:
+        words = index_words(index) if isinstance(index, int) else f"? {index!r}"
         complete = " complete" if command.complete_access else ""
-        return f"0x{command.object_index:04X}:{command.subindex or 0:02X}{complete}"
+        return f"{words}:{subindex_words(subindex or 0)}{complete}"
     return f"type {command.eoe_type}" if command.eoe_type is not None else ""
+
+
+def _as_it_stands(command: InitCmd, name: str) -> int | str | None:
+    """A number, else the text that stands there and cannot be read, else None."""
+    value: int | None = getattr(command, name)
+    return (command.spelling or {})[name] if unreadable(command, name) is not None else value
 
 
 def profile_words(device: Device) -> list[str]:
@@ -60,12 +85,14 @@ def profile_words(device: Device) -> list[str]:
 def clock_words(device: Device, facts: DeviceFacts) -> str:
     """Whether distributed clocks are needed, and the signals that some OpMode generates.
 
-    Only OpModes that all leave the sync unit off say that there is no DC; one without readable AssignActivate says
-    nothing of it, nor does a description without Dc (couplers have clocks and rarely a Dc element).
+    Only OpModes that all leave the sync unit off say that there is no DC, and one that does says that it is optional;
+    one without readable AssignActivate says nothing of it, nor does a description without Dc (couplers have clocks and
+    rarely a Dc element).
     """
     if facts.dc_supported:
         signals = signal_names(facts.supports_sync0, facts.supports_sync1)
-        return ", ".join(["DC needed" if facts.dc_needed else "DC optional", *signals])
+        optional = "DC optional" if facts.runs_without_dc else "DC used (whether it is needed is not known)"
+        return ", ".join(["DC needed" if facts.dc_needed else optional, *signals])
     if device.dc_potential_reference_clock:
         return "can be the reference clock"
     is_described = bool(device.op_modes) and all(mode.assign_activate is not None for mode in device.op_modes)

@@ -116,6 +116,8 @@ def _assignment(data: ProcessData, item: OpModeSm, by_index: Mapping[int | None,
         sm = data.sync_managers[item.no]
     elif item.no is not None:
         yield Found(f"names SM {item.no}; there are {len(data.sync_managers)}: correct No")
+    elif item.pdos:
+        yield Found("lists PDOs but no SyncManager (No): the list is ignored; give No")
     for nth, pdo in enumerate(item.pdos):
         index = pdo.pdo_index
         if index is None:

@@ -12,6 +12,7 @@ from esicatalog.model.counting import counted
 from esicatalog.model.start_up import SENT_IN, TRANSITIONS, transition_of, unusable_part
 from esicatalog.model.sync import listed_pdos
 from esicatalog.model.values import byte_length, fills
+from esicatalog.model.words import init_cmd_target
 
 _LEAST_EEPROM_BYTES = 128
 
@@ -50,7 +51,8 @@ def _never_sent(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
 
 
 def _words(command: InitCmd) -> str:
-    return f"InitCmd for 0x{command.object_index or 0:04X}:{command.subindex or 0:02X}"
+    target = init_cmd_target(command)
+    return f"InitCmd for {target}" if target else "InitCmd without Index"
 
 
 def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete: bool) -> str | None:

@@ -6,7 +6,7 @@ from esicatalog.esi.records.device import SyncManager
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, ProcessSubject, is_absent
 from esicatalog.model.counting import counted
-from esicatalog.model.sm_facts import SM_ROLES, SmRole, sm_facts, sm_role
+from esicatalog.model.sm_facts import SM_ROLES, SmRole, mailbox_sync_managers, sm_facts, sm_role
 from esicatalog.model.sm_memory import memory_overlaps, size_conflict
 
 _MAILBOXES = [usage for usage, role in SM_ROLES.items() if role.is_mailbox]
@@ -23,17 +23,21 @@ def _with_roles(subject: ProcessSubject) -> Iterator[tuple[int, SyncManager, SmR
 
 @rule("L18", ERROR, "ETG.1000.4 mailbox: it needs one SyncManager each way")
 def mailbox_without_sync_managers(subject: DeviceSubject) -> Iterator[Found]:
-    """A Mailbox without the SyncManagers MBoxOut and MBoxIn, or these without Mailbox."""
+    """A Mailbox without the SyncManagers MBoxOut and MBoxIn; these without Mailbox, or one in mailbox mode that has no
+    known role and no PDO.
+    """
     mailbox = subject.device.mailbox
-    usages = [sm.usage for sm in subject.device.sync_managers]
+    sync_managers = subject.device.sync_managers
     if mailbox is None:
-        for number, usage in enumerate(usages):
-            if usage in _MAILBOXES:
-                yield Found(
-                    f"SM {number} is {usage}, but there is no Mailbox: say which protocols it carries",
-                    ("sync_managers", number),
-                )
+        for number in mailbox_sync_managers(subject.device):
+            usage = sync_managers[number].usage
+            what = usage if usage in _MAILBOXES else "in mailbox mode"
+            yield Found(
+                f"SM {number} is {what}, but there is no Mailbox: say which protocols it carries",
+                ("sync_managers", number),
+            )
     else:
+        usages = [sm.usage for sm in sync_managers]
         for usage in _MAILBOXES:
             if usage not in usages:
                 yield Found(f"Mailbox without a SyncManager {usage}: add it, or remove Mailbox", ("mailbox",))

@@ -35,7 +35,7 @@ from esicatalog.model.words import (
     coe_details,
     fsoe_words,
     init_cmd_target,
-    mailbox_protocols,
+    mailbox_words,
     profile_words,
 )
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
@@ -196,14 +196,13 @@ def _exports(found: FoundDevice, has_process_data: bool) -> dict[str, Any]:
 
 def _facts(description: DeviceDescription, facts: DeviceFacts) -> list[tuple[str, str]]:
     device = description.device
-    mailbox = device.mailbox
     shown = [
         ("group", device.group_type),
         ("profiles", ", ".join(sorted(profile_words(device)))),
         ("ports", device.physics),
         ("E-bus current", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
-        ("mailbox", ", ".join(mailbox_protocols(mailbox)) or "none"),
-        ("CoE", ", ".join(coe_details(mailbox))),
+        ("mailbox", mailbox_words(device)),
+        ("CoE", ", ".join(coe_details(device.mailbox))),
         ("clocks", clock_words(device, facts)),
         ("smallest cycle", f"{facts.min_cycle_ns} ns" if facts.min_cycle_ns is not None else None),
         ("process data", _process_data_words(facts)),
