@@ -8,6 +8,7 @@ from snippets import device, dictionary, esi, pdo, read
 from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.reader import read_esi
 from esicatalog.export.choice import Choice, PdoChoice, parse_pdo_choice
+from esicatalog.export.clocks import Notation
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.headings import choice_lines
 from esicatalog.export.subject import Subject, choose_subject, subjects_of_document
@@ -18,6 +19,7 @@ SMS = (
     '<Sm ControlByte="#x26">MBoxOut</Sm><Sm ControlByte="#x22">MBoxIn</Sm><Sm ControlByte="#x64">Outputs</Sm>'
     '<Sm ControlByte="#x20">Inputs</Sm>'
 )
+C = Notation("C", either="or", divide="/")
 COE = '<Mailbox><CoE PdoAssign="1" PdoConfig="1"/></Mailbox>'
 
 
@@ -591,7 +593,7 @@ def test_a_bus_cycle_that_is_shorter_than_the_device_can_is_told(cycle_ns, is_to
 def conditions(content: str, cycle_ns: int) -> list[str]:
     found = configured(content, cycle_ns=cycle_ns)
     assert found.clocks is not None
-    return [condition.expression for condition in found.clocks.conditions("C", cycle_ns, "or")]
+    return [condition.expression for condition in found.clocks.conditions(C, cycle_ns)]
 
 
 @pytest.mark.parametrize(
@@ -705,7 +707,7 @@ def test_no_words_name_a_pulse_that_is_not_generated(word):
     for content in (fixed, divided):
         found = configured(content)
         assert found.clocks is not None
-        told = [*found.remarks, *(item.words for item in found.clocks.conditions("C", found.cycle_ns, "or"))]
+        told = [*found.remarks, *(item.words for item in found.clocks.conditions(C, found.cycle_ns))]
         assert told
         for words in told:
             assert not re.search("SYNC0(?! cycle)", words)

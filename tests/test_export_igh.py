@@ -300,6 +300,9 @@ def test_commands_on_pdos_that_the_master_does_not_write_are_sent(tmp_path):
         (times("#x320", FACTOR_1, shift0="-5000"), (), "dc 0x0320 1000000 -5000 0 0"),
         (times("#x700", FACTOR_1, FACTOR_1, shift1="20000"), (), "dc 0x0700 1000000 0 20000 0"),
         (times("#x730", 'Factor="-8">0', 'Factor="-1">0'), ("-DCYCLE_NS=2000000",), "dc 0x0730 250000 0 1750000 0"),
+        (times("#x700", 'Factor="3">0', 'Factor="1">0'), ("-DCYCLE_NS=1000000000",), "dc 0x0700 3000000000 0 0 0"),
+        (times("#x700", 'Factor="2">0', shift1="20000"), ("-DCYCLE_NS=2147483000",), "dc 0x0700 4294966000 0 20000 0"),
+        (times("#x700", FACTOR_1, ">4000000"), ("-DCYCLE_NS=2000000",), "dc 0x0700 2000000 0 2000000 0"),
         (times("#x100"), (), "dc 0x0100 0 0 0 0"),
         (times("#x630", FACTOR_1), (), "dc 0x0630 0 0 0 0"),
     ],
@@ -309,6 +312,14 @@ def test_the_clocks_as_the_master_gets_them(tmp_path, mode, options, printed):
     sources = (IGH_16[1] + "/fake_master.c",)
     lines = output_of(tmp_path, header, f"{CONFIGURE} d_config_dc(sc);", (*IGH_16, *options), *sources)
     assert lines[-1] == printed
+
+
+@needs_gcc
+@pytest.mark.parametrize("name", ["typeof", "asm", "inline", "typeof_unqual", "linux", "char8_t", "restrict"])
+def test_a_name_that_is_a_keyword_compiles(tmp_path, name):
+    header = header_of(SMS + rx("#x1600", entry("#x7000", 16, name)))
+    for standard in ("gnu11", "gnu17", "gnu2x"):
+        check_syntax(tmp_path, [header], IGH_16, f"-std={standard}")
 
 
 @needs_gcc

@@ -111,6 +111,12 @@ def test_commands_on_the_pdo_configuration_are_not_sent_twice(tmp_path):
 
 
 @needs_gcc
+def test_a_long_sync0_cycle_does_not_overflow(tmp_path):
+    header = header_of(SMS + dc(("m", times("#x300", 'Factor="3">0'))), cycle_ns=1_000_000_000)
+    assert calls(tmp_path, "1.4", header, "d_config_dc") == ["dcsync0 3 1 3000000000 0"]
+
+
+@needs_gcc
 @pytest.mark.parametrize("version", VERSIONS)
 def test_bits_are_what_the_device_is_checked_by(tmp_path, version):
     """SOEM sets Obytes for more than 7 bits only: of 4 bits (EL2004) it says 0 bytes, and 4 in Obits."""

@@ -3,11 +3,11 @@
 from typing import NamedTuple
 
 from esicatalog.export.c_text import comment_text
-from esicatalog.export.clocks import Condition
+from esicatalog.export.clocks import Condition, Notation
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import op_mode_words
 
-_CYCLE = "CYCLE_NS"
+_C = Notation("CYCLE_NS", either="||", divide="/", number="INT64_C({})")
 
 
 class ClockCode(NamedTuple):
@@ -24,7 +24,7 @@ class ClockCode(NamedTuple):
     @property
     def needs_cycle(self) -> bool:
         """Whether a time depends on the bus cycle, or the bus cycle on a time."""
-        return bool(self.conditions) or _CYCLE in self.sync0_cycle + self.sync1_delay
+        return bool(self.conditions) or _C.cycle in self.sync0_cycle + self.sync1_delay
 
 
 def clock_code(configuration: Configuration) -> ClockCode | None:
@@ -35,8 +35,8 @@ def clock_code(configuration: Configuration) -> ClockCode | None:
     return ClockCode(
         comment_text(op_mode_words(configuration)),
         f"0x{found.assign_activate:04x}",
-        found.sync0_cycle.expression(_CYCLE),
+        found.sync0_cycle.expression(_C),
         f"({found.sync0_shift_ns})" if found.sync0_shift_ns < 0 else str(found.sync0_shift_ns),
-        found.sync1_delay.expression(_CYCLE),
-        tuple(found.conditions(_CYCLE, configuration.cycle_ns, "||")),
+        found.sync1_delay.expression(_C),
+        tuple(found.conditions(_C, configuration.cycle_ns)),
     )

@@ -46,6 +46,17 @@ _INPUT_REFERENCE = (
 _WITHOUT_RULE = "{}, which is left out: its rule is not public; compare with a known configuration of the device"
 
 
+class Notation(NamedTuple):
+    """How a language writes what is computed of the bus cycle."""
+
+    cycle: str
+    """Name of the bus cycle, an integer."""
+    either: str
+    divide: str
+    number: str = "{}"
+    """A number that the bus cycle is multiplied with or added to, wide enough that nothing overflows."""
+
+
 class Time(NamedTuple):
     """A time: so many bus cycles, and so many nanoseconds more."""
 
@@ -73,17 +84,19 @@ class Time(NamedTuple):
         """Whether it is negative for some bus cycles and positive for others."""
         return bool(self.cycles) and self.ns * self.cycles < 0
 
-    def expression(self, cycle: str, divide: str = "/") -> str:
-        """It as an expression in whole nanoseconds; ``cycle`` is the name of the bus cycle."""
+    def expression(self, notation: Notation) -> str:
+        """It as an expression in whole nanoseconds."""
         if not self.cycles:
             return str(self.ns) if self.ns >= 0 else f"({self.ns})"
-        divided = cycle if self.cycles.denominator == 1 else f"{cycle} {divide} {self.cycles.denominator}"
+        cycle, number = notation.cycle, notation.number.format
+        whole = self.cycles.denominator == 1
+        divided = cycle if whole else f"{cycle} {notation.divide} {self.cycles.denominator}"
         factor = abs(self.cycles.numerator)
-        multiple = divided if factor == 1 else f"{divided} * {factor}"
+        multiple = divided if factor == 1 else f"{divided} * {number(factor)}"
         if self.cycles < 0:
-            return f"({self.ns} - {multiple})"
+            return f"({number(self.ns)} - {multiple})"
         if self.ns:
-            return f"({multiple} {'+' if self.ns > 0 else '-'} {abs(self.ns)})"
+            return f"({multiple} {'+' if self.ns > 0 else '-'} {number(abs(self.ns))})"
         return multiple if multiple.isidentifier() else f"({multiple})"
 
 
@@ -127,11 +140,9 @@ class Clocks(NamedTuple):
         period, sync0_cycle = self.sync1_period.in_ns(cycle_ns), self.sync0_cycle.in_ns(cycle_ns)
         return period > sync0_cycle > 0 and bool(period % sync0_cycle)
 
-    def conditions(self, cycle: str, cycle_ns: int, either: str, divide: str = "/") -> Iterator[Condition]:
-        """What must hold of a bus cycle that is known later, for what was made for ``cycle_ns`` to be right then, too.
-
-        ``cycle`` is its name, ``either`` and ``divide`` are the operators of the language.
-        """
+    def conditions(self, notation: Notation, cycle_ns: int) -> Iterator[Condition]:
+        """What must hold of a bus cycle that is known later, for what was made for ``cycle_ns`` to be right then."""
+        cycle = notation.cycle
         if self.divisor > 1:
             yield Condition(
                 f"{cycle} % {self.divisor} == 0",
@@ -139,14 +150,14 @@ class Clocks(NamedTuple):
             )
         if fixed := self.fixed_ns:
             yield Condition(
-                f"{cycle} % {fixed} == 0 {either} {fixed} % {cycle} == 0",
+                f"{cycle} % {fixed} == 0 {notation.either} {fixed} % {cycle} == 0",
                 f"{cycle} must be a multiple or a divisor of {fixed} ns, the SYNC0 cycle, or the pulses drift",
             )
         # Where both are as long, SYNC1 comes with SYNC0 either way.
         longer = self.sync1_period.minus(self.sync0_cycle)
         is_shorter = longer.in_ns(cycle_ns) < 0
         if longer.may_change_sign:
-            period, sync0_cycle = (time.expression(cycle, divide) for time in (self.sync1_period, self.sync0_cycle))
+            period, sync0_cycle = (time.expression(notation) for time in (self.sync1_period, self.sync0_cycle))
             relation, otherwise = (
                 (f"{period} <= {sync0_cycle}", "slower than")
                 if is_shorter
@@ -157,7 +168,7 @@ class Clocks(NamedTuple):
         for time, sign in ((shift, ">= 0"), (self.sync0_cycle.minus(shift), "> 0")):
             if time.may_change_sign:
                 yield Condition(
-                    f"{time.expression(cycle, divide)} {sign}",
+                    f"{time.expression(notation)} {sign}",
                     f"SYNC1 comes at another rate at this {cycle}, which its shift does not fit into: generate anew",
                 )
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from esicatalog.export.c_access import byte_count
 from esicatalog.export.c_text import comment_text, wrapped
-from esicatalog.export.clocks import Condition
+from esicatalog.export.clocks import Condition, Notation
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.init_cmds import StartCommand, by_transition
@@ -28,7 +28,7 @@ from esicatalog.model.sm_facts import INPUT, OUTPUT
 _USED_BY_CLASS = frozenset(("property", "from_address", "from_buffer", "from_buffer_copy", "from_param", "in_dll"))
 """What the body of the generated class uses, and what is called on the class: ctypes keeps that in its metaclass, where
 an attribute of the class itself hides it."""
-_CYCLE = "cycle_ns"
+_PYTHON = Notation("cycle_ns", either="or", divide="//")
 
 
 class Field(NamedTuple):
@@ -182,13 +182,13 @@ def _dc(configuration: Configuration) -> DcCode | None:
     if found is None:
         return None
     calls = soem_clocks(found)
-    arguments = [f"True, {found.sync0_cycle.expression(_CYCLE, '//')}", f"sync0_shift_time={found.sync0_shift_ns}"]
+    arguments = [f"True, {found.sync0_cycle.expression(_PYTHON)}", f"sync0_shift_time={found.sync0_shift_ns}"]
     if calls.has_sync01_call:
-        arguments.append(f"sync1_cycle_time={found.sync1_delay.expression(_CYCLE, '//')}")
+        arguments.append(f"sync1_cycle_time={found.sync1_delay.expression(_PYTHON)}")
     has_call = calls.has_sync0_call or calls.has_sync01_call
     return DcCode(
         comment_text(op_mode_words(configuration)),
-        tuple(found.conditions(_CYCLE, configuration.cycle_ns, "or", "//")),
+        tuple(found.conditions(_PYTHON, configuration.cycle_ns)),
         f"slave.dc_sync({', '.join(arguments)})" if has_call else None,
         _statement(calls.written) if calls.written is not None else None,
     )
