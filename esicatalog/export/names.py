@@ -12,11 +12,11 @@ _RESERVED = (
     "register restrict return short signed sizeof static struct switch typedef typeof typeof_unqual union unsigned "
     "void volatile while "
     # C++
-    "alignas alignof and and_eq asm bitand bitor bool catch char8_t char16_t char32_t class compl concept const_cast "
-    "consteval constexpr constinit co_await co_return co_yield decltype delete dynamic_cast explicit export false "
-    "friend mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
-    "reinterpret_cast requires static_assert static_cast template this thread_local throw true try typeid typename "
-    "using virtual wchar_t xor xor_eq "
+    "alignas alignof and and_eq asm bitand bitor bool catch char8_t char16_t char32_t class compl concept "
+    "const_cast consteval constexpr constinit co_await co_return co_yield decltype delete dynamic_cast explicit "
+    "export false friend mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected "
+    "public reinterpret_cast requires static_assert static_cast template this thread_local throw true try typeid "
+    "typename using virtual wchar_t xor xor_eq "
     # Python
     "as assert async await def del elif except finally from global import in is lambda none nonlocal pass raise with "
     "yield "
