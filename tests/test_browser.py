@@ -202,6 +202,22 @@ def test_a_scan_is_read_on_a_small_screen(browser: Browser, served: str):
     opened.close()
 
 
+def test_several_files_dropped_are_refused(page: Page):
+    page.goto("/-/esi/scan")
+    drop = """names => {
+        const data = new DataTransfer();
+        for (const name of names) data.items.add(new File(["vendor,product\\n0xe5c,0x0d080808\\n"], name));
+        document.querySelector("form[data-drop]").dispatchEvent(new DragEvent("drop", { dataTransfer: data }));
+    }"""
+    told = page.get_by_text("Several files were dropped; drop one.")
+    expect(told).to_be_hidden()
+    page.evaluate(drop, ["a.csv", "b.csv"])
+    expect(told).to_be_visible()
+    assert page.locator("table.slaves").count() == 0
+    page.evaluate(drop, ["a.csv"])
+    expect(page.locator("table.slaves tbody tr:not(.remarks)")).to_have_count(1)
+
+
 def test_fields_of_a_line_are_level(page: Page):
     page.goto("/-/esi/")
     boxes = [page.locator(f"[name={name}]").bounding_box() for name in ("mode", "sync", "protocol", "maps")]

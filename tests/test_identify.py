@@ -473,12 +473,34 @@ async def test_wrong_requests_are_400_with_words(data_db, query, words):
         (b"[[1,2", "no JSON"),
         (b"hello", "no scan is recognised"),
         (b"[" * 100_000, "no JSON"),
+        (b"[12.5] hello", "no JSON"),
+        (b'[{"vendor": 1, "product": 2},\n{"vendor": 1, "product": 3}', "no JSON"),
+        (
+            b"SOEM (Simple Open EtherCAT Master)\n3 slaves found and configured.\n",
+            "no slave was read; line 1: slaveinfo lists no slave; line 2: 3 slaves are announced, 0 are listed",
+        ),
     ],
 )
 async def test_wrong_bodies_are_400_with_words(data_db, body, words):
     response = await (await client(data_db)).post(ROUTE, content=body)
     assert response.status_code == 400
     assert words in response.json()["error"]
+
+
+async def test_a_scan_in_the_lines_of_a_log(data_db):
+    """They begin with a bracket, as JSON does."""
+    logged = "".join(f"[   12.345678] {line}\n" for line in SLAVES.splitlines())
+    web = await client(data_db)
+    plain, posted = [(await web.post(ROUTE, content=text.encode())).content for text in (SLAVES, logged)]
+    assert posted == plain
+    assert posted == run("identify", "--slaves", "-", "--format", "json", db=data_db, stdin=logged).stdout_bytes
+
+
+async def test_json_may_begin_with_the_mark_of_its_encoding(data_db):
+    """PowerShell and .NET put it there."""
+    web = await client(data_db)
+    plain, marked = [await web.post(ROUTE, content='["0x1097:0x2406:0x8f"]'.encode(e)) for e in ("utf-8", "utf-8-sig")]
+    assert (plain.status_code, marked.content) == (200, plain.content)
 
 
 async def test_the_query_of_an_answer_can_be_asked_again(data_db):

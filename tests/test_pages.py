@@ -232,6 +232,25 @@ async def test_a_text_beside_a_file_is_refused_and_kept(data_db):
     assert (len(alone.cssselect("table.slaves")), alone.cssselect("textarea")[0].text) == (1, None)
 
 
+async def test_one_of_several_files_is_not_taken_silently(data_db):
+    web = await client(data_db)
+    files = [("file", (name, b"vendor,product,revision\n1,2,3\n")) for name in ("a.csv", "b.csv")]
+    sent = ({"files": files}, {"data": {"scan": ["1,2,3", "1,2,4"]}})
+    for name, form in zip(("file", "scan"), sent, strict=True):
+        refused = await web.post("/-/esi/scan", **form)
+        assert (refused.status_code, f"&#39;{name}&#39; is given more than once; give one" in refused.text) == (
+            400,
+            True,
+        )
+
+
+async def test_a_scan_without_slaves_is_told(data_db):
+    scan = "SOEM (Simple Open EtherCAT Master)\n3 slaves found and configured.\n"
+    refused = await (await client(data_db)).post("/-/esi/scan", data={"scan": scan})
+    (told,) = texts(html.fromstring(refused.text), "[role=alert]")
+    assert (refused.status_code, told.startswith("no slave was read; line 1: ")) == (400, True)
+
+
 HEX_WITHOUT_END = b":0100000000FF\n"
 LOADED = bytes([*range(14), crc8(bytes(range(14))), 0]) + bytes(112)
 """Words 0 to 6 with their check sum, and no more than the header of an image."""

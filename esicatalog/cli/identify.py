@@ -78,7 +78,7 @@ def command(
         from esicatalog.cli.bus_sheet import bus_lines
         from esicatalog.scan.front import read_pdos, read_sdos
 
-        told = [f"line {finding.line}: {finding.message}" for finding in scan.findings]
+        told = list(scan.finding_lines)
         seen_pdos = _seen("--pdos", pdos, read_pdos, told)
         seen_objects = _seen("--sdos", sdos, read_sdos, told)
         with Catalog.open(db) as catalog:

@@ -158,6 +158,11 @@ class Scan(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     slaves: tuple[ScannedSlave, ...]
     findings: tuple[ScanFinding, ...] = ()
 
+    @property
+    def finding_lines(self) -> tuple[str, ...]:
+        """The findings for people, each with its line."""
+        return tuple(f"line {finding.line}: {finding.message}" for finding in self.findings)
+
     def findings_by_slave(self) -> tuple[tuple[ScanFinding, ...], ...]:
         """The findings of each slave: from its line to that of the next, those before the first with the first.
 

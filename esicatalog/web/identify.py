@@ -1,6 +1,7 @@
 """The route /-/esi/identify.json: one identity by GET, many or a scan by POST."""
 
 import asyncio
+import codecs
 from typing import Any
 
 import msgspec
@@ -9,6 +10,7 @@ from esicatalog.api import Catalog
 from esicatalog.errors import InputError
 from esicatalog.identity import Identity, checked_number, parse_identity, parse_number
 from esicatalog.parameters import check_names, given_texts
+from esicatalog.scan.records import ScanError
 from esicatalog.scan.text import decode_text
 from esicatalog.web.http import HttpError, body_of, texts_of
 from esicatalog.web.uploads import MOST_IDENTITIES, read_uploaded_scan
@@ -33,20 +35,29 @@ async def identify_one(request: Any, catalog: Catalog) -> tuple[Any, int]:
 async def identify_many(request: Any, catalog: Catalog) -> tuple[Any, int]:
     """A JSON list of identities, or the text of a scan; the answers are a list in the same order."""
     body = await body_of(request)
-    if body.lstrip()[:1] in (b"[", b"{"):
-        return await asyncio.to_thread(_identities, body, catalog), 200
-    return await asyncio.to_thread(_scan, decode_text(body), catalog), 200
+    return await asyncio.to_thread(_answers, body.removeprefix(codecs.BOM_UTF8), catalog), 200
 
 
-def _scan(text: str, catalog: Catalog) -> list[dict[str, Any]]:
-    return [slave.as_json() for bus in catalog.identify_scan(read_uploaded_scan(text)) for slave in bus.slaves]
-
-
-def _identities(body: bytes, catalog: Catalog) -> list[dict[str, Any]]:
+def _answers(body: bytes, catalog: Catalog) -> list[dict[str, Any]]:
+    """Lines of a log begin with a bracket too: what is no JSON may be a scan."""
+    if body.lstrip()[:1] not in (b"[", b"{"):
+        return _scan(body, catalog)
     try:
         given = msgspec.json.decode(body)
     except (msgspec.DecodeError, RecursionError) as error:
-        raise HttpError(400, f"the body is no JSON: {error}") from error
+        try:
+            return _scan(body, catalog)
+        except ScanError:
+            raise HttpError(400, f"the body is no JSON: {error}") from error
+    return _identities(given, catalog)
+
+
+def _scan(body: bytes, catalog: Catalog) -> list[dict[str, Any]]:
+    scan = read_uploaded_scan(decode_text(body))
+    return [slave.as_json() for bus in catalog.identify_scan(scan) for slave in bus.slaves]
+
+
+def _identities(given: Any, catalog: Catalog) -> list[dict[str, Any]]:
     if not isinstance(given, list):
         raise HttpError(400, "the body is no list of identities")
     if len(given) > MOST_IDENTITIES:

@@ -68,9 +68,9 @@ _BY_PARSER: dict[Callable[[str], Any], dict[str, Any]] = {
 _SCANS = (
     "^vendor,product,revision(\\n0x[0-9a-f]{1,8},0x[0-9a-f]{1,8},(0x[0-9a-f]{1,8})?)+\\n$",
     "^=== Master [0-9]{1,3}, Slave [0-9]{1,5} ===\\n",
-    "^SOEM \\(Simple Open EtherCAT Master\\)\\n",
+    "^SOEM \\(Simple Open EtherCAT Master\\)\\nSlave:[1-9][0-9]{0,3}\\n",
 )
-"""How the texts of scans begin: a list of identities, ``ethercat slaves -v``, ``slaveinfo``."""
+"""How the texts of scans begin: a list of identities, ``ethercat slaves -v``, ``slaveinfo``; all have a slave."""
 
 
 def _object(properties: dict[str, Any], optional: tuple[str, ...] = ()) -> dict[str, Any]:

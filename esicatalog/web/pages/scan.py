@@ -49,7 +49,7 @@ def _answer(content: bytes, catalog: Catalog) -> dict[str, Any]:
     scan = read_uploaded_scan(decode_text(content))
     return {
         "buses": [_bus(bus) for bus in catalog.identify_scan(scan)],
-        "findings": [f"line {finding.line}: {finding.message}" for finding in scan.findings],
+        "findings": scan.finding_lines,
     }
 
 

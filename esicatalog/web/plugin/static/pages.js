@@ -42,11 +42,14 @@ function filterObjects(target, text) {
 
 for (const zone of document.querySelectorAll("[data-drop]")) {
   const input = document.getElementById(zone.dataset.drop);
+  const refused = zone.querySelector("[data-one-file]");
   zone.addEventListener("dragover", (event) => event.preventDefault());
   zone.addEventListener("drop", (event) => {
     event.preventDefault();
-    if (event.dataTransfer.files.length) {
-      input.files = event.dataTransfer.files;
+    const { files } = event.dataTransfer;
+    refused.hidden = files.length < 2;
+    if (files.length === 1) {
+      input.files = files;
       input.form.requestSubmit();
     }
   });
