@@ -150,19 +150,31 @@ class Catalog:
         return bus_reports(self._identities(), scan, self._records, pdos, dictionaries)
 
     def verify_sii(self, image: "SiiImage") -> "Verification":
-        """An EEPROM image against the descriptions of its identity; the one that fits best counts."""
+        """An EEPROM image against the descriptions of its identity; the one that fits best counts.
+
+        Raises :class:`~esicatalog.sii.errors.SiiImageError` when all of them hold an image (Eeprom/Data) that is none.
+        """
         from esicatalog.export.sii_verify import verify_image
         from esicatalog.export.verification import Verification
+        from esicatalog.sii.errors import SiiImageError
 
         header = image.header
         answer = self.identify(header.vendor_id, header.product_code, header.revision_no)
         if answer.match != "exact":
-            return Verification(answer, None, image.findings, ())
-        described = [variant.device for variant in answer.variants]
-        compared = [verify_image(image, self.export_subject(device.identity_text)) for device in described]
+            return Verification(answer, None, image.findings, (), ())
+        described, compared, unusable = [], [], []
+        for variant in answer.variants:
+            identity = variant.device.identity_text
+            try:
+                compared.append(verify_image(image, self.export_subject(identity)))
+                described.append(variant.device)
+            except SiiImageError as error:
+                unusable.append(f"{identity}: {error}")
+        if not compared:
+            raise SiiImageError("; ".join(unusable))
         weights = [(sum(item.used_by_master for item in found), len(found)) for found in compared]
         best = weights.index(min(weights))
-        return Verification(answer, described[best], image.findings, compared[best])
+        return Verification(answer, described[best], image.findings, tuple(unusable), compared[best])
 
     def _records(self, found: "FoundDevice") -> "tuple[Device, tuple[Module, ...]]":
         """Records of a described device that has vendor and product."""
