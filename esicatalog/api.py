@@ -150,17 +150,20 @@ class Catalog:
         return bus_reports(self._identities(), scan, self._records, pdos, dictionaries)
 
     def verify_sii(self, image: "SiiImage") -> "Verification":
-        """An EEPROM image against the descriptions of its identity; the one that fits best counts."""
+        """An EEPROM image against the descriptions of its identity; the one that fits best counts.
+
+        Raises :class:`~esicatalog.sii.errors.SiiImageError` when all of them hold an image (Eeprom/Data) that is none.
+        """
         from esicatalog.export.sii_verify import best_fit
         from esicatalog.export.verification import Verification
 
         header = image.header
         answer = self.identify(header.vendor_id, header.product_code, header.revision_no)
         if not answer.is_exact:
-            return Verification(answer, None, image.findings, ())
+            return Verification(answer, None, image.findings, (), ())
         described = [variant.device for variant in answer.variants]
-        best, differences = best_fit(image, (self.export_subject(device.identity_text) for device in described))
-        return Verification(answer, described[best], image.findings, differences)
+        best = best_fit(image, (self.export_subject(device.identity_text) for device in described))
+        return Verification(answer, described[best.number], image.findings, best.unusable, best.differences)
 
     def _records(self, found: "FoundDevice") -> "tuple[Device, tuple[Module, ...]]":
         """Records of a described device that has vendor and product."""

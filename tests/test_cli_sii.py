@@ -201,6 +201,18 @@ def test_an_image_in_the_description_that_is_none_is_not_that_of_the_user(tmp_pa
         assert all(part in line for part in words), line
 
 
+def test_a_variant_with_an_image_that_is_none_is_left_out(tmp_path):
+    """Of two descriptions of the identity one holds two bytes as its image; the other one fits."""
+    broken = esi(device("<Eeprom><Data>0011</Data></Eeprom>" + pdo("RxPdo", "#x1600", *[8] * 9)))
+    db = catalog_of(tmp_path, broken, esi(device(DEVICE)))
+    done = run("sii", "verify", dump_of(tmp_path, DEVICE), db=db)
+    assert done.exit_code == 0
+    (left_out,) = (line for line in done.stdout.splitlines() if "left out" in line)
+    assert "Eeprom/Data of T1 (0.xml, line 1): no SII image: its length in bytes is 2" in left_out
+    found = json.loads(run("sii", "verify", tmp_path / "dump.bin", "--format", "json", db=db).stdout)
+    assert (found["agrees"], len(found["unusable"])) == (True, 1)
+
+
 @pytest.mark.corpus
 def test_real_dumps_agree_with_their_descriptions(corpus, tmp_path):
     """EK1100 and EL2004: sync managers, FMMUs, PDO layout and the rest that a master uses."""

@@ -15,6 +15,7 @@ from esicatalog.export.sii_header import configuration_bytes, whole_image
 from esicatalog.export.sii_merge import merged_general, merged_header
 from esicatalog.export.subject import Subject
 from esicatalog.sii.checksum import is_loaded
+from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.image import Category, DistributedClocks, General, SiiImage, SyncManagers
 from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.records import DcMode, SyncManager
@@ -55,17 +56,37 @@ def verify_image(image: SiiImage, subject: Subject) -> tuple[ImageDifference, ..
     )
 
 
-def best_fit(image: SiiImage, subjects: Iterable[Subject]) -> tuple[int, tuple[ImageDifference, ...]]:
-    """Which of several descriptions an image differs least from, above all in what a master uses, and how.
+class BestFit(NamedTuple):
+    """The description that an image differs least from."""
 
-    The first of equal ones. Raises what :func:`verify_image` raises.
+    number: int
+    """Which one of those that were compared with the image."""
+    differences: tuple[ImageDifference, ...]
+    unusable: tuple[str, ...]
+    """Which ones were left out, because they hold an image that is none."""
+
+
+def best_fit(image: SiiImage, subjects: Iterable[Subject]) -> BestFit:
+    """Which of several descriptions an image differs least from, above all in what a master uses.
+
+    The first of equal ones. Raises :class:`SiiImageError` when all of them hold a whole image (Eeprom/Data) that is
+    none.
     """
+    compared: list[tuple[int, tuple[ImageDifference, ...]]] = []
+    unusable = []
+    for number, subject in enumerate(subjects):
+        try:
+            compared.append((number, verify_image(image, subject)))
+        except SiiImageError as error:
+            unusable.append(f"{subject.identity_text}: {error}")
+    if not compared:
+        raise SiiImageError("; ".join(unusable))
+    number, differences = min(compared, key=lambda item: _weight(item[1]))
+    return BestFit(number, differences, tuple(unusable))
 
-    def weight(compared: tuple[int, tuple[ImageDifference, ...]]) -> tuple[int, int]:
-        differences = compared[1]
-        return sum(item.used_by_master for item in differences), len(differences)
 
-    return min(enumerate(verify_image(image, subject) for subject in subjects), key=weight)
+def _weight(differences: tuple[ImageDifference, ...]) -> tuple[int, int]:
+    return sum(item.used_by_master for item in differences), len(differences)
 
 
 def _described(subject: Subject, image: SiiImage) -> SiiImage:

@@ -16,6 +16,8 @@ class Verification(NamedTuple):
     """None when the identity is not described exactly; then nothing was compared."""
     findings: tuple[str, ...]
     """What is odd about the image itself."""
+    unusable: tuple[str, ...]
+    """Which descriptions of the identity were left out, because they hold an image that is none."""
     differences: tuple[ImageDifference, ...]
 
     @property
@@ -32,6 +34,7 @@ class Verification(NamedTuple):
             else f"not compared: {self.identification.reason}"
         )
         yield from (f"  image: {finding}" for finding in self.findings)
+        yield from (f"  left out: {description}" for description in self.unusable)
         if known is None:
             return
         for item in self.differences:
@@ -46,5 +49,6 @@ class Verification(NamedTuple):
             "identification": self.identification.as_json(),
             "device": self.device.as_json() if self.device is not None else None,
             "findings": list(self.findings),
+            "unusable": list(self.unusable),
             "differences": [item._asdict() for item in self.differences],
         }
