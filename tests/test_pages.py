@@ -13,6 +13,7 @@ from test_search import catalog_of
 from web_client import client
 
 from esicatalog import Catalog
+from esicatalog.catalog.filter_texts import PARAMETERS
 from esicatalog.identity import parse_identity
 from esicatalog.sii.checksum import crc8
 from esicatalog.web.cells import decimal_filters
@@ -38,6 +39,18 @@ async def test_home_lists_devices_with_counts(data_db):
     assert texts(tree, "h2") == ["5 devices"]
     assert "EYOU_ServoModule_V143" in texts(tree, ".device-head a")
     assert [link for link in texts(tree, "aside a") if link.startswith("CSV")] == ["CSV 3"]
+
+
+NOT_ON_THE_HOME_PAGE = {"product", "identification", "not-maps", "bits", "limit"}
+"""Filters for the address and the command: an identity is a text to search for, a page has its own limit, and the form
+stays one that can be taken in at a glance."""
+
+
+async def test_every_filter_is_on_the_home_page_or_kept_off_it_on_purpose(data_db):
+    tree = await page(data_db, "/-/esi/")
+    written = {element.get("name") for element in tree.cssselect("form.search [name]")}
+    counted = {name for link in tree.cssselect("aside a") for name, _ in parse_qsl(link.get("href").partition("?")[2])}
+    assert written | counted == {"vendor", *PARAMETERS} - NOT_ON_THE_HOME_PAGE
 
 
 @pytest.mark.parametrize(

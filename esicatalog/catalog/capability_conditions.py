@@ -17,16 +17,15 @@ from esicatalog.model.words import protocol_name
 
 _FSOE = "fsoe"
 
-_FLAGS: dict[str, tuple[sa.Column[Any], str]] = {
+FLAGS: dict[str, tuple[sa.Column[Any], str]] = {
     "complete_access": (mailboxes.c.coe_complete_access, "CoE CompleteAccess declared"),
     "pdo_assign": (mailboxes.c.coe_pdo_assign, "CoE PdoAssign declared"),
     "pdo_config": (mailboxes.c.coe_pdo_config, "CoE PdoConfig declared"),
     "bootstrap": (device_facts.c.has_bootstrap, "Eeprom declares a bootstrap mailbox"),
     "needs_dc": (device_facts.c.dc_needed, "every valid OpMode activates distributed clocks"),
     "no_lrw": (devices.c.use_lrd_lwr, "UseLrdLwr declared: no LRW frames"),
-    "identification_reg134": (devices.c.identification_reg134, "IdentificationReg134 declared"),
 }
-"""Truth values: column and evidence."""
+"""Truth values by their filters, in the order in which evidence is shown: column and evidence."""
 
 
 def _cycle_place() -> sa.ScalarSelect[Any]:
@@ -66,7 +65,10 @@ _AMOUNTS: dict[str, tuple[Callable[..., str], sa.Column[Any], *tuple[sa.ScalarSe
 
 def flag(name: str) -> Condition:
     """Devices with a property that is there or not."""
-    column, words = _FLAGS[name]
+    return _declared(*FLAGS[name])
+
+
+def _declared(column: sa.Column[Any], words: str) -> Condition:
     return _of_device(column, column == sa.true(), evidence=stated(words))
 
 
@@ -128,15 +130,13 @@ def protocol(name: str) -> Condition:
         query = sa.select(facts.device_id, facts.fsoe, facts.fsoe_evidence)
         evidence = by_row(query, facts.device_id, "FSoE, {} evidence: {}".format)
         return _of_device(facts.fsoe, facts.fsoe.is_not(None), evidence=evidence)
-    column = mailboxes.c[name]
-    words = f"Mailbox/{protocol_name(name)} declared"
-    return _of_device(column, column == sa.true(), evidence=stated(words))
+    return _declared(mailboxes.c[name], f"Mailbox/{protocol_name(name)} declared")
 
 
 def identification(method: str) -> Condition:
     """Devices that return an explicit identification by this method."""
     if method == "reg134":
-        return flag("identification_reg134")
+        return _declared(devices.c.identification_reg134, "IdentificationReg134 declared")
     column = devices.c.identification_ado
     evidence = by_row(sa.select(devices.c.id, column), devices.c.id, "IdentificationAdo 0x{:04X}".format)
     return Condition(column.is_not(None), evidence)

@@ -18,7 +18,6 @@ from esicatalog.catalog.schema import devices, vendors
 from esicatalog.errors import InputError
 from esicatalog.identity import Identity
 
-_FLAGS = ("complete_access", "pdo_assign", "pdo_config", "bootstrap", "needs_dc", "no_lrw")
 ADDRESSED = Condition(sa.and_(devices.c.vendor_id.is_not(None), devices.c.product_code.is_not(None)), indexed=True)
 NOT_ADDRESSED = Condition(sa.or_(devices.c.vendor_id.is_(None), devices.c.product_code.is_(None)), indexed=True)
 """Whether a description has the codes by which a bus and the address of a page name it; end caps have none."""
@@ -123,7 +122,7 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
         yield capability.sync(wanted.sync)
     if wanted.protocol is not None:
         yield capability.protocol(wanted.protocol)
-    yield from (capability.flag(name) for name in _FLAGS if getattr(wanted, name))
+    yield from (capability.flag(name) for name in capability.FLAGS if getattr(wanted, name))
     if wanted.identification is not None:
         yield capability.identification(wanted.identification)
     if wanted.physics is not None:
