@@ -50,6 +50,12 @@ def sm_role(sync_manager: SyncManager) -> SmRole | None:
     return SM_ROLES.get(sync_manager.usage or "")
 
 
+def is_mailbox(sync_manager: SyncManager) -> bool:
+    """Whether a SyncManager is known to be that of a mailbox; what a vendor calls MBox-something else is not."""
+    role = sm_role(sync_manager)
+    return role is not None and role.is_mailbox
+
+
 def may_transport(sync_manager: SyncManager, direction: str) -> bool:
     """Whether a SyncManager can have a RxPdo or TxPdo: as its role says, any where nobody knows that."""
     role = sm_role(sync_manager)
