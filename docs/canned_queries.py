@@ -175,8 +175,8 @@ order by {_ORDER}
         "title": "Who maps an object",
         "description": (
             "index: 0x60FF, #x60FF or 24831 (empty = 0x60FF); subindex: a number (empty = all, those too that cannot "
-            "be read). Looks at the PDOs of devices and of the modules that their slots can reach, and names the module; "
-            "sm is the sync manager that a PDO is assigned to by default. Indices of modules are those of the first "
+            "be read). Looks at the PDOs of devices and of the modules that their slots can reach, and names the "
+            "module; sm is the sync manager that a PDO is assigned to by default. Indices of modules are those of the first "
             "slot. "
             f"{_HIDDEN_DOC}"
         ),

@@ -371,6 +371,14 @@ def test_without_clocks_there_is_no_call_and_no_cycle():
     assert "CYCLE_NS" not in text
 
 
+def test_only_what_is_known_for_a_mailbox_is_told_to_the_master_without_pdos():
+    """A word of the vendor's that begins like one says nothing: an empty assignment might be written there."""
+    text = header_of("<Sm>MBoxOut</Sm><Sm>MBoxState</Sm><Sm>Outputs</Sm>" + rx("#x1600", entry("#x7000", 16, "a")))
+    assert "{0, EC_DIR_OUTPUT, 0, NULL, EC_WD_DEFAULT}" in text
+    assert "{1, EC_DIR" not in text
+    assert "SM1 MBoxState, ControlByte not described: no PDO is assigned; left out" in text
+
+
 def test_a_sync_manager_whose_content_is_unknown_is_left_to_the_device():
     empty = "<TxPdo Sm='3'><Index>#x1A00</Index><Name>T</Name></TxPdo>"
     text = header_of(

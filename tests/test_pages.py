@@ -281,6 +281,7 @@ LOADED = bytes([*range(14), crc8(bytes(range(14))), 0]) + bytes(112)
         # What is an image by its beginning is told as one.
         (LOADED + b"BADC", "drop.bin: category 16706 at byte 0x80 runs past the end of the image"),
         (HEX_WITHOUT_END, "drop.bin: Intel HEX: no end record; the file is cut"),
+        (b"\xef\xbb\xbf" + HEX_WITHOUT_END, "drop.bin: Intel HEX: no end record; the file is cut"),
     ],
 )
 async def test_a_file_that_is_neither_scan_nor_image(data_db, content, words):

@@ -156,7 +156,7 @@ def _sync_rows(prefix: str, sync_managers: Iterable[SmConfiguration]) -> Iterato
             pdos = f"{len(sm.pdos)}, {prefix}_pdos + {offset}"
             yield f"{{{sm.number}, {direction}, {pdos}, EC_WD_DEFAULT}}, /* {words} */"
             offset += len(sm.pdos)
-        elif sm.usage.startswith("MBox"):
+        elif sm.is_mailbox:
             yield f"{{{sm.number}, {direction}, 0, NULL, EC_WD_DEFAULT}}, /* {words} */"
         else:
             why = "entries of its PDOs are not described" if sm.pdos else "no PDO is assigned"

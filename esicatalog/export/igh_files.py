@@ -51,15 +51,11 @@ def listed(configuration: Configuration, program: str) -> Listed:
     )
     remarks += _unreached(configuration, program, [entry for sm, entry in repeated if sm.direction == OUTPUT])
     return Listed(
-        tuple(sm for sm in configuration.sync_managers if sm.is_described or _is_mailbox(sm)),
+        tuple(sm for sm in configuration.sync_managers if sm.is_described or sm.is_mailbox),
         tuple(command for command in configuration.commands if _why_left_out(command, written) is None),
         frozenset(entry.identifier for _, entry in repeated),
         tuple(dict.fromkeys(remarks)),
     )
-
-
-def _is_mailbox(sm: SmConfiguration) -> bool:
-    return sm.usage.startswith("MBox") and not sm.pdos
 
 
 def _left_out_sync_managers(configuration: Configuration) -> Iterator[str]:

@@ -11,7 +11,7 @@ from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.pdo_facts import PDO_MAPPINGS
 from esicatalog.model.process_image import SmImage, default_process_image, process_image
 from esicatalog.model.slots import PluggedModule
-from esicatalog.model.sm_facts import OUTPUT, sm_role
+from esicatalog.model.sm_facts import OUTPUT, is_mailbox
 from esicatalog.model.sm_memory import memory_overlaps, size_conflict
 from esicatalog.model.sync import default_op_mode
 
@@ -106,8 +106,7 @@ def _memory_conflicts(device: Device, images: Sequence[SmImage]) -> Iterator[str
     """A mailbox has its DefaultSize; process data are as long as the PDOs make them, where that is known."""
     byte_sizes: dict[int, int | None] = {}
     for number, sm in enumerate(device.sync_managers):
-        role = sm_role(sm)
-        if role is not None and role.is_mailbox:
+        if is_mailbox(sm):
             byte_sizes[number] = sm.default_size or 0
     for image in images:
         if image.pdos and 0 <= image.sm < len(device.sync_managers):

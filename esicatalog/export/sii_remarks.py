@@ -24,7 +24,7 @@ from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
 from esicatalog.model.pdo_facts import entry_facts, entry_words, has_length, has_object
 from esicatalog.model.ports import port_kind
-from esicatalog.model.sm_facts import sm_facts, sm_role
+from esicatalog.model.sm_facts import is_mailbox, sm_facts
 from esicatalog.sii.checksum import CHECKSUM_OFFSET
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
@@ -169,11 +169,6 @@ def _sync_managers_without(
     return look
 
 
-def _is_mailbox(sm: SyncManager) -> bool:
-    role = sm_role(sm)
-    return role is not None and role.is_mailbox
-
-
 def _watchdog_by_attribute(device: Device) -> list[str]:
     facts = ((number, sm, sm_facts(sm)) for number, sm in enumerate(device.sync_managers))
     return [f"SM{number}" for number, sm, fact in facts if sm.watchdog and not fact.watchdog_trigger]
@@ -223,11 +218,11 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
     (_codes_missing, "Not given, so 0: {}."),
     (_unread, "Values that cannot be read, stored as if they were absent; correct the file: {}."),
     (
-        _sync_managers_without(_MAILBOX_ATTRIBUTES, _is_mailbox),
+        _sync_managers_without(_MAILBOX_ATTRIBUTES, is_mailbox),
         "Mailboxes without a usable attribute, stored as 0; do not write this image, no master reaches them: {}.",
     ),
     (
-        _sync_managers_without(_SM_ATTRIBUTES, lambda sm: not sm.virtual and not _is_mailbox(sm)),
+        _sync_managers_without(_SM_ATTRIBUTES, lambda sm: not sm.virtual and not is_mailbox(sm)),
         "SyncManagers of process data without a usable attribute, stored as 0; do not write this image before you know "
         "better: without Enable they are disabled, without ControlByte inputs: {}.",
     ),

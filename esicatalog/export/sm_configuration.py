@@ -17,7 +17,7 @@ from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX
 from esicatalog.model.assignable_pdos import declares_pdo_assign
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, entry_words, has_length, has_object, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage
-from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, sm_role, transfer_direction
+from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, is_mailbox, sm_role, transfer_direction
 from esicatalog.model.values import byte_length
 
 _CONTROL_BYTES = range(0x100)
@@ -125,6 +125,11 @@ class SmConfiguration(NamedTuple):
     def is_described(self) -> bool:
         """Whether all content of its PDOs is known; without PDOs there is none."""
         return bool(self.pdos) and all(pdo.is_described for pdo in self.pdos)
+
+    @property
+    def is_mailbox(self) -> bool:
+        """Whether it is a mailbox's, and no PDO is put into it all the same."""
+        return self.sync_manager is not None and is_mailbox(self.sync_manager) and not self.pdos
 
     @property
     def assignment(self) -> PdoObject | None:

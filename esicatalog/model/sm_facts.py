@@ -48,6 +48,12 @@ def sm_role(sync_manager: SyncManager) -> SmRole | None:
     return SM_ROLES.get(sync_manager.usage or "")
 
 
+def is_mailbox(sync_manager: SyncManager) -> bool:
+    """Whether a SyncManager is known to be that of a mailbox; what a vendor calls MBox-something else is not."""
+    role = sm_role(sync_manager)
+    return role is not None and role.is_mailbox
+
+
 def mailbox_sync_managers(device: Device) -> list[int]:
     """Numbers of those that carry a mailbox: by their role; without a known one by mailbox mode.
 

@@ -32,7 +32,12 @@ def image_bytes(data: bytes) -> bytes:
 
     Raises :class:`SiiImageError` for a broken Intel HEX file, with its line.
     """
-    return _intel_hex(data) if _INTEL_HEX.match(data) else data
+    return _intel_hex(data) if is_intel_hex(data) else data
+
+
+def is_intel_hex(data: bytes) -> bool:
+    """Whether the bytes of a file are Intel HEX; editors put a byte order mark or blank lines before it."""
+    return _INTEL_HEX.match(data) is not None
 
 
 def _intel_hex(data: bytes) -> bytes:

@@ -12,7 +12,7 @@ from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.model.areas import Area
 from esicatalog.model.counting import counted
 from esicatalog.model.process_image import SmImage
-from esicatalog.model.sm_facts import SmFacts, sm_facts, sm_role
+from esicatalog.model.sm_facts import SmFacts, is_mailbox, sm_facts
 from esicatalog.model.sm_memory import MEMORY_START, buffer_count, is_enabled, occupied_area
 from esicatalog.web.drawings.svg import (
     WIDTH,
@@ -99,7 +99,7 @@ def memory_map_svg(device: Device, images: Sequence[SmImage]) -> str:
 
 
 def _area(number: int, sync_manager: SyncManager, image: SmImage | None) -> _Area:
-    facts, role = sm_facts(sync_manager), sm_role(sync_manager)
+    facts = sm_facts(sync_manager)
     size = max(sync_manager.default_size or 0, image.described_bytes if image is not None else 0) or None
     return _Area(
         number,
@@ -111,7 +111,7 @@ def _area(number: int, sync_manager: SyncManager, image: SmImage | None) -> _Are
         buffer_count(sync_manager) if size else 1,
         is_enabled(sync_manager),
         occupied_area(number, sync_manager, size),
-        role is not None and role.is_mailbox,
+        is_mailbox(sync_manager),
     )
 
 

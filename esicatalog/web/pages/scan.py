@@ -11,7 +11,7 @@ from esicatalog.scan.text import decode_text, is_utf16
 from esicatalog.sii.checksum import is_loaded
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
-from esicatalog.sii.files import image_bytes
+from esicatalog.sii.files import image_bytes, is_intel_hex
 from esicatalog.sii.image import SiiImage
 from esicatalog.sii.records import HEADER
 from esicatalog.sii.text import sheet_lines
@@ -55,11 +55,7 @@ def _answer(content: bytes, catalog: Catalog) -> dict[str, Any]:
 
 def _looks_like_image(content: bytes) -> bool:
     """Scans are text; an image holds zeros, or is Intel HEX."""
-    return not is_utf16(content) and (b"\0" in content or _is_intel_hex(content))
-
-
-def _is_intel_hex(content: bytes) -> bool:
-    return content.lstrip()[:1] == b":"
+    return not is_utf16(content) and (b"\0" in content or is_intel_hex(content))
 
 
 def _read_image(content: bytes) -> SiiImage:
@@ -68,7 +64,7 @@ def _read_image(content: bytes) -> SiiImage:
     Raises :class:`InputError` for other bytes, and :class:`SiiImageError`.
     """
     data = image_bytes(content)
-    is_image = _is_intel_hex(content) or (len(data) >= HEADER.size and is_loaded(HEADER.read(data)))
+    is_image = is_intel_hex(content) or (len(data) >= HEADER.size and is_loaded(HEADER.read(data)))
     try:
         image = decode_sii(data)
     except SiiImageError as error:
