@@ -9,6 +9,7 @@ from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, 
 from esicatalog.model.access import states_to_write
 from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.model.counting import counted
+from esicatalog.model.pdo_facts import index_words
 from esicatalog.model.start_up import SENT_IN, TRANSITIONS, transition_of, unusable_part
 from esicatalog.model.sync import listed_pdos
 from esicatalog.model.values import fills
@@ -50,7 +51,9 @@ def _never_sent(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
 
 
 def _words(command: InitCmd) -> str:
-    return f"InitCmd for 0x{command.object_index or 0:04X}:{command.subindex or 0:02X}"
+    if command.object_index is None:
+        return f"InitCmd {index_words(None)}"
+    return f"InitCmd for {index_words(command.object_index)}:{command.subindex or 0:02X}"
 
 
 def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete: bool) -> str | None:
