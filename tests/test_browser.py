@@ -23,7 +23,8 @@ PAGES = ("/-/esi/", "/-/esi/?mode=CSV", EYOU, "/-/esi/scan", COMPARE)
 def browser() -> Iterator[Browser]:
     with sync_playwright() as playwright:
         # as root, as in containers, chromium starts without its sandbox only
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        arguments = ["--no-sandbox", "--host-resolver-rules=MAP catalog.example 127.0.0.1"]
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
         yield browser
         browser.close()
 
@@ -75,6 +76,34 @@ def test_dictionary_is_loaded_and_filtered(page: Page):
     box.fill("0x6502")
     expect(page.locator("[data-shown]")).to_have_text("1 objects")
     assert page.locator("details[data-object]:visible").count() == 1
+
+
+def test_the_page_of_objects_alone_is_filtered(page: Page):
+    page.goto(f"{EYOU}/objects")
+    page.get_by_label("Filter by index, name or type").fill("0x6502")
+    expect(page.locator("[data-shown]")).to_have_text("1 objects")
+    assert page.locator("details[data-object]:visible").count() == 1
+
+
+def test_without_scripts_nothing_is_offered_that_needs_them(browser: Browser, served: str):
+    context = browser.new_context(base_url=served, java_script_enabled=False)
+    opened = context.new_page()
+    opened.goto(f"{EYOU}/objects")
+    expect(opened.locator("details[data-object]").first).to_be_visible()
+    assert opened.locator("input[data-filter]:visible").count() == 0
+    context.close()
+
+
+def test_over_plain_http_by_name(browser: Browser, served: str):
+    """There browsers neither say what asks nor have a clipboard: origins of other machines are not secure."""
+    opened = browser.new_page(base_url=served.replace("127.0.0.1", "catalog.example"))
+    opened.goto(EYOU)
+    assert opened.evaluate("[isSecureContext, typeof navigator.clipboard]") == [False, "undefined"]
+    assert opened.locator("button[data-copy]:visible").count() == 0
+    opened.locator("section[aria-labelledby=objects] summary").first.click()
+    expect(opened.locator("details[data-object]").first).to_be_visible()
+    assert opened.locator("header").count() == 1
+    opened.close()
 
 
 def test_compare_and_scan(page: Page):
