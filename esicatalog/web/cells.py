@@ -9,6 +9,7 @@ from markupsafe import Markup
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.errors import InputError
 from esicatalog.identity import parse_number
+from esicatalog.web.bidi import isolated
 from esicatalog.web.links import BASE, device_path, device_row_path
 
 HEX_DIGITS = {
@@ -28,12 +29,14 @@ DEVICE_COLUMNS = ("device_id", "other_device_id", "previous_id")
 
 _TYPE_COLUMNS = {"devices": "type"}
 _VIEW_TYPE_COLUMN = "device_type"
+_SENTENCES = ("evidence", "fsoe_evidence", "recipe", "message")
+"""Columns with names of documents among words and numbers."""
 _OPERATORS = {"exact", "not", "gt", "gte", "lt", "lte", "in", "notin"}
 """Comparisons of Datasette's filters (``column__gt=…``) that take numbers."""
 
 
-def cell(row: Any, value: Any, column: str, table: str | None, base_url: str) -> Markup | None:
-    """What a cell shows in place of its value; None leaves it to Datasette."""
+def cell(row: Any, value: Any, column: str, table: str | None, base_url: str) -> str | None:
+    """What a cell shows in place of its value, markup or text; None leaves it to Datasette."""
     digits = HEX_DIGITS.get(column)
     if digits is not None and isinstance(value, int):
         return Markup('<span title="{}">0x{}</span>').format(value, f"{value:0{digits}x}")
@@ -50,6 +53,8 @@ def cell(row: Any, value: Any, column: str, table: str | None, base_url: str) ->
     if column == "image_sha256" and isinstance(value, str) and value:
         href = f"{base_url}{BASE.removeprefix('/')}image/{quote(value)}"
         return Markup('<img src="{}" alt="" title="{}" style="image-rendering: pixelated">').format(href, value)
+    if column in _SENTENCES and isinstance(value, str) and (shown := isolated(value)) != value:
+        return shown
     return None
 
 

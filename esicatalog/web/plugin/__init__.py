@@ -8,6 +8,7 @@ from datasette import handle_exception, hookimpl
 
 from esicatalog.catalog.full_text import search_expression
 from esicatalog.catalog.views import FULL_TEXT
+from esicatalog.web.bidi import isolated
 from esicatalog.web.cells import cell, decimal_filters
 from esicatalog.web.descriptions import complete_links
 from esicatalog.web.functions import add_functions, bound_work
@@ -36,6 +37,12 @@ def prepare_connection(conn: sqlite3.Connection) -> None:
         # trylast: Datasette has registered its own function of this name before.
         conn.create_function("escape_fts", 1, search_expression, deterministic=True)
         bound_work(conn)
+
+
+@hookimpl  # type: ignore[untyped-decorator]
+def prepare_jinja2_environment(env: Any) -> None:
+    """The filter ``isolated`` for sentences with names of documents."""
+    env.filters["isolated"] = isolated
 
 
 @hookimpl  # type: ignore[untyped-decorator]
