@@ -19,7 +19,7 @@ from report import Row
 from esicatalog import Catalog
 from esicatalog.identity import Bounds
 from esicatalog.resources import resource
-from esicatalog.web.functions import hex0x, parse_hex
+from esicatalog.web.functions import add_functions
 
 LIMIT_MS = 50.0
 _CALLS = 11
@@ -67,8 +67,8 @@ def canned_ms(database: Path) -> dict[str, float]:
     """Time of each canned query of the Datasette metadata, all rows fetched."""
     metadata = yaml.safe_load(resource("datasette-metadata.yml").read_text("utf-8"))
     with closing(sqlite3.connect(database)) as connection:
-        for name, function, count in (("parse_hex", parse_hex, 1), ("hex0x", hex0x, -1), ("escape_fts", escape_fts, 1)):
-            connection.create_function(name, count, function)
+        add_functions(connection)
+        connection.create_function("escape_fts", 1, escape_fts)
         return {
             name: median_ms(lambda sql=query["sql"]: connection.execute(sql, _values(sql)).fetchall(), 3)
             for name, query in metadata["databases"]["catalog"]["queries"].items()

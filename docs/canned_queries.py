@@ -1,17 +1,32 @@
-"""Canned queries of the Datasette metadata. An empty parameter means what the description says."""
+"""Canned queries of the Datasette metadata. An empty parameter means what the description says.
+
+What ``esicatalog devices`` would refuse is an error here too: none found must not be the answer to a slip.
+"""
 
 from typing import Any
 
+from esicatalog.catalog.filter_texts import TRUE_WORDS
 from esicatalog.catalog.views import mapped_subindex
 from esicatalog.model.drive_evidence import YES
 from esicatalog.model.drive_modes import LIKELY, accepted_verdicts
 
 _IDENTITY = "vendor, device_type, device_name, vendor_id_hex, product_code_hex, revision_no_hex"
 _ORDER = "vendor_id, product_code, revision_no"
-_SHOWN = "(hidden = 0 or :include_hidden not in ('', '0'))"
+_TRUE = f"({', '.join(map(repr, TRUE_WORDS))})"
+_SHOWN = f"(hidden = 0 or :include_hidden in {_TRUE})"
 """Rows of revisions that ``esicatalog devices`` lists, with and without ``--include-hidden``."""
 _ACCEPTED = "({})".format(", ".join(f"'{word}'" for word in accepted_verdicts()))
 _HIDDEN_DOC = "include_hidden: 1 = also revisions that another description supersedes (empty = without them)."
+
+
+def _readable(*names: str) -> str:
+    """A condition that ends the statement with words where ``esicatalog devices`` refuses a parameter.
+
+    No function of SQLite but those about JSON tells of what it was given; it tells of a path that is none.
+    """
+    given = ", ".join(f"'{name}', :{name}" for name in names)
+    return f"json_extract('{{}}', refusal({given})) is null"
+
 
 CANNED_QUERIES: dict[str, dict[str, Any]] = {
     "find_a_device": {
@@ -26,7 +41,8 @@ CANNED_QUERIES: dict[str, dict[str, Any]] = {
 select device_id, {_IDENTITY},
   variant, profile_no
 from device_overview
-where device_id in (select rowid from device_search where device_search match escape_fts(:text))
+where {_readable("include_hidden")}
+  and device_id in (select rowid from device_search where device_search match escape_fts(:text))
   and {_SHOWN}
 order by {_ORDER}, variant
 """,
@@ -53,7 +69,8 @@ with declared as (
 select device_id, {_IDENTITY},
   group_concat(declared_by, ', ') as declared_by
 from found join device_overview using (device_id)
-where found.profile_no = parse_hex(ifnull(nullif(:profile, ''), '402')) and variant = 1 and {_SHOWN}
+where {_readable("profile", "include_hidden")}
+  and found.profile_no = parse_hex(ifnull(nullif(:profile, ''), '402')) and variant = 1 and {_SHOWN}
 group by device_id
 order by {_ORDER}
 """,
@@ -70,7 +87,8 @@ order by {_ORDER}
 select device_id, {_IDENTITY},
   group_concat(ifnull(name || ' ', '') || assign_activate_hex, ', ') as op_modes, max(is_default) as in_default_mode
 from device_dc_modes
-where sync1 = 1 and device_id in (select device_id from device_facts where supports_sync1 = 1)
+where {_readable("include_hidden")}
+  and sync1 = 1 and device_id in (select device_id from device_facts where supports_sync1 = 1)
   and variant = 1 and {_SHOWN} and (:vendor = '' or vendor like '%' || :vendor || '%')
 group by device_id
 order by {_ORDER}
@@ -88,8 +106,9 @@ order by {_ORDER}
 select device_id, {_IDENTITY},
   axis, mode, verdict, conflict, evidence, recipe
 from device_drive_modes
-where mode = upper(ifnull(nullif(trim(:mode), ''), 'CSV')) and kind = 'CiA 402' and variant = 1 and {_SHOWN}
-  and verdict in ('{YES}', case when :strict in ('', '0') then '{LIKELY}' end)
+where {_readable("mode", "strict", "include_hidden")}
+  and mode = upper(ifnull(nullif(trim(:mode), ''), 'CSV')) and kind = 'CiA 402' and variant = 1 and {_SHOWN}
+  and verdict in ('{YES}', case when :strict not in {_TRUE} then '{LIKELY}' end)
 order by {_ORDER}, axis
 """,
     },
@@ -105,7 +124,8 @@ select device_id, {_IDENTITY},
   (select group_concat(ifnull(c.name || ' ', '') || hex0x(c.assign_activate), ', ') from dc_modes c
     where c.device_id = m.device_id and c.sync1 = 1) as sync1_op_modes
 from device_drive_modes m
-where mode = 'CSV' and kind = 'CiA 402' and verdict in {_ACCEPTED} and variant = 1 and {_SHOWN}
+where {_readable("include_hidden")}
+  and mode = 'CSV' and kind = 'CiA 402' and verdict in {_ACCEPTED} and variant = 1 and {_SHOWN}
   and device_id in (select device_id from device_facts where supports_sync1 = 1)
 order by {_ORDER}, axis
 """,
@@ -122,7 +142,8 @@ order by {_ORDER}, axis
 select m.device_id, {_IDENTITY},
   axis, verdict, evidence, fsoe, fsoe_evidence
 from device_drive_modes m join device_facts f on f.device_id = m.device_id
-where mode = 'CSP' and kind = 'CiA 402' and verdict in {_ACCEPTED} and variant = 1 and {_SHOWN}
+where {_readable("include_hidden")}
+  and mode = 'CSP' and kind = 'CiA 402' and verdict in {_ACCEPTED} and variant = 1 and {_SHOWN}
   and fsoe is not null
 order by {_ORDER}, axis
 """,
@@ -149,7 +170,8 @@ select other_device_id as device_id, other_type as device_type, other_vendor_id_
   other_product_code_hex as product_code_hex, other_revision_no_hex as revision_no_hex, same_pdo_set,
   output_bytes, input_bytes
 from same_process_image_layout
-where vendor_id = parse_hex(:vendor) and product_code = parse_hex(:product)
+where {_readable("vendor", "product", "revision", "include_hidden")}
+  and vendor_id = parse_hex(:vendor) and product_code = parse_hex(:product)
   and (:revision = '' or revision_no = parse_hex(:revision)) and variant = 1
   and other_device_id in (select id from devices where {_SHOWN})
 order by vendor_id_hex, product_code_hex, revision_no_hex
@@ -165,7 +187,8 @@ order by vendor_id_hex, product_code_hex, revision_no_hex
 select device_id, {_IDENTITY},
   coe, eoe, foe, soe, aoe, voe, coe_complete_access, coe_sdo_info
 from device_overview
-where variant = 1 and {_SHOWN} and case lower(ifnull(nullif(trim(:protocol), ''), 'foe'))
+where {_readable("protocol", "include_hidden")}
+  and variant = 1 and {_SHOWN} and case lower(ifnull(nullif(trim(:protocol), ''), 'foe'))
   when 'coe' then coe when 'eoe' then eoe when 'foe' then foe
   when 'soe' then soe when 'aoe' then aoe when 'voe' then voe end = 1
 order by {_ORDER}
@@ -174,10 +197,10 @@ order by {_ORDER}
     "who_maps_an_object": {
         "title": "Who maps an object",
         "description": (
-            "index: 0x60FF, #x60FF or 24831 (empty = 0x60FF); subindex: a number (empty = all, those too that cannot "
-            "be read). Looks at the PDOs of devices and of the modules that their slots can reach, and names the "
-            "module; sm is the sync manager that a PDO is assigned to by default. Indices of modules are those of the first "
-            "slot. "
+            "index: 0x60FF, #x60FF or 24831 (empty = 0x60FF); subindex: 0x0B, or 0B as CoE writes it (empty = all, "
+            "those too that cannot be read); 10 to 99 without prefix are ambiguous and refused. Looks at the PDOs of "
+            "devices and of the modules that their slots can reach, and names the module; sm is the sync manager that a PDO is "
+            "assigned to by default. Indices of modules are those of the first slot. "
             f"{_HIDDEN_DOC}"
         ),
         "params": ["index", "subindex", "include_hidden"],
@@ -201,7 +224,8 @@ from reached
 join devices d on d.id = found_id and d.variant = 1 and {_SHOWN}
 left join vendors v on v.vendor_id = d.vendor_id
 left join modules m on m.id = reached.module_id
-where :subindex = '' or subindex = parse_hex(:subindex)
+where {_readable("index", "subindex", "include_hidden")}
+  and (:subindex = '' or subindex = read_subindex(:subindex))
 order by d.vendor_id, d.product_code, d.revision_no, m.module_ident, pdo
 """,
     },
@@ -222,7 +246,8 @@ select device_id, {_IDENTITY},
       and h.revision_no = d.revision_no
       and (newer.product_code <> d.product_code or newer.revision_no is not d.revision_no)) as superseded_by
 from device_revisions d
-where (:vendor = '' or vendor_id = parse_hex(:vendor)) and product_code = parse_hex(:product)
+where {_readable("vendor", "product")}
+  and (:vendor = '' or vendor_id = parse_hex(:vendor)) and product_code = parse_hex(:product)
 order by {_ORDER}
 """,
     },
@@ -239,7 +264,8 @@ select device_id, {_IDENTITY},
   (select group_concat(distinct s.member) from device_sources x join sources s on s.id = x.source_id
     where x.device_id = c.device_id) as documents
 from conflicting_descriptions c
-where (:vendor = '' or vendor_id = parse_hex(:vendor)) and (:product = '' or product_code = parse_hex(:product))
+where {_readable("vendor", "product", "revision")}
+  and (:vendor = '' or vendor_id = parse_hex(:vendor)) and (:product = '' or product_code = parse_hex(:product))
   and (:revision = '' or revision_no = parse_hex(:revision))
 order by {_ORDER}, variant
 """,
@@ -251,10 +277,11 @@ order by {_ORDER}, variant
             "(empty = all); severity: E error, W warning, I information (empty = all)."
         ),
         "params": ["document", "severity"],
-        "sql": """\
+        "sql": f"""\
 select source_id, member as document, status, severity, rule, message, line
 from ingest_problems
-where (:document = '' or instr(lower(member), lower(:document))) and (:severity = '' or severity = upper(:severity))
+where {_readable("severity")}
+  and (:document = '' or instr(lower(member), lower(:document))) and (:severity = '' or severity = upper(:severity))
 order by case severity when 'E' then 1 when 'W' then 2 else 3 end, member, line
 """,
     },

@@ -38,8 +38,8 @@ The search box of <code>devices</code> and of the views named device_… finds w
 (1100 in EL1100) and identities in any notation (0x044c2c52, 0x44c2c52, #x044c2c52, 72100946).</p>
 <p>Every canned query about devices returns <code>device_id</code>, the key of <code>devices</code> and of all views
 named device_…; the query about ingest returns <code>source_id</code>, the key of <code>sources</code>, the one about
-vendors <code>vendor_id</code>. Columns named …_hex hold the number as text for filters; in SQL, parse_hex('0x60FF')
-reads a number and hex0x(24831, 4) writes one.</p>
+vendors <code>vendor_id</code>. A parameter that cannot be read is an error that says why. Columns named …_hex hold the
+number as text for filters; in SQL, parse_hex('0x60FF') reads a number and hex0x(24831, 4) writes one.</p>
 """
 
 LICENSE = "the descriptions belong to the vendors of the devices"

@@ -7,7 +7,7 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 from conftest import serving
 from playwright.sync_api import Browser, Page, expect, sync_playwright
-from snippets import device, esi, pdo
+from snippets import device, dictionary, esi, pdo
 from test_identify import SLAVES
 from test_search import catalog_of
 
@@ -23,7 +23,8 @@ PAGES = ("/-/esi/", "/-/esi/?mode=CSV", EYOU, "/-/esi/scan", COMPARE)
 def browser() -> Iterator[Browser]:
     with sync_playwright() as playwright:
         # as root, as in containers, chromium starts without its sandbox only
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        arguments = ["--no-sandbox", "--host-resolver-rules=MAP catalog.example 127.0.0.1"]
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
         yield browser
         browser.close()
 
@@ -75,6 +76,34 @@ def test_dictionary_is_loaded_and_filtered(page: Page):
     box.fill("0x6502")
     expect(page.locator("[data-shown]")).to_have_text("1 objects")
     assert page.locator("details[data-object]:visible").count() == 1
+
+
+def test_the_page_of_objects_alone_is_filtered(page: Page):
+    page.goto(f"{EYOU}/objects")
+    page.get_by_label("Filter by index, name or type").fill("0x6502")
+    expect(page.locator("[data-shown]")).to_have_text("1 objects")
+    assert page.locator("details[data-object]:visible").count() == 1
+
+
+def test_without_scripts_nothing_is_offered_that_needs_them(browser: Browser, served: str):
+    context = browser.new_context(base_url=served, java_script_enabled=False)
+    opened = context.new_page()
+    opened.goto(f"{EYOU}/objects")
+    expect(opened.locator("details[data-object]").first).to_be_visible()
+    assert opened.locator("input[data-filter]:visible").count() == 0
+    context.close()
+
+
+def test_over_plain_http_by_name(browser: Browser, served: str):
+    """There browsers neither say what asks nor have a clipboard: origins of other machines are not secure."""
+    opened = browser.new_page(base_url=served.replace("127.0.0.1", "catalog.example"))
+    opened.goto(EYOU)
+    assert opened.evaluate("[isSecureContext, typeof navigator.clipboard]") == [False, "undefined"]
+    assert opened.locator("button[data-copy]:visible").count() == 0
+    opened.locator("section[aria-labelledby=objects] summary").first.click()
+    expect(opened.locator("details[data-object]").first).to_be_visible()
+    assert opened.locator("header").count() == 1
+    opened.close()
 
 
 def test_compare_and_scan(page: Page):
@@ -231,3 +260,80 @@ def test_sentences_in_tables_have_room(page: Page):
         box = page.locator(f"td.col-{column}").first.bounding_box()
         assert box is not None
         assert box["width"] >= 24 * 14
+
+
+RIGHT_TO_LEFT = ("מנוע", "מנוע 5", 'בע"מ', "محرك", "A\u202eB", "\u202bA", "\u2067A")
+"""Names in Hebrew and Arabic, and with characters that order text and that nothing ends."""
+NUMBERS_OUT_OF_ORDER = """() => {
+  const found = [], range = new Range(), walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+    if (node.parentElement.closest("textarea, option, select, title, script, style, dl.column-descriptions")) continue;
+    for (const number of node.data.matchAll(/0x[0-9a-f]{2,}(:[0-9a-f]+)*|[0-9]{2,}/gi)) {
+      const places = [];
+      for (let at = number.index; at < number.index + number[0].length; at += 1) {
+        range.setStart(node, at);
+        range.setEnd(node, at + 1);
+        const box = range.getBoundingClientRect();
+        if (box.width) places.push(box);
+      }
+      const follows = (box, one) => Math.abs(box.left - one.right) < 2 || box.top > one.bottom - 2;
+      const isInOrder = places.every((box, at) => !at || follows(box, places[at - 1]));
+      if (!isInOrder) found.push(`${number[0]} in: ${node.data}`);
+    }
+  }
+  return found;
+}"""
+"""Numbers of which a character does not stand right of the one before it, or begin the next line."""
+
+
+@pytest.fixture(scope="module")
+def right_to_left(tmp_path_factory) -> Iterator[str]:
+    """A catalog in which every name is written from right to left, or says that the rest is."""
+    documents = []
+    for number, name in enumerate(RIGHT_TO_LEFT):
+        quoted = name.replace('"', "&quot;")
+        mapped = (
+            f"<RxPdo Sm='0'><Index>#x1600</Index><Name>{name}</Name><Entry><Index>#x60FF</Index><SubIndex>0</SubIndex>"
+            f"<BitLen>32</BitLen><Name>{name}</Name><DataType>DINT</DataType></Entry></RxPdo>"
+        )
+        objects = f"<Object><Index>#x2000</Index><Name>{name}</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+        content = (
+            dictionary("<DataType><Name>UINT</Name><BitSize>16</BitSize></DataType>", objects)
+            + f"<Sm StartAddress='#x1100' ControlByte='#x64'>Outputs</Sm><Dc><OpMode><Name>{name}</Name>"
+            + "<AssignActivate>#x700</AssignActivate></OpMode></Dc><Slots><Slot MinInstances='1' MaxInstances='1'>"
+            + f"<Name>{name}</Name><ModuleIdent Default='1'>#x10</ModuleIdent></Slot></Slots>"
+        )
+        module = f"<Module><Type ModuleIdent='#x10'>{name}</Type><Name>{name} csv</Name>{mapped}</Module>"
+        devices = "".join(
+            device(content, product=f"#x{number + 1}", revision=revision, type_text=name, name=quoted)
+            for revision in ("#x1", "#x2")
+        )
+        documents.append(esi(devices, module, vendor=f"<Id>#x{0x9000 + number:x}</Id><Name>{name}</Name>"))
+    with serving(catalog_of(tmp_path_factory.mktemp("right-to-left"), *documents)) as address:
+        yield address
+
+
+def test_names_from_right_to_left_leave_numbers_in_their_place(browser: Browser, right_to_left: str):
+    opened = browser.new_page(base_url=right_to_left, viewport={"width": 1280, "height": 900})
+    tables = ("/catalog/device_drive_modes", "/catalog/device_dc_modes", "/catalog/pdos?_facet=name")
+    for path in ("/-/esi/", "/-/esi/?mode=CSV&maps=0x60FF", *tables):
+        opened.goto(path)
+        assert opened.evaluate(NUMBERS_OUT_OF_ORDER) == [], path
+    for number in range(len(RIGHT_TO_LEFT)):
+        vendor, product = 0x9000 + number, number + 1
+        identity = f"{vendor:#x}:{product:#x}"
+        for path in (
+            f"/-/esi/device/{vendor:#x}/{product:#x}/0x1",
+            f"/-/esi/device/{vendor:#x}/{product:#x}/0x1/objects",
+            f"/-/esi/device/{vendor:#x}/{product:#x}/0x99",
+            f"/-/esi/compare?a={identity}:1&b=0x9001:2:1",
+        ):
+            opened.goto(path)
+            opened.evaluate("document.querySelectorAll('details').forEach(item => { item.open = true })")
+            assert opened.evaluate(NUMBERS_OUT_OF_ORDER) == [], path
+    opened.goto("/-/esi/scan")
+    opened.get_by_label("Output of").fill("0x9000,1,1\n0x9004,5,1\n0x9004,5,9")
+    opened.get_by_role("button", name="Identify").click()
+    assert opened.locator("table.slaves tbody tr:not(.remarks)").count() == 3
+    assert opened.evaluate(NUMBERS_OUT_OF_ORDER) == []
+    opened.close()

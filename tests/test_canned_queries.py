@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 import yaml
+from lxml import html
 from snippets import device, dictionary, esi
 from test_search import catalog_of
 from web_client import client
@@ -105,3 +106,51 @@ def test_queries_about_devices_tell_of_hidden_revisions():
     for name, query in queries.items():
         said = "include_hidden: 1 = also revisions that another description supersedes" in query["description"]
         assert said == ("include_hidden" in query["params"]) == (name in ASKED), name
+
+
+REFUSED = [
+    ("who_maps_an_object", {"index": "60FF"}, "index '60FF' is not a number; write 0x1097, #x1097 or 4247"),
+    ("who_maps_an_object", {"index": "0x160FF"}, "index '0x160FF' is larger than 0xffff"),
+    ("who_maps_an_object", {"index": "0x9999", "subindex": "11"}, "subindex '11' is ambiguous"),
+    ("who_maps_an_object", {"subindex": "0x"}, "subindex '0x' is not a number"),
+    ("drives_with_a_mode", {"mode": "XX"}, "mode 'XX': say one of PP, VL"),
+    ("drives_with_a_mode", {"mode": "CSV,CSP", "strict": "1"}, "mode 'CSV,CSP': say one of PP, VL"),
+    ("drives_with_a_mode", {"strict": "maybe"}, "'maybe' is neither 1 nor 0"),
+    ("devices_by_mailbox_protocol", {"protocol": "xyz"}, "protocol 'xyz': say one of coe, eoe"),
+    ("devices_by_drive_profile", {"profile": "abc"}, "profile 'abc' is not a number"),
+    ("revisions_of_a_product", {"vendor": "x", "product": "1"}, "vendor 'x' is not a number"),
+    ("revisions_of_a_product", {"vendor": "", "product": "y"}, "product 'y' is not a number"),
+    ("devices_of_the_same_layout", {"vendor": "1", "product": "1", "revision": " "}, "revision ' ' is not a number"),
+    ("conflicting_descriptions_of_an_identity", {"revision": "-1"}, "revision '-1' is not a number"),
+    ("problems_of_ingest", {"severity": "F"}, "severity 'F': say one of E, W, I"),
+    ("find_a_device", {"text": "nothing like it", "include_hidden": "2"}, "'2' is neither 1 nor 0"),
+]
+
+
+@pytest.mark.parametrize(("query", "parameters", "words"), REFUSED)
+async def test_what_cannot_be_read_is_refused_with_words(drives_db, query, parameters, words):
+    """Also where nothing would be found: an empty list would say that no device does it."""
+    web = await client(drives_db)
+    answer = await web.get(f"/catalog/{query}.json", params=parameters)
+    assert answer.status_code == 400
+    # SQLite writes the quotes of a text in an error twice.
+    assert words in answer.json()["error"].replace("''", "'")
+    page = await web.get(f"/catalog/{query}", params=parameters)
+    assert words in html.fromstring(page.text).text_content().replace("''", "'")
+
+
+async def test_every_query_refuses_hidden_revisions_that_are_neither_asked_for_nor_not(drives_db):
+    for query in ASKED:
+        answer = await (await client(drives_db)).get(f"/catalog/{query}.json", params={"include_hidden": "maybe"})
+        assert (answer.status_code, "neither 1 nor 0" in answer.json()["error"]) == (400, True), query
+
+
+@pytest.mark.parametrize(("subindex", "expected"), [("0B", [11]), ("0x0B", [11]), ("9", [9]), ("", [9, 11, 17])])
+async def test_subindices_are_read_as_by_the_command(tmp_path, subindex, expected):
+    entries = "".join(
+        f"<Entry><Index>#x6000</Index><SubIndex>{number}</SubIndex><BitLen>8</BitLen></Entry>" for number in (9, 11, 17)
+    )
+    db = catalog_of(tmp_path, esi(device(f"<TxPdo><Index>#x1A00</Index><Name>P</Name>{entries}</TxPdo>")))
+    asked = {"index": "0x6000", "subindex": subindex, "_shape": "array"}
+    answer = await (await client(db)).get("/catalog/who_maps_an_object.json", params=asked)
+    assert [row["subindex"] for row in answer.json()] == expected

@@ -252,6 +252,7 @@ def test_the_text_says_what_was_left_out_and_why_to_merge():
         ),
         ("<Eeprom><ConfigData2>00</ConfigData2></Eeprom>", "An image has no place for: ConfigData2."),
         ('<RxPdo Ref="A"/>', "PDOs without index, left out: A."),
+        ("<RxPdo><Name>Named</Name></RxPdo>", "PDOs without index, left out: Named."),
         (
             "<RxPdo><Index>#x1600</Index><Entry><Index>1</Index><BitLen>8</BitLen><DataType>DT1</DataType></Entry></RxPdo>",
             "Data types without a code, stored as 0: DT1.",

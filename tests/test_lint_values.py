@@ -3,8 +3,8 @@
 import re
 
 import pytest
-from snippets import device, dictionary, pdo
-from test_lint_rules import TYPES, declared, linted
+from snippets import device, dictionary, esi, pdo, write
+from test_lint_rules import TYPES, declared, findings, linted
 
 SM = "<Sm {}>Outputs</Sm>"
 OP_MODE = "<Dc><OpMode><Name>DC</Name><AssignActivate>{}</AssignActivate></OpMode></Dc>"
@@ -177,3 +177,32 @@ def test_l58_tells_a_zero_beside_what_is_missing(tmp_path):
     found = linted(tmp_path, "L58", device(dictionary(TYPES, objects)))
     assert ["without 0x6040" in item["message"] for item in found] == [True, False]
     assert "0x6502 has the default 0" in found[1]["message"]
+
+
+def test_what_has_no_index_is_not_called_that_of_index_0(tmp_path):
+    """An Index that is missing or cannot be read is no 0x0000, in whatever rule finds something about it."""
+    objects = (
+        "<Object><Name>A</Name><Type>NONE</Type><BitSize>16</BitSize></Object>"
+        "<Object><Index>#xZZ</Index><Name>B</Name><Type>UINT</Type><BitSize>8</BitSize>"
+        "<Info><DefaultData>000000</DefaultData></Info></Object>"
+    )
+    entries = (
+        "<Entry><Index>#x6000</Index><SubIndex>1</SubIndex><BitLen>32</BitLen><DataType>UINT</DataType></Entry>"
+        "<Entry><Index>#x6000</Index><SubIndex>2</SubIndex><DataType>UINT</DataType></Entry>"
+        "<Entry><Index>0</Index><SubIndex>1</SubIndex><BitLen>8</BitLen><Name>N</Name></Entry>"
+    )
+    commands = "<Mailbox><CoE><InitCmd><Transition>PS</Transition></InitCmd></CoE></Mailbox>"
+    pdos = f"<Sm>Inputs</Sm><TxPdo Sm='0'><Name>P</Name>{entries}</TxPdo>"
+    content = dictionary(TYPES, objects + declared("#x2000", "UINT", 16)) + pdos + commands
+    write(tmp_path, {"a.xml": esi(device(content))})
+    messages = [item["message"] for item in findings(tmp_path / "a.xml")]
+    assert [text for text in messages if "0x0000" in text] == []
+    said = {text for text in messages if "without index" in text}
+    for words in (
+        "object without index has the type 'NONE'",
+        "object without index has BitSize 8",
+        "of PDO without index",
+        "TxPdo without index maps 0x6000:01",
+        "InitCmd without index",
+    ):
+        assert any(words in text for text in said), words

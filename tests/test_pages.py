@@ -6,9 +6,10 @@ from urllib.parse import parse_qsl
 
 import pytest
 from lxml import html
-from snippets import device, esi, pdo, read, rows
+from snippets import device, esi, one, pdo, read, rows
 from test_cli import run
 from test_identify import SLAVES
+from test_page_objects import PART
 from test_search import catalog_of
 from web_client import client
 
@@ -171,27 +172,25 @@ async def test_objects_come_on_demand(data_db):
     web = await client(data_db)
     whole = html.fromstring((await web.get(f"{EYOU}/objects")).text)
     assert whole.cssselect("html[lang]")
-    part = (await web.get(f"{EYOU}/objects", headers={"sec-fetch-dest": "empty"})).text
+    part = (await web.get(f"{EYOU}/objects", headers=PART)).text
     assert "<html" not in part
     tree = html.fromstring(part)
-    declared = rows(
-        data_db,
-        "SELECT count(*) FROM device_objects WHERE vendor_id = 0x1097",
-    )[0][0]
-    assert len(tree.cssselect("details[data-object]")) == declared
+    declared = one(data_db, "SELECT count(*) FROM device_objects WHERE vendor_id = 0x1097")
+    plugged = one(data_db, "SELECT count(*) FROM module_objects WHERE module_ident = 0x119800")
+    assert len(tree.cssselect("details[data-object]")) == declared + plugged
     (modes,) = [item for item in tree.cssselect("details") if item.get("data-object").startswith("0x6502")]
     assert "256 (0x100)" in modes.text_content()
 
 
 async def test_caches_keep_the_objects_and_their_page_apart(data_db):
     web = await client(data_db)
-    script = {"sec-fetch-dest": "empty"}
+    script = PART
     whole, part = [await web.get(f"{EYOU}/objects", headers=headers) for headers in ({}, script)]
-    assert all("Sec-Fetch-Dest" in answer.headers["vary"] for answer in (whole, part))
+    assert all("X-Esicatalog-Part" in answer.headers["vary"] for answer in (whole, part))
     assert whole.headers["etag"] != part.headers["etag"]
     for headers, kept, status in ((script, part, 304), (script, whole, 200), ({}, whole, 304), ({}, part, 200)):
         again = await web.get(f"{EYOU}/objects", headers={**headers, "if-none-match": kept.headers["etag"]})
-        assert (again.status_code, "Sec-Fetch-Dest" in again.headers["vary"]) == (status, True)
+        assert (again.status_code, "X-Esicatalog-Part" in again.headers["vary"]) == (status, True)
 
 
 async def test_compare_two_revisions(data_db):

@@ -90,11 +90,11 @@ class DeviceFilter(msgspec.Struct, frozen=True, kw_only=True):
         if self.like is not None:
             checked(self.like)
         for mode in self.modes:
-            _one_of("mode", mode, MODES)
+            one_of("mode", mode, MODES)
         for name, allowed in (("sync", SYNC_SIGNALS), ("protocol", PROTOCOLS), ("identification", IDENTIFICATIONS)):
             word = getattr(self, name)
             if word is not None:
-                _one_of(name, word, allowed)
+                one_of(name, word, allowed)
         if self.bits is not None and not self.maps:
             raise InputError("bits is the length of the entries named by maps; give maps INDEX[:SUBINDEX] too")
         if self.strict and not self.modes:
@@ -117,6 +117,7 @@ def _value(name: str, given: object, kind: object) -> object:
         raise InputError(f"{name}: {error}") from error
 
 
-def _one_of(name: str, word: str, allowed: tuple[str, ...]) -> None:
+def one_of(name: str, word: str, allowed: tuple[str, ...]) -> None:
+    """Raise :class:`InputError` for a word that is none of those there are."""
     if word not in allowed:
         raise InputError(f"{name} {word[:40]!r}: say one of {', '.join(allowed)}")

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from esicatalog.esi.numbers import decode_hex_binary
+from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, Eeprom, EepromCategory, SyncManager
 from esicatalog.esi.records.mailbox import Mailbox
@@ -257,7 +258,9 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
         "Physics letters without a code, stored as unused ports: {}.",
     ),
     (
-        lambda device: [pdo.ref or "(no name)" for pdo in _pdos(device) if pdo.pdo_index is None],
+        lambda device: [
+            pdo.ref or display_text(pdo.names) or "(no name)" for pdo in _pdos(device) if pdo.pdo_index is None
+        ],
         "PDOs without index, left out: {}.",
     ),
     (

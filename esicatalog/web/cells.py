@@ -9,25 +9,34 @@ from markupsafe import Markup
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.errors import InputError
 from esicatalog.identity import parse_number
+from esicatalog.web.bidi import isolated
 from esicatalog.web.links import BASE, device_path, device_row_path
 
 HEX_DIGITS = {
-    **dict.fromkeys(("vendor_id", "product_code", "revision_no", "serial_no", "module_ident"), 8),
+    **dict.fromkeys(("vendor_id", "class_vendor_id", "product_code", "revision_no", "serial_no"), 8),
+    **dict.fromkeys(("module_ident", "default_ident", "fallback_ident"), 8),
+    **dict.fromkeys(("attribute", "crc32", "unit"), 8),
     **dict.fromkeys(("pdo_index", "entry_index", "object_index", "type_index", "rx_pdo_index"), 4),
-    **dict.fromkeys(("start_address", "assign_activate", "identification_ado"), 4),
+    **dict.fromkeys(("slot_index_increment", "slot_group_index_increment", "os_index_inc"), 4),
+    **dict.fromkeys(("slot_pdo_increment", "slot_group_pdo_increment"), 4),
+    **dict.fromkeys(("start_address", "assign_activate", "identification_ado", "esc_reg0108", "text_id"), 4),
+    **dict.fromkeys(("access_word", "input_sync_types", "output_sync_types"), 4),
     **dict.fromkeys(("control_byte",), 2),
 }
 """Columns that people read in hex, and how many digits they have."""
+DEVICE_COLUMNS = ("device_id", "other_device_id", "previous_id")
+"""Columns that hold keys in devices."""
 
 _TYPE_COLUMNS = {"devices": "type"}
 _VIEW_TYPE_COLUMN = "device_type"
-_DEVICE_COLUMN = "device_id"
+_SENTENCES = ("evidence", "fsoe_evidence", "recipe", "message")
+"""Columns with names of documents among words and numbers."""
 _OPERATORS = {"exact", "not", "gt", "gte", "lt", "lte", "in", "notin"}
 """Comparisons of Datasette's filters (``column__gt=…``) that take numbers."""
 
 
-def cell(row: Any, value: Any, column: str, table: str | None, base_url: str) -> Markup | None:
-    """What a cell shows in place of its value; None leaves it to Datasette."""
+def cell(row: Any, value: Any, column: str, table: str | None, base_url: str) -> str | None:
+    """What a cell shows in place of its value, markup or text; None leaves it to Datasette."""
     digits = HEX_DIGITS.get(column)
     if digits is not None and isinstance(value, int):
         return Markup('<span title="{}">0x{}</span>').format(value, f"{value:0{digits}x}")
@@ -37,13 +46,15 @@ def cell(row: Any, value: Any, column: str, table: str | None, base_url: str) ->
             href = f"{base_url}{BASE.removeprefix('/')}{quote(path, safe='/@')}"
             return Markup('<a href="{}">{}</a>').format(href, value or "without type")
     number = _plain(value)
-    if column == _DEVICE_COLUMN and isinstance(number, int):
+    if column in DEVICE_COLUMNS and isinstance(number, int):
         label = value["label"] or "-" if isinstance(value, Mapping) else "device"
         href = f"{base_url}{BASE.removeprefix('/')}{device_row_path(number)}"
         return Markup('<a href="{}">{}</a>&nbsp;<em>{}</em>').format(href, label, number)
     if column == "image_sha256" and isinstance(value, str) and value:
         href = f"{base_url}{BASE.removeprefix('/')}image/{quote(value)}"
         return Markup('<img src="{}" alt="" title="{}" style="image-rendering: pixelated">').format(href, value)
+    if column in _SENTENCES and isinstance(value, str) and (shown := isolated(value)) != value:
+        return shown
     return None
 
 

@@ -24,7 +24,7 @@ from esicatalog.identity import ModuleChoice, modules_by_slot, parse_number, par
 from esicatalog.parameters import given_texts
 from esicatalog.sii.encode import encode_sii
 from esicatalog.web.http import refusal, texts_of
-from esicatalog.web.links import asked_identity
+from esicatalog.web.links import asked_identity, with_query
 from esicatalog.web.state import catalog_for
 
 _REPEATABLE = ("module",)
@@ -105,6 +105,11 @@ def asked_modules(request: Any) -> Mapping[int, ModuleChoice]:
     other parameters.
     """
     return _modules(given_texts(texts_of(request), _REPEATABLE, _REPEATABLE))
+
+
+def modules_query(choice: Mapping[int, ModuleChoice]) -> str:
+    """The query, with its question mark, that chooses these modules again; empty without any."""
+    return with_query("", [("module", f"{slot}={module}") for slot, module in choice.items()])
 
 
 def _modules(given: Mapping[str, Sequence[str]]) -> Mapping[int, ModuleChoice]:

@@ -1,9 +1,15 @@
-"""SQL functions for numbers as people write them, and bounds for all functions."""
+"""SQL functions for what people write, and bounds for all functions."""
 
 import sqlite3
+from collections.abc import Callable
+from functools import partial
+from typing import Any
 
+from esicatalog.catalog.device_filter import MODES, one_of
+from esicatalog.catalog.filter_texts import parse_flag
 from esicatalog.errors import InputError
-from esicatalog.identity import parse_number
+from esicatalog.identity import parse_number, parse_subindex
+from esicatalog.model.words import MAILBOX_PROTOCOLS
 
 _LARGEST = 2**63 - 1
 _LARGEST_VALUE_BYTES = 8 * 1024 * 1024
@@ -24,6 +30,49 @@ def hex0x(number: object, digits: object = 4) -> str | None:
     if not isinstance(number, int) or not isinstance(digits, int) or number < 0:
         return None
     return f"0x{number:x}" if digits < 1 else f"0x{number:0{min(digits, 16)}x}"
+
+
+def read_subindex(text: object) -> int | None:
+    """The subindex in ``0x0B``, ``0B`` or ``#x0B``, as the command reads it; NULL for what it refuses."""
+    try:
+        return parse_subindex(str(text))
+    except InputError:
+        return None
+
+
+_PARAMETERS: dict[str, Callable[[str], Any]] = {
+    **{name: partial(parse_number, what=name) for name in ("vendor", "product", "revision", "profile")},
+    "index": partial(parse_number, what="index", limit=0xFFFF),
+    "subindex": parse_subindex,
+    "mode": lambda text: one_of("mode", text.strip().upper(), MODES),
+    "protocol": lambda text: one_of("protocol", text.strip().lower(), MAILBOX_PROTOCOLS),
+    "severity": lambda text: one_of("severity", text.upper(), ("E", "W", "I")),
+    **dict.fromkeys(("strict", "include_hidden"), parse_flag),
+}
+"""What reads a parameter of canned queries as the command does. Each raises :class:`InputError`."""
+
+
+def refusal(*parameters: object) -> str | None:
+    """Why the first of some parameters, given as name, text, name, text …, cannot be read; NULL when all can be.
+
+    Empty ones are not given.
+    """
+    for name, given in zip(parameters[::2], parameters[1::2], strict=True):
+        try:
+            if given not in (None, ""):
+                _PARAMETERS[str(name)](str(given))
+        except InputError as error:
+            return str(error)
+    return None
+
+
+def add_functions(connection: sqlite3.Connection) -> None:
+    """Have a connection know the functions."""
+    connection.create_function("parse_hex", 1, parse_hex, deterministic=True)
+    connection.create_function("hex0x", 1, hex0x, deterministic=True)
+    connection.create_function("hex0x", 2, hex0x, deterministic=True)
+    connection.create_function("read_subindex", 1, read_subindex, deterministic=True)
+    connection.create_function("refusal", -1, refusal, deterministic=True)
 
 
 def bound_work(connection: sqlite3.Connection) -> None:

@@ -8,7 +8,7 @@ from esicatalog.lint.registry import ERROR, WARNING, Found, listed, rule
 from esicatalog.model.areas import Area, overlaps
 from esicatalog.model.base_types import BaseType, base_type
 from esicatalog.model.dictionary_views import DictionaryView
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, index_words, is_pdo_mapping
 from esicatalog.model.resolver import TypeSet
 
 
@@ -19,7 +19,7 @@ def type_undeclared(record: TypeSet | ObjectSubject) -> Iterator[Found]:
         declared = record.declared
         if declared.type and record.data_type is None:
             yield Found(
-                f"object 0x{declared.object_index or 0:04X} has the type {declared.type!r}, "
+                f"object {index_words(declared.object_index)} has the type {declared.type!r}, "
                 f"which the dictionary does not declare{_known(declared.type)}",
                 ("type",),
             )
@@ -96,10 +96,10 @@ def size_differs(subject: ObjectSubject | DataTypeSubject) -> Iterator[Found]:
         yield from _sizes_of_sub_items(subject)
         return
     declared = subject.declared
-    index, size = declared.object_index or 0, _other_size(declared.bit_size, subject.data_type)
-    if size is not None and not _is_dynamic(index):
+    size = _other_size(declared.bit_size, subject.data_type)
+    if size is not None and not _is_dynamic(declared.object_index or 0):
         yield Found(
-            f"object 0x{index:04X} has BitSize {declared.bit_size}, "
+            f"object {index_words(declared.object_index)} has BitSize {declared.bit_size}, "
             f"its type {declared.type} {size}: correct one of them",
             ("bit_size",),
         )

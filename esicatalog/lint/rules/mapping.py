@@ -8,7 +8,7 @@ from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, 
 from esicatalog.lint.subjects import NumberedEntry, PdoMapping, PdoTypes
 from esicatalog.model.base_types import BASE_TYPES, BaseType, base_type
 from esicatalog.model.dictionary import ObjectEntry
-from esicatalog.model.pdo_facts import entry_facts
+from esicatalog.model.pdo_facts import entry_facts, index_words
 from esicatalog.model.pdo_mapping import MAPPABLE_IN
 from esicatalog.model.resolver import TypeSet
 from esicatalog.model.sync_parameters import SYNC_PARAMETERS
@@ -26,7 +26,7 @@ _OWN_TYPE = "DT"
 
 
 def _maps(mapping: PdoMapping) -> str:
-    return f"{mapping.direction} 0x{mapping.pdo.pdo_index or 0:04X} maps"
+    return f"{mapping.direction} {index_words(mapping.pdo.pdo_index)} maps"
 
 
 def _entries(items: Sequence[NumberedEntry]) -> str:
@@ -143,7 +143,7 @@ def type_name(record: PdoTypes | TypeSet) -> Iterator[Found]:
         if standard is not None or not any(name in types.by_name for types in record.types):
             words = f"is {standard} in ESI" if standard is not None else "is no base type of ESI"
             yield Found(
-                f"entry {number + 1} of PDO 0x{record.pdo.pdo_index or 0:04X} has the DataType {name}, which {words}",
+                f"entry {number + 1} of PDO {index_words(record.pdo.pdo_index)} has the DataType {name}, which {words}",
                 ("entries", number, "data_type"),
             )
 

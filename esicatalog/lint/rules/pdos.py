@@ -6,7 +6,14 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.pdo import Exclude, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import DeclaredPdo, DeviceSubject, ModuleSubject, ProcessSubject, is_absent
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_FIELDS, PDO_MAPPINGS, entry_facts, symmetric_exclusions
+from esicatalog.model.pdo_facts import (
+    PDO_ASSIGNMENTS,
+    PDO_FIELDS,
+    PDO_MAPPINGS,
+    entry_facts,
+    index_words,
+    symmetric_exclusions,
+)
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
@@ -245,7 +252,7 @@ def entry_without_length(pdo: Pdo) -> Iterator[Found]:
         if is_absent(entry, "bit_length") if length is None else length <= 0:
             words = "no BitLen" if length is None else f"BitLen {length}"
             yield Found(
-                f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} has {words}: "
+                f"entry {number + 1} of PDO {index_words(pdo.pdo_index)} has {words}: "
                 "nothing tells where the next entries lie",
                 ("entries", number),
             )
@@ -258,7 +265,7 @@ def padding_with_type(pdo: Pdo) -> Iterator[Found]:
         if entry_facts(entry).is_padding and (entry.subindex or entry.data_type):
             carried = f"SubIndex {entry.subindex}" if entry.subindex else f"DataType {entry.data_type}"
             yield Found(
-                f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} is padding (index 0) with {carried}, "
+                f"entry {number + 1} of PDO {index_words(pdo.pdo_index)} is padding (index 0) with {carried}, "
                 "which means nothing: remove it",
                 ("entries", number),
             )
@@ -292,7 +299,7 @@ def too_long_for_eeprom(pdo: Pdo) -> Iterator[Found]:
     for number, entry in enumerate(pdo.entries):
         if entry.bit_length is not None and entry.bit_length > MAX_ENTRY_BITS:
             yield Found(
-                f"entry {number + 1} of PDO 0x{pdo.pdo_index or 0:04X} has {entry.bit_length} bits; "
+                f"entry {number + 1} of PDO {index_words(pdo.pdo_index)} has {entry.bit_length} bits; "
                 f"an EEPROM image holds {MAX_ENTRY_BITS} at most: split it",
                 ("entries", number, "bit_length"),
             )

@@ -8,13 +8,14 @@ from esicatalog.lint.registry import WARNING, Found, Place, listed, rule
 from esicatalog.model.base_types import BASE_TYPES, BaseType
 from esicatalog.model.counting import counted
 from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
+from esicatalog.model.pdo_facts import index_words
 from esicatalog.model.values import byte_length, fills, number_size
 
 _CHARACTER_BITS = {"string": 8, "unicode": 16}
 
 
 def _words(subject: ObjectValues, entry: ObjectEntry) -> str:
-    return f"0x{subject.declared.object_index or 0:04X}:{entry.subindex:02X}"
+    return f"{index_words(subject.declared.object_index)}:{entry.subindex:02X}"
 
 
 @rule("L45", WARNING, "ETG.2000 DefaultData: the bytes of the value, little-endian; MinValue, MaxValue")
@@ -103,10 +104,10 @@ def info_unpaired(subject: ObjectValues) -> Iterator[Found]:
     infos = subject.declared.info_sub_items
     if not infos or subject.is_paired:
         return
-    index = subject.declared.object_index or 0
+    index = index_words(subject.declared.object_index)
     for rule_id, words in subject.resolved.remarks:
         if rule_id == "L46":
-            yield Found(f"object 0x{index:04X}: {words}: correct Info", ("info_sub_items", 0))
+            yield Found(f"object {index}: {words}: correct Info", ("info_sub_items", 0))
     members = len(subject.resolved.entries)
     names = {entry.name for entry in subject.resolved.entries}
     if (
@@ -115,7 +116,7 @@ def info_unpaired(subject: ObjectValues) -> Iterator[Found]:
         and not all((info.name or "").strip() in names for info in infos)
     ):
         yield Found(
-            f"object 0x{index:04X}: Info has {len(infos)} SubItems, the array {members - 1} elements and SubIndex 0: "
+            f"object {index}: Info has {len(infos)} SubItems, the array {members - 1} elements and SubIndex 0: "
             "give one for each",
             ("info_sub_items", 0),
         )

@@ -6,6 +6,8 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 from html import escape
 
+from esicatalog.web.bidi import isolated
+
 WIDTH = 400
 """Width of every drawing in its own units, about the pixels of a phone: text keeps a readable size there."""
 TEXT_SIZE = 11
@@ -22,8 +24,11 @@ _LINE = 14
 
 
 def escaped(value: object) -> str:
-    """Any text as content or attribute value: markup has no effect, what XML forbids is replaced."""
-    return escape(_NOT_IN_XML.sub("\ufffd", str(value)))
+    """Any text as content or attribute value: markup has no effect, what XML forbids is replaced.
+
+    Right-to-left names leave the numbers beside them in their place.
+    """
+    return escape(_NOT_IN_XML.sub("\ufffd", isolated(value)))
 
 
 def element(name: str, *children: str, **attributes: object) -> str:

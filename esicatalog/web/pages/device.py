@@ -23,7 +23,7 @@ from esicatalog.model.counting import counted
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.module_choice import module_choices, module_labels
-from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import bits_words, entry_words, index_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import fitting_modules, numbered_slots
@@ -39,10 +39,11 @@ from esicatalog.model.words import (
     profile_words,
 )
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
-from esicatalog.web.exports import TARGETS, asked_modules
+from esicatalog.web.exports import TARGETS, asked_modules, modules_query
 from esicatalog.web.http import Page, status_of
-from esicatalog.web.links import BASE, asked_identity, device_path, with_query
+from esicatalog.web.links import BASE, asked_identity, device_path
 from esicatalog.web.pages.nearest import nearest, nearest_json
+from esicatalog.web.pages.objects import object_counts
 
 _LONGEST_NUMBER = 8
 _MOST_SLOTS = 24
@@ -106,7 +107,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
     last_slot = sum(1 for _ in numbered_slots(device)) - 1
     default = description.default_position(choice)
     path = device_path(found) or ""
-    chosen = with_query("", [("module", f"{slot}={module}") for slot, module in choice.items()])
+    chosen = modules_query(choice)
     return {
         "found": found,
         "path": path,
@@ -154,7 +155,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "commands": _commands(device.mailbox),
         "eeprom": device.eeprom,
         "image_remarks": _image_remarks(description),
-        "object_count": sum(len(p.dictionary.objects) for p in device.profiles if p.dictionary is not None),
+        "objects": object_counts(description, choice),
         "revisions": [
             {
                 "path": device_path(item.device),
@@ -238,7 +239,7 @@ def _image(image: SmImage) -> dict[str, Any]:
                 "entry": entry_words(placed.entry),
                 "type": placed.entry.data_type or "",
                 "name": display_text(placed.entry.names) or "",
-                "pdo": f"0x{pdo.pdo.pdo_index or 0:04X}" + (f" in slot {pdo.slot_number}" if pdo.module else ""),
+                "pdo": index_words(pdo.pdo.pdo_index) + (f" in slot {pdo.slot_number}" if pdo.module else ""),
             }
             for pdo in image.pdos
             for placed in pdo.entries
@@ -256,7 +257,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
     return [
         {
             "direction": direction,
-            "index": pdo.pdo_index,
+            "index": index_words(pdo.pdo_index),
             "name": display_text(pdo.names) or "",
             "sm": sms.get((direction, position)),
             "bits": bits_words(pdo),

@@ -8,9 +8,10 @@ from datasette import handle_exception, hookimpl
 
 from esicatalog.catalog.full_text import search_expression
 from esicatalog.catalog.views import FULL_TEXT
+from esicatalog.web.bidi import isolated
 from esicatalog.web.cells import cell, decimal_filters
 from esicatalog.web.descriptions import complete_links
-from esicatalog.web.functions import bound_work, hex0x, parse_hex
+from esicatalog.web.functions import add_functions, bound_work
 from esicatalog.web.links import BASE
 from esicatalog.web.routes import ROUTES
 from esicatalog.web.state import MOUNTED_AS
@@ -28,17 +29,21 @@ def startup(datasette: Any) -> Callable[[], Awaitable[None]]:
 
 @hookimpl(trylast=True)  # type: ignore[untyped-decorator]
 def prepare_connection(conn: sqlite3.Connection) -> None:
-    """SQL functions parse_hex and hex0x.
+    """SQL functions for numbers and parameters.
 
     In catalogs, Datasette's search reads words as ``esicatalog devices`` does, and what one function can do is bounded.
     """
-    conn.create_function("parse_hex", 1, parse_hex, deterministic=True)
-    conn.create_function("hex0x", 1, hex0x, deterministic=True)
-    conn.create_function("hex0x", 2, hex0x, deterministic=True)
+    add_functions(conn)
     if conn.execute("SELECT 1 FROM sqlite_master WHERE name = ?", (FULL_TEXT,)).fetchone():
         # trylast: Datasette has registered its own function of this name before.
         conn.create_function("escape_fts", 1, search_expression, deterministic=True)
         bound_work(conn)
+
+
+@hookimpl  # type: ignore[untyped-decorator]
+def prepare_jinja2_environment(env: Any) -> None:
+    """The filter ``isolated`` for sentences with names of documents."""
+    env.filters["isolated"] = isolated
 
 
 @hookimpl  # type: ignore[untyped-decorator]

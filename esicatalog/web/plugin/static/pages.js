@@ -1,7 +1,8 @@
 // Small helps for the pages below /-/esi/; everything but copying and filtering the dictionary works without them.
 "use strict";
 
-for (const button of document.querySelectorAll("button[data-copy]")) {
+// Browsers have a clipboard for pages of this machine and over HTTPS only.
+for (const button of navigator.clipboard ? document.querySelectorAll("button[data-copy]") : []) {
   button.hidden = false;
   button.addEventListener("click", async () => {
     await navigator.clipboard.writeText(button.dataset.copy);
@@ -17,16 +18,25 @@ for (const holder of document.querySelectorAll("details[data-src]")) {
     if (!holder.open || target.dataset.loaded) return;
     target.dataset.loaded = "1";
     target.textContent = "loading …";
-    const response = await fetch(holder.dataset.src);
+    const response = await fetch(holder.dataset.src, { headers: { "X-Esicatalog-Part": "objects" } });
     if (!response.ok) {
       target.textContent = `the server answered ${response.status}`;
       delete target.dataset.loaded;
       return;
     }
     target.innerHTML = await response.text();
-    const box = target.querySelector("input[data-filter]");
-    if (box) box.addEventListener("input", () => filterObjects(target, box.value));
+    bindFilters(target);
   });
+}
+
+bindFilters(document);
+
+function bindFilters(target) {
+  for (const label of target.querySelectorAll("[data-filter-label]")) {
+    const box = label.querySelector("input[data-filter]");
+    label.hidden = false;
+    box.addEventListener("input", () => filterObjects(target, box.value));
+  }
 }
 
 function filterObjects(target, text) {
