@@ -1107,6 +1107,16 @@ def test_a_master_configuration(data_db, tmp_path):
     assert (found["match"], found["device"]["type"], found["slave"]["name"]) == ("exact", "ECX-D808", "Term")
 
 
+def test_a_master_configuration_that_expects_an_alias_twice(data_db, tmp_path):
+    slave = (
+        "<Slave><Info><VendorId>2</VendorId><ProductCode>3</ProductCode><RevisionNo>4</RevisionNo>"
+        '<Identification Value="7"><Ado>18</Ado></Identification></Info></Slave>'
+    )
+    (tmp_path / "bus.xml").write_text(f"<EtherCATConfig><Config>{slave * 2}</Config></EtherCATConfig>")
+    lines = run("identify", "--eni", tmp_path / "bus.xml", db=data_db).stdout.splitlines()
+    assert "  same alias       7: slave 0, 1" in lines
+
+
 def test_an_eeprom_image(data_db, tmp_path):
     """Header words 8 to 13 are vendor, product and revision; a category end mark follows the header."""
     words = [0x0E5C, 0, 0x0808, 0x0D08, 0, 0x0011]

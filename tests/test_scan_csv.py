@@ -47,6 +47,34 @@ def test_other_columns_are_told():
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "pos,vendor,product,revision\n0,2,3,4\n",
+        "name;Vendor ID;Product Code;Revision No\n'Box; 1';2;3;4\n".replace("'", '"'),
+        '"Name","vendor","product","revision"\n"Box 1, left","2","3","0x4"\n',
+        '"of; all",vendor,product,revision\n"say ""a, b""",2,3,4\n',
+        "#,vendor,product,revision\n1,2,3,4\n",
+        '2,3,4,""\n',
+    ],
+)
+def test_other_columns_and_quoted_cells(text):
+    assert identities(text) == [(2, 3, 4)]
+
+
+@pytest.mark.parametrize(
+    "text", ["pos,name\n0,x\n", "the vendor, product and revision\n", '[{"vendor": 1, "product": 2},']
+)
+def test_a_line_that_names_no_device_is_no_header(text):
+    with pytest.raises(ScanError, match="no scan is recognised"):
+        read_scan(text)
+
+
+def test_a_cell_without_end_is_told_with_its_line():
+    with pytest.raises(ScanError, match=r"^line 2: field larger than field limit"):
+        read_scan("vendor,product\n2," + "3" * 200_000 + "\n")
+
+
+@pytest.mark.parametrize(
     ("text", "message"),
     [
         ("2,3\n2,x\n", "line 2: product 'x' is not a number"),

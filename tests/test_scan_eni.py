@@ -40,6 +40,14 @@ def test_identity_and_addresses():
     assert (first.configured_address, first.identification_value, first.identification_register) == (1001, 0x159, 0x12)
     assert (second.line, second.position, second.name, second.configured_address) == (5, 1, None, None)
     assert scan.findings == ()
+    assert (first.alias, second.alias) == (0x159, None)
+
+
+def test_the_identification_of_register_0x12_is_the_station_alias():
+    """0x0134 is the AL status code, into which a device writes its own identification when it is asked for it."""
+    told = '<Identification Value="7"><Ado>{}</Ado></Identification>'
+    scan = read_eni(eni(*(info(more=told.format(register)) for register in (18, 308))))
+    assert [(slave.alias, slave.identification_value) for slave in scan.slaves] == [(7, 7), (None, 7)]
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,8 @@ from esicatalog.scan.text import in_order, quoted
 FORMAT = "ENI"
 
 _ROOT = "EtherCATConfig"
+_STATION_ALIAS = 0x12
+"""Register of the configured station alias (ESC data sheet)."""
 _IDENTITY = {"vendor_id": "VendorId", "product_code": "ProductCode", "revision_no": "RevisionNo"}
 
 
@@ -96,13 +98,16 @@ def _slave(place: int, element: etree._Element, findings: list[ScanFinding]) -> 
     if position != place:
         message = f"AutoIncAddr says ring position {position}, but the slave is listed at {place}"
         findings.append(ScanFinding(line=line, message=message))
+    value = numbers.attribute("Info/Identification", "Value", bits=16)
+    register = numbers.child("Info/Identification/Ado", bits=16)
     return ScannedSlave(
         line=line,
         position=position,
         name=(element.findtext("Info/Name") or "").strip() or None,
         configured_address=numbers.child("Info/PhysAddr", bits=16),
-        identification_value=numbers.attribute("Info/Identification", "Value", bits=16),
-        identification_register=numbers.child("Info/Identification/Ado", bits=16),
+        alias=value if register == _STATION_ALIAS else None,
+        identification_value=value,
+        identification_register=register,
         serial_no=numbers.child("Info/SerialNo"),
         **identity,
         **_mailbox(element, numbers),

@@ -12,7 +12,7 @@ from esicatalog.scan.text import clean, quoted
 
 __all__ = ["read_eni", "read_pdos", "read_scan", "read_sdos"]
 
-_Recognise = Callable[[str], re.Match[str] | None]
+_Recognise = Callable[[str], object]
 _Read = Callable[[str], Scan]
 
 _ENI = re.compile(r"<(?:\w+:)?EtherCATConfig\b")
@@ -22,7 +22,7 @@ _FORMATS: tuple[tuple[_Recognise, _Read], ...] = (
     (igh_slaves.HEADING_OF_SLAVE.search, igh_slaves.read_igh_slaves),
     (soem.GREETING_OR_SLAVE.search, soem.read_soem),
     (igh_table.ROW.search, igh_table.read_igh_table),
-    (csv_list.FIRST_CELL.match, csv_list.read_csv),
+    (csv_list.is_list, csv_list.read_csv),
 )
 """In the order of what they say of a slave: of a text that holds several formats the richest is read."""
 

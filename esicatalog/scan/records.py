@@ -92,7 +92,7 @@ class ScannedSlave(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     position: int
     """Ring position from 0 (SOEM prints it from 1; CSV: number of the row)."""
     alias: int | None = None
-    """Configured station alias; None also where none is set."""
+    """Configured station alias, in an ENI the one that it expects; None also where none is set."""
     configured_address: int | None = None
     """Configured station address, register 0x0010."""
     identification_value: int | None = None
