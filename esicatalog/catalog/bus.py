@@ -15,7 +15,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, look_at_bus
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.required_slots import missing_pdos
-from esicatalog.model.scan_compare import compare_objects, compare_pdos
+from esicatalog.model.scan_compare import compare_scanned_objects, compare_scanned_pdos
 from esicatalog.model.slots import default_modules
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 from esicatalog.scan.records import Scan, ScanFinding, ScannedDictionary, ScannedPdos, ScannedSlave
@@ -231,9 +231,9 @@ def _differences(
     device: Device, modules: Sequence[Module], pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]
 ) -> Iterator[str]:
     for item in pdos:
-        yield from compare_pdos(device, modules, item)
+        yield from compare_scanned_pdos(device, modules, item)
     for dictionary in dictionaries:
-        yield from compare_objects(device, modules, dictionary)
+        yield from compare_scanned_objects(device, modules, dictionary)
 
 
 def _check_place(item: ScannedPdos | ScannedDictionary, scan: Scan) -> None:
