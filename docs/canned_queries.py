@@ -199,7 +199,7 @@ order by {_ORDER}
         "description": (
             "index: 0x60FF, #x60FF or 24831 (empty = 0x60FF); subindex: 0x0B, or 0B as CoE writes it (empty = all, "
             "those too that cannot be read); 10 to 99 without prefix are ambiguous and refused. Looks at the PDOs of "
-            "devices and of the modules that their slots can reach, and names the module; sm is the sync manager that a "
+            "devices and of the modules that their slots can reach, and names the module; sm is the SyncManager that a "
             "PDO is assigned to by default. Indices of modules are those of the first slot. "
             f"{_HIDDEN_DOC}"
         ),

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from esicatalog.model.revision_check import CHECK_REVISION_NO, Described, accepts, rank
+from esicatalog.model.revision_check import CHECK_REVISION_NO, Described, accepts_revision, rank
 
 UINT32 = st.integers(0, 0xFFFF_FFFF)
 DESCRIBED = st.builds(
@@ -38,7 +38,7 @@ DESCRIBED = st.builds(
     ],
 )
 def test_check_revision_no(check, found, configured, accepted):
-    assert accepts(check, found, configured) is accepted
+    assert accepts_revision(check, found, configured) is accepted
 
 
 def best(found, *described):

@@ -12,7 +12,7 @@ from esicatalog.lint.subjects import Dictionaries
 from esicatalog.model import scan_compare
 from esicatalog.model.access import OP, PREOP, access_text, states_to_write
 from esicatalog.model.dictionary_views import DictionaryViews
-from esicatalog.model.scan_compare import compare_objects, compare_pdos
+from esicatalog.model.scan_compare import compare_scanned_objects, compare_scanned_pdos
 from esicatalog.model.slots import reachable_modules
 from esicatalog.scan.front import read_pdos, read_sdos
 from esicatalog.scan.records import ScannedDictionary, ScannedPdos
@@ -26,7 +26,7 @@ HEAD = "SM2: PhysAddr 0x1100, DefaultSize    0, ControlRegister 0x64, Enable 1\n
 
 def pdos(text: str):
     (slave,) = read_pdos(HEAD + text).slaves
-    return compare_pdos(DESCRIBED, (), slave)
+    return compare_scanned_pdos(DESCRIBED, (), slave)
 
 
 def test_pdos_as_described():
@@ -62,7 +62,7 @@ def test_what_the_description_leaves_open_is_no_difference():
             f'  RxPDO 0x1601 "V"\n    PDO entry 0x7010:01, 8 bit, "c"\n  RxPDO 0x1602 "F"\n{reserved}'
         )
         (slave,) = read_pdos(text).slaves
-        return compare_pdos(described, (), slave)
+        return compare_scanned_pdos(described, (), slave)
 
     assert differences("0x7000:02, 16 bit", "") == []
     assert differences("0x7000:03, 16 bit", '    PDO entry 0x7020:01, 8 bit, "d"\n') == [
@@ -85,7 +85,7 @@ def test_a_subindex_that_cannot_be_read_is_left_open():
 
     def differences(entry: str) -> list[str]:
         (slave,) = read_pdos(f'{HEAD}  RxPDO 0x1600 "R"\n    PDO entry {entry}, "a"\n').slaves
-        return compare_pdos(described, (), slave)
+        return compare_scanned_pdos(described, (), slave)
 
     assert differences("0x7000:05, 16 bit") == []
     assert differences("0x7001:05, 16 bit") == [
@@ -100,13 +100,13 @@ def test_a_pdo_that_is_listed_and_not_described_belongs_to_the_default_assignmen
     described = only_device(esi(device(SMS + pdo("RxPdo", "#x1600", 16) + modes)))
     text = f'{HEAD}  RxPDO 0x1600 "R"\n    PDO entry 0x7000:01, 16 bit, "a"\n  RxPDO 0x1601 "S"\n'
     (slave,) = read_pdos(text).slaves
-    assert compare_pdos(described, (), slave) == ["RxPDO 0x1601: not described"]
+    assert compare_scanned_pdos(described, (), slave) == ["RxPDO 0x1601: not described"]
 
 
 def test_a_sync_manager_without_pdos_is_told_where_the_description_assigns_some():
     assert pdos("") == ["SM2: assigned are none; the default is 0x1600"]
     (slave,) = read_pdos(HEAD.replace("SM2", "SM3")).slaves
-    assert compare_pdos(DESCRIBED, (), slave) == ["SM2: not in the list; the default is 0x1600"]
+    assert compare_scanned_pdos(DESCRIBED, (), slave) == ["SM2: not in the list; the default is 0x1600"]
 
 
 def test_pdos_of_modules_count_in_any_slot(data: Path):
@@ -119,7 +119,7 @@ def test_pdos_of_modules_count_in_any_slot(data: Path):
         for entry in csv.rx_pdos[0].entries
     )
     (slave,) = read_pdos(f'{HEAD}  RxPDO 0x1741 "second axis"\n{entries}').slaves
-    found = compare_pdos(modular, modules, slave)
+    found = compare_scanned_pdos(modular, modules, slave)
     assert not [text for text in found if text.startswith("RxPDO")]
 
 
@@ -138,7 +138,7 @@ DRIVE = only_device(esi(device(dictionary(TYPES, OBJECTS))))
 
 def objects(text: str):
     (slave,) = read_sdos(text).slaves
-    return compare_objects(DRIVE, (), slave)
+    return compare_scanned_objects(DRIVE, (), slave)
 
 
 def test_objects_as_described():
@@ -196,8 +196,8 @@ def test_of_several_objects_with_one_index_the_first_counts():
     first, second = record(0x2000, 32, 2), record(0x2000, 16, 3)
     for content in (of(first, second), of(first) + of(second)):
         unit = only_device(esi(device(content)))
-        assert compare_objects(unit, (), seen_object(0x2000, 32, 2)) == []
-        assert compare_objects(unit, (), seen_object(0x2000, 32, 3)) == ["0x2000:03: not described (s)"]
+        assert compare_scanned_objects(unit, (), seen_object(0x2000, 32, 2)) == []
+        assert compare_scanned_objects(unit, (), seen_object(0x2000, 32, 3)) == ["0x2000:03: not described (s)"]
         table = ObjectTable(unit, ())
         assert (table.highest_subindex(0x2000), table.entry(0x2000, 1).bit_size) == (2, 32)
         assert sorted(Dictionaries(DictionaryViews().of(unit.profiles)).entries(0x2000)) == [0, 1, 2]
@@ -208,7 +208,7 @@ MARKED = " OverwrittenByModule='1'"
 
 def test_an_object_that_yields_counts_after_one_that_does_not():
     unit = only_device(esi(device(of(record(0x2000, 16, 3, MARKED)) + of(record(0x2000, 32, 2)))))
-    assert compare_objects(unit, (), seen_object(0x2000, 32, 2)) == []
+    assert compare_scanned_objects(unit, (), seen_object(0x2000, 32, 2)) == []
     assert ObjectTable(unit, ()).highest_subindex(0x2000) == 2
     assert sorted(Dictionaries(DictionaryViews().of(unit.profiles)).entries(0x2000)) == [0, 1, 2]
 
@@ -219,7 +219,7 @@ def test_an_object_that_yields_may_be_as_modules_have_it():
 
     def differences(mark: str, bits: int, count: int) -> list[str]:
         (info,) = read(esi(device(of(record(0x2000, 16, 3, mark)) + slots), brings)).document.infos
-        return compare_objects(info.devices[0], info.modules, seen_object(0x2000, bits, count))
+        return compare_scanned_objects(info.devices[0], info.modules, seen_object(0x2000, bits, count))
 
     assert differences(MARKED, 16, 3) == differences(MARKED, 32, 2) == []
     assert differences(MARKED, 8, 0) == ["0x2000:00: 8 bit; described are 16"]
@@ -232,9 +232,9 @@ def test_an_object_that_yields_may_be_as_modules_have_it():
 def test_without_a_dictionary_of_the_device_itself_nothing_is_compared():
     """That of a module says nothing of the objects that every device has."""
     (slave,) = read_sdos('SDO 0x6040, "C"\n  0x6040:00, rwrwrw, uint16, 16 bit, "C"\n').slaves
-    assert compare_objects(only_device(esi(device())), (), slave) is None
+    assert compare_scanned_objects(only_device(esi(device())), (), slave) is None
     unit, modules = coupler(1)
-    assert compare_objects(msgspec.structs.replace(unit, profiles=()), modules, slave) is None
+    assert compare_scanned_objects(msgspec.structs.replace(unit, profiles=()), modules, slave) is None
 
 
 def test_access_words_as_masters_print_them():
@@ -299,21 +299,21 @@ def plugged_objects(*slots: int) -> ScannedDictionary:
 def test_modules_count_in_every_slot_of_a_coupler():
     """Slot n has its PDO at 0x1600 + n and its object at 0x7000 + 0x10 n; any module that fits may be there."""
     unit, modules = coupler(254)
-    assert compare_pdos(unit, modules, plugged_pdos(0, 15, 16, 253)) == [
+    assert compare_scanned_pdos(unit, modules, plugged_pdos(0, 15, 16, 253)) == [
         "SM2: assigned are 0x1600, 0x160F, 0x1610, 0x16FD; the default is none"
     ]
-    assert compare_objects(unit, modules, plugged_objects(0, 15, 16, 253)) == []
+    assert compare_scanned_objects(unit, modules, plugged_objects(0, 15, 16, 253)) == []
 
 
 def test_slots_that_no_coupler_has_are_not_looked_at_and_told():
     unit, modules = coupler(1_000_000)
     left_out = "255 of 1000000 slots were looked at: what is not described may be of a module in another"
-    assert compare_pdos(unit, modules, plugged_pdos(254, 255)) == [
+    assert compare_scanned_pdos(unit, modules, plugged_pdos(254, 255)) == [
         "RxPDO 0x16FF: not described",
         "SM2: assigned are 0x16FE, 0x16FF; the default is none",
         left_out,
     ]
-    assert compare_objects(unit, modules, plugged_objects(254, 255)) == [
+    assert compare_scanned_objects(unit, modules, plugged_objects(254, 255)) == [
         "0x7FF0: not described (Out)",
         left_out,
     ]
@@ -323,7 +323,7 @@ def test_the_more_modules_bring_the_fewer_slots_are_looked_at(monkeypatch):
     """Two modules with a PDO of one entry each make 1 + 2 + 2 * 2 parts: 70 parts are enough for 10 slots."""
     monkeypatch.setattr(scan_compare, "_MOST_PLACES", 70)
     unit, modules = coupler(11)
-    assert compare_pdos(unit, modules, plugged_pdos(9, 10)) == [
+    assert compare_scanned_pdos(unit, modules, plugged_pdos(9, 10)) == [
         "RxPDO 0x160A: not described",
         "SM2: assigned are 0x1609, 0x160A; the default is none",
         "10 of 11 slots were looked at: what is not described may be of a module in another",

@@ -16,7 +16,7 @@ from esicatalog.identity import NO_REVISION
 from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, as_listed, look_at_bus
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.required_slots import missing_pdos
-from esicatalog.model.scan_compare import compare_objects, compare_pdos
+from esicatalog.model.scan_compare import compare_scanned_objects, compare_scanned_pdos
 from esicatalog.model.slots import default_modules
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 from esicatalog.scan.records import Scan, ScanFinding, ScannedDictionary, ScannedPdos, ScannedSlave
@@ -289,8 +289,8 @@ def _best_words(best: Sequence[int], count: int, lists: str) -> str:
 def _compared(
     device: Device, modules: Sequence[Module], pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]
 ) -> _Compared:
-    of_pdos = [words for item in pdos for words in compare_pdos(device, modules, item)]
-    of_objects = [compare_objects(device, modules, dictionary) for dictionary in dictionaries]
+    of_pdos = [words for item in pdos for words in compare_scanned_pdos(device, modules, item)]
+    of_objects = [compare_scanned_objects(device, modules, dictionary) for dictionary in dictionaries]
     told = [words for found in of_objects for words in found or ()]
     return _Compared((*of_pdos, *told), None not in of_objects)
 

@@ -31,7 +31,7 @@ def profile(profile_no: int) -> Condition:
     return _own_or_modular(found, fits, f"ProfileNo {profile_no}", f"ProfileNo {profile_no} in a module")
 
 
-def has_object(item: AskedObject) -> Condition:
+def declares_object(item: AskedObject) -> Condition:
     """Devices with an object in their dictionary or in that of a reachable module."""
     index, subindex = item
     objects, held = schema.objects.c, schema.dictionary_objects.c

@@ -133,7 +133,7 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
             yield capability.amount(name, bounds)
     yield from (content.maps(mapped, wanted.bits) for mapped in wanted.maps)
     yield from (content.not_maps(mapped) for mapped in wanted.not_maps)
-    yield from (content.has_object(item) for item in wanted.objects)
+    yield from (content.declares_object(item) for item in wanted.objects)
     if wanted.like is not None:
         yield _like_condition(connection, wanted.like)
 

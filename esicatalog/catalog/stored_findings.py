@@ -8,7 +8,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog.schema import device_sources, devices, findings, hidden_revisions, source_vendors, sources
 from esicatalog.esi.notes import Finding
-from esicatalog.lint.library import DeviceFact, Hidden, device_path, lint_library
+from esicatalog.lint.library import DeviceFact, Hidden, device_element_path, lint_library
 from esicatalog.lint.registry import Rule
 from esicatalog.lint.report import DocumentFinding
 from esicatalog.lint.rules.reading import REFUSED
@@ -102,7 +102,9 @@ def _facts(connection: sa.Connection, names: Mapping[int, str]) -> list[DeviceFa
         DeviceFact(
             names[row.source_id],
             row.line,
-            device_path(row.root, row.section, sections[row.source_id], row.number, counts[row.source_id, row.section]),
+            device_element_path(
+                row.root, row.section, sections[row.source_id], row.number, counts[row.source_id, row.section]
+            ),
             row.vendor_id,
             row.vendor_name,
             row.product_code,

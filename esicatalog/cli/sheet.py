@@ -35,7 +35,7 @@ _MOST_ALIKE = 10
 """Devices of the same layout that a sheet names."""
 
 
-def sheet_lines(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> Iterator[str]:
+def device_sheet_lines(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> Iterator[str]:
     """The sheet as lines of text. Raises :class:`InputError` for a bad choice."""
     derived = derive(description.device, description.modules)
     images = description.images(choice) if choice else derived.images

@@ -34,7 +34,7 @@ def command(identity: "Identity", db: str, modules: "tuple[tuple[int, ModuleChoi
     """
     from esicatalog.api import Catalog
     from esicatalog.catalog.description import description_json
-    from esicatalog.cli.sheet import sheet_lines
+    from esicatalog.cli.sheet import device_sheet_lines
 
     choice = modules_by_slot(modules)
     with Catalog.open(db) as catalog:
@@ -42,5 +42,5 @@ def command(identity: "Identity", db: str, modules: "tuple[tuple[int, ModuleChoi
     if output_format == "json":
         print_json(description_json(description, choice))
     else:
-        for line in sheet_lines(description, choice):
+        for line in device_sheet_lines(description, choice):
             click.echo(line)

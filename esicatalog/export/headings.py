@@ -72,10 +72,10 @@ def op_mode_words(configuration: Configuration) -> str:
     without = "DC time only" if configuration.uses_dc_time else "no distributed clocks"
     if op_mode is not None and op_mode.assign_activate is None:
         without = "AssignActivate unknown, no distributed clocks are set up"
-    return f"{name}: {clock_words(found) if found is not None else without}"
+    return f"{name}: {_signal_words(found) if found is not None else without}"
 
 
-def clock_words(found: Clocks) -> str:
+def _signal_words(found: Clocks) -> str:
     """What the OpMode makes the slave controller do."""
     generated = " and ".join(signal_names(found.signals.sync0, found.signals.sync1))
     what = generated or ("time without pulses" if found.signals.dc_active else "sync unit off")

@@ -13,7 +13,7 @@ from esicatalog.esi.reader import Reader
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_members, discover
-from esicatalog.lint.library import DeviceFact, device_facts, lint_library
+from esicatalog.lint.library import DeviceFact, facts_of_document, lint_library
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.registry import Rule
 from esicatalog.lint.report import DocumentFinding
@@ -90,7 +90,7 @@ class FilesRun:
         if self._schema is not None and any(rule.id == "L03" for rule in self._rules):
             violations = self._schema.violations(tree().whole())
             findings = sorted([*findings, *violations], key=lambda finding: finding.line)
-        self._facts.extend(device_facts(read, shown, self._signature))
+        self._facts.extend(facts_of_document(read, shown, self._signature))
         return findings
 
     def _signature(self, device: Device, modules: Iterable[Module], vendor_id: int | None) -> bytes:

@@ -1,6 +1,6 @@
 """Rules across documents: they look at light facts of many devices, never at all their records.
 
-The facts come from documents that were just read (:func:`device_facts`) or from the rows of a catalog.
+The facts come from documents that were just read (:func:`facts_of_document`) or from the rows of a catalog.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -55,7 +55,7 @@ class Library:
         self.facts: Sequence[DeviceFact] = tuple(facts)
 
 
-def device_facts(read: ReadDocument, document: str, signature: Signature) -> Iterator[DeviceFact]:
+def facts_of_document(read: ReadDocument, document: str, signature: Signature) -> Iterator[DeviceFact]:
     """The facts of the devices of a document."""
     content = read.document
     for section, (info, offer) in enumerate(zip(content.infos, module_offers(content), strict=True)):
@@ -64,7 +64,7 @@ def device_facts(read: ReadDocument, document: str, signature: Signature) -> Ite
             yield DeviceFact(
                 document,
                 content.device_lines[section][number],
-                device_path(content.root, section, len(content.infos), number, len(info.devices)),
+                device_element_path(content.root, section, len(content.infos), number, len(info.devices)),
                 vendor_id,
                 display_text(info.vendor.names) if info.vendor is not None else None,
                 device.product_code,
@@ -75,7 +75,7 @@ def device_facts(read: ReadDocument, document: str, signature: Signature) -> Ite
             )
 
 
-def device_path(root: str, section: int, section_count: int, number: int, device_count: int) -> str:
+def device_element_path(root: str, section: int, section_count: int, number: int, device_count: int) -> str:
     """Element path of a Device: number ``number`` of ``device_count`` in a section of a document."""
     if root == "EtherCATInfoList":
         root += f"/EtherCATInfo[{section}]" if section_count > 1 else "/EtherCATInfo"

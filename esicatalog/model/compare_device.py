@@ -46,7 +46,7 @@ from esicatalog.model.compare_words import (
     yes_no,
 )
 from esicatalog.model.counting import counted
-from esicatalog.model.revision_check import accepts, is_known
+from esicatalog.model.revision_check import accepts_revision, is_known
 from esicatalog.model.sm_facts import sm_facts
 
 
@@ -237,7 +237,7 @@ def _refused(left: Device) -> Rule:
 
     def counts(ours: Any, theirs: Any) -> bool:
         are_numbers = isinstance(ours, int) and isinstance(theirs, int)
-        return not (are_numbers and accepts(left.check_revision_no, theirs, ours))
+        return not (are_numbers and accepts_revision(left.check_revision_no, theirs, ours))
 
     return counts
 
@@ -257,7 +257,7 @@ def revision_verdict(left: Device, right: Device) -> str | None:
             f"whether a master configured for {h8(ours)} takes {h8(theirs)} is not known: "
             f"nor is its CheckRevisionNo {left.check_revision_no!r}"
         )
-    verb = "takes" if accepts(left.check_revision_no, theirs, ours) else "refuses"
+    verb = "takes" if accepts_revision(left.check_revision_no, theirs, ours) else "refuses"
     return f"a master configured for {h8(ours)} {verb} {h8(theirs)}: CheckRevisionNo {left.check_revision_no}"
 
 

@@ -67,7 +67,7 @@ def is_known(check_revision_no: str | None) -> bool:
     return check_revision_no is None or check_revision_no in CHECK_REVISION_NO
 
 
-def accepts(check_revision_no: str | None, found: int, configured: int) -> bool:
+def accepts_revision(check_revision_no: str | None, found: int, configured: int) -> bool:
     """Whether a description with this CheckRevisionNo accepts a found revision; without a known one it says nothing."""
     test = CHECK_REVISION_NO.get(check_revision_no or "")
     return test is not None and test(found, configured)
@@ -114,7 +114,7 @@ def _not_exact(item: Described, found: int) -> tuple[int, int, str, str]:
         return 5, 0, PRODUCT, "its description names no revision"
     shown = f"0x{configured:08x}" + (f"@{item.variant}" if item.variant > 1 else "")
     is_older, distance = configured < found, abs(configured - found)
-    if accepts(item.check_revision_no, found, configured):
+    if accepts_revision(item.check_revision_no, found, configured):
         which = "" if is_older else "; it is newer than the device"
         because = f"{shown} accepts it by its CheckRevisionNo {item.check_revision_no}{which}"
         return 1, distance if is_older else distance + _ABOVE, ACCEPTED, because

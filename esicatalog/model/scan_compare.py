@@ -31,7 +31,7 @@ _ALIKE = {"uint": "uint", "bits": "uint", "bool": "bool"}
 """Kinds that devices and descriptions use for the same thing."""
 
 
-def compare_pdos(device: Device, modules: Sequence[Module], seen: ScannedPdos) -> list[str]:
+def compare_scanned_pdos(device: Device, modules: Sequence[Module], seen: ScannedPdos) -> list[str]:
     """What of the printed PDOs is not as described: unknown PDOs, other mappings, another assignment.
 
     SyncManagers without PDOs may be left out of the list, those that have some by default not.
@@ -144,7 +144,7 @@ def _pdo_differences(pdo: ScannedPdo, known: Mapping[tuple[bool, int], Collectio
             yield f"{where}, entry {number}: maps {mapped_words(*ours)}; described is {mapped_words(*theirs)}"
 
 
-def compare_objects(device: Device, modules: Sequence[Module], seen: ScannedDictionary) -> list[str] | None:
+def compare_scanned_objects(device: Device, modules: Sequence[Module], seen: ScannedDictionary) -> list[str] | None:
     """What of the printed object dictionary is not as described: objects, subindices, types, access.
 
     Objects that only a module brings need not be there. None where the description has no dictionary of the device
