@@ -116,7 +116,7 @@ def test_every_input_is_named_and_one_failure_stops_nothing(tmp_path, library):
         "other/full.xml": "stored",
         "ref.xml": "stored",
     }
-    assert report.counts == {"stored": 4, "unchanged": 0, "recovered": 0, "skipped": 2, "failed": 1}
+    assert report.counts == {"stored": 4, "unchanged": 0, "recovered": 0, "skipped": 2, "failed": 1, "removed": 0}
     assert one(tmp_path / "c.db", "SELECT message FROM sources WHERE status = 'failed'") == "the file is empty"
     assert (report.devices, report.modules) == (3, 2)
 
@@ -360,8 +360,22 @@ def test_a_removed_file_goes_with_prune_only(tmp_path, library):
     (library / "full.xml").unlink()
     ingest(tmp_path / "c.db", library)
     assert one(tmp_path / "c.db", "SELECT count(*) FROM devices WHERE product_code = 16") == 1
-    ingest(tmp_path / "c.db", library, prune=True)
+    report, _ = ingest(tmp_path / "c.db", library, prune=True)
     assert one(tmp_path / "c.db", "SELECT count(*) FROM devices WHERE product_code = 16") == 0
+    assert [tuple(line) for line in report.documents if line.status == "removed"] == [
+        ("full.xml", "removed", "no longer among the documents; it described 1 device and 1 module", 1, 1)
+    ]
+
+
+def test_a_catalog_that_is_emptied_says_so(tmp_path):
+    folder = write(tmp_path / "in", {"a.xml": esi(device()), "b.xml": esi(device(product="#x2")), "n.xml": "<n/>"})
+    ingest(tmp_path / "c.db", folder)
+    for path in folder.iterdir():
+        path.unlink()
+    report, _ = ingest(tmp_path / "c.db", folder, prune=True)
+    assert statuses(report) == {"a.xml": "removed", "b.xml": "removed"}, "n.xml had nothing in the catalog"
+    assert report.counts["removed"] == 2
+    assert (report.devices, report.modules) == (0, 0), "the catalog now holds none"
 
 
 def test_prune_does_not_reach_beyond_the_given_folders(tmp_path, library):
@@ -381,7 +395,7 @@ def test_an_unchanged_archive_is_skipped_and_a_changed_one_replaced(tmp_path, li
     (library / "other" / "full.xml").unlink()
     zip_folder(library, tmp_path / "a.zip")
     third, shrunk = ingest(tmp_path / "c.db", archive)
-    assert "a.zip!other/full.xml" not in statuses(third)
+    assert statuses(third)["a.zip!other/full.xml"] == "removed"
     assert one(tmp_path / "c.db", "SELECT count(*) FROM devices WHERE product_code = 17") == 0
     assert ingest(tmp_path / "fresh.db", archive)[1] == shrunk
 

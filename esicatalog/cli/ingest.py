@@ -16,7 +16,7 @@ from esicatalog.cli.common import EXIT_NO, Command, Terminated, db_option, forma
 if TYPE_CHECKING:
     from esicatalog.ingest.report import DocumentLine, IngestReport
 
-_NAMED_STATUSES = ("failed", "recovered", "skipped")
+_NAMED_STATUSES = ("failed", "recovered", "skipped", "removed")
 _REDRAW_SECONDS = 0.1
 _PLAIN_LINE_SECONDS = 2.0
 
@@ -32,7 +32,9 @@ _PLAIN_LINE_SECONDS = 2.0
 def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, profile: bool, output_format: str) -> None:
     """Read ESI files, folders (recursively) and zip archives into the catalog.
 
-    Unchanged documents are skipped. Exit code 1 when a document failed.
+    Unchanged documents are skipped. The answer names those that failed, were recovered or skipped, and those that were
+    removed: with --prune, and where an archive or a file in place of a folder no longer has them. Exit code 1 when a
+    document failed.
     """
     from esicatalog.api import Catalog
     from esicatalog.ingest.process import without_cycle_search
@@ -101,7 +103,7 @@ def _print_summary(report: "IngestReport", db: str) -> None:
     counts = report.counts
     click.echo(
         f"{counts['stored']} stored ({counts['recovered']} after recovery), {counts['unchanged']} unchanged, "
-        f"{counts['skipped']} skipped, {counts['failed']} failed; "
+        f"{counts['skipped']} skipped, {counts['failed']} failed, {counts['removed']} removed; "
         f"{report.devices} devices, {report.modules} modules in {report.seconds:.1f} s -> {shown_target(db)}"
     )
 

@@ -12,6 +12,7 @@ from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_memb
 from esicatalog.ingest.report import DocumentLine
 from esicatalog.ingest.tasks import Known, Outcome, Task
 from esicatalog.ingest.unchanged import Hashes, ReferenceHashes, is_unchanged
+from esicatalog.model.counting import counted
 
 
 class HeldDocument(NamedTuple):
@@ -34,6 +35,12 @@ class HeldDocument(NamedTuple):
     def unreadable_line(self, message: str | None) -> DocumentLine:
         """Its line in a report when it could not be read: the catalog keeps what it holds of it."""
         return DocumentLine(self.member, "failed", message, self.devices, self.modules)
+
+    def removed_line(self) -> DocumentLine:
+        """Its line in a report when the catalog drops it."""
+        described = f"{counted(self.devices, 'device')} and {counted(self.modules, 'module')}"
+        message = f"no longer among the documents; it described {described}"
+        return DocumentLine(self.member, "removed", message, self.devices, self.modules)
 
     @property
     def has_content(self) -> bool:

@@ -6,18 +6,18 @@ from typing import Any, NamedTuple
 
 
 class DocumentLine(NamedTuple):
-    """One input: its path as given, what became of it, why, and what it holds."""
+    """One document: its path as given, what became of it, why, and what it holds; of a removed one, what it held."""
 
     path: str
     status: str
-    """stored, recovered, unchanged, skipped or failed."""
+    """stored, recovered, unchanged, skipped, failed, or removed: the catalog had it and no longer has."""
     message: str | None
     devices: int
     modules: int
 
 
 class IngestReport(NamedTuple):
-    """All inputs of an ingest and how long it took."""
+    """All inputs of an ingest, all documents that it removed, and how long it took."""
 
     documents: list[DocumentLine]
     seconds: float
@@ -34,17 +34,18 @@ class IngestReport(NamedTuple):
             "recovered": counted["recovered"],
             "skipped": counted["skipped"],
             "failed": counted["failed"],
+            "removed": counted["removed"],
         }
 
     @property
     def devices(self) -> int:
         """Device elements in the documents that the catalog now holds."""
-        return sum(line.devices for line in self.documents)
+        return sum(line.devices for line in self.documents if line.status != "removed")
 
     @property
     def modules(self) -> int:
         """Module elements in the documents that the catalog now holds."""
-        return sum(line.modules for line in self.documents)
+        return sum(line.modules for line in self.documents if line.status != "removed")
 
     def as_json(self) -> dict[str, Any]:
         """The report in the shape of ``esicatalog ingest --format json``."""

@@ -132,9 +132,12 @@ class _Storing:
             self._progress(line, len(self.lines), self._plan.document_count)
 
     def begin(self) -> None:
-        """Drop what is gone, and say of each archive that it is being read."""
+        """Drop what is gone and take that down, and say of each archive that it is being read."""
         for location in self._plan.gone:
             self._writer.forget(location)
+            document = self._held.documents[location]
+            if document.has_content:
+                self.lines.append(document.removed_line())
         self._writer.commit()
         for location in self._plan.archives:
             self._writer.archive_begun(location)
