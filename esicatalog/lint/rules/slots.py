@@ -31,9 +31,9 @@ def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
                     severity,
                 )
         for name, ident in (("Default", slot.default_ident), ("Fallback", slot.fallback_ident)):
-            if ident is not None and not any(
-                module.module_ident == ident and accepts(slot, module) for module in subject.module_records
-            ):
+            if ident is None or (subject.missing and ident not in idents):
+                continue
+            if not any(module.module_ident == ident and accepts(slot, module) for module in subject.module_records):
                 yield Found(f"{words} has {name} 0x{ident:X}, which is no module that fits it", place, WARNING)
         preset = [item for item in slot.module_idents if item.is_default]
         if len(preset) > 1:
