@@ -51,7 +51,7 @@ def test_the_documents_of_a_list_are_told_apart(tmp_path, count):
 
 def test_lines_tell_where_the_path_does_not(tmp_path):
     """Devices that occurs again: numbers of paths begin anew in it, those of the catalog go on."""
-    devices = f"{device(revision='#x1')}</Devices>\n<Devices>{device(ODD, revision='#x2')}\n{device(revision='#x3')}"
+    devices = f"{device(revision='#x1')}</Devices>\n<Devices>\n{device(ODD, revision='#x2')}\n{device(revision='#x3')}"
     assert found(catalog_of(tmp_path, esi(devices)), 1, 2, 3) == [[], ["L05"], []]
 
 

@@ -35,6 +35,30 @@ def test_encodings(content, encoding):
     assert parsed.encoding.upper().startswith(encoding)
 
 
+@pytest.mark.parametrize(
+    ("declared", "encoding", "told"),
+    [
+        ("utf-8", "utf-16", "UTF-16LE"),
+        ("UTF-16BE", "utf-16", "UTF-16LE"),
+        ("utf-16", "utf-8-sig", "UTF-8"),
+        ("ISO-8859-1", "utf-8-sig", "UTF-8"),
+        ("utf-8", "utf-32", "UTF-32LE"),
+        ("UTF-8", "utf-8-sig", None),
+        ("UTF8", "utf-8-sig", None),
+        ("UTF-16", "utf-16", None),
+        ("UTF-16LE", "utf-16", None),
+        ("unicode", "utf-16", None),
+        ("ISO-10646-UCS-2", "utf-16", None),
+    ],
+)
+def test_a_declaration_against_the_byte_order_mark_is_told(declared, encoding, told):
+    """XML 1.0 section 4.3.3 makes it a fatal error; Python's codecs write the marks."""
+    content = (DECLARED.format(declared) + "\n" + UMLAUT).encode(encoding)
+    parsed = parse_document(content)
+    words = f"declared as {declared.lower()}, but its byte order mark says {told}; read as {told}" if told else None
+    assert (name_of(content), parsed.recovered, parsed.error_line) == ("Gerät", words, 1 if told else 0)
+
+
 def test_wrong_declared_encoding_is_read_and_told():
     content = (DECLARED.format("UTF-8") + "\n" + UMLAUT).encode("windows-1252")
     parsed = parse_document(content)

@@ -183,6 +183,8 @@ def test_select_and_ignore(tmp_path):
         ([".", "--db", "catalog.db"], "name files"),
         (["nowhere.xml"], "no such file or folder"),
         (["--schema", "nowhere", "."], "no EtherCATInfo.xsd"),
+        (["--db", "catalog.db", "--schema", "."], "name the files instead of --db"),
+        (["--list", "--format", "sarif"], "prints text or JSON"),
     ],
 )
 def test_wrong_usage_is_one_line(tmp_path, monkeypatch, arguments, words):

@@ -138,3 +138,15 @@ def test_nothing_to_report_asks_for_no_tree():
 
     read = Reader().read(esi(device()).encode())
     assert Linter().document(read, tree) == []
+
+
+@pytest.mark.parametrize("end", ["\r\n", "\r"])
+def test_lines_are_those_of_any_line_end(end):
+    """XML 1.0 section 2.11: a carriage return alone ends a line, too."""
+    text = "\n".join(["<?xml version='1.0'?>", esi("\n" + device("\n<Junk/>\n<Sm\nJunk='1'/>") + "\n")])
+    expected, found = (Reader().read(text.replace("\n", way).encode()) for way in ("\n", end))
+    assert [(finding.line, finding.path) for finding in found.findings] == [
+        (4, f"{DEVICES}/Device/Junk"),
+        (6, f"{DEVICES}/Device/Sm"),
+    ]
+    assert found == expected

@@ -1,5 +1,7 @@
 """Rules about devices with modules: which of them is to blame; and values of no fixed length."""
 
+from pathlib import Path
+
 import pytest
 from snippets import device, dictionary, esi, write
 from test_lint_rules import IN_SLOT, SYNC_MANAGERS, TYPES, declared, findings, linted, mapped, module, slots
@@ -143,3 +145,91 @@ def test_l44_looks_for_subindex_0_at_every_position(tmp_path):
     data_type = f"<DataType><Name>DT</Name><BitSize>24</BitSize>{sub_items}</DataType>"
     (found,) = linted(tmp_path, "L44", device(dictionary(TYPES + data_type, "")))
     assert found["message"] == "SubIdx 0 of DataType DT has BitOffs 8: correct it to 0"
+
+
+def drive(profiles: str, dictionary_file: bool = False, **parts: str) -> str:
+    """A device with RxPdo 0x1600 that maps 0x6040, CoE with a command for 0x6060, and these profiles."""
+    profiles += "<Profile><ProfileNo>402</ProfileNo><DictionaryFile>d.xml</DictionaryFile></Profile>" * dictionary_file
+    mapping = f'<RxPdo Sm="2"><Index>#x1600</Index><Name>p</Name>{mapped("#x6040", 16, data_type="MYTYPE")}</RxPdo>'
+    command = "<InitCmd><Transition>PS</Transition><Index>#x6060</Index><SubIndex>0</SubIndex><Data>08</Data></InitCmd>"
+    mailbox = parts.get("mailbox", f"<Mailbox><CoE>{command}</CoE></Mailbox>")
+    return device(profiles + SYNC_MANAGERS + mapping + mailbox + parts.get("rest", ""))
+
+
+OBJECT_0X1000 = dictionary(TYPES, declared("#x1000", "UDINT", 32))
+
+
+@pytest.mark.parametrize("rule_id", ["L36", "L48", "L56", "L58"])
+def test_what_a_missing_dictionary_may_have_is_not_missed(tmp_path, rule_id):
+    """0x6040, 0x6060 and MYTYPE may be described there; L60 tells that it is missing."""
+    assert len(linted(tmp_path, rule_id, drive(OBJECT_0X1000))) == 1
+    assert linted(tmp_path, rule_id, drive(OBJECT_0X1000, dictionary_file=True)) == []
+    assert len(linted(tmp_path, "L60", drive(OBJECT_0X1000, dictionary_file=True))) == 1
+
+
+def test_a_dictionary_that_is_there_is_complete(tmp_path):
+    there = f"<EtherCATDict>{OBJECT_0X1000[OBJECT_0X1000.index('<Dictionary>') : -len('</Profile>')]}</EtherCATDict>"
+    write(tmp_path, {"d.xml": there})
+    assert len(linted(tmp_path, "L36", drive("", dictionary_file=True))) == 1
+
+
+def test_l61_knows_a_dictionary_that_is_missing(tmp_path):
+    """It tells the objects; without such a name nothing does."""
+    bare = "<Mailbox><CoE/></Mailbox>"
+    assert len(linted(tmp_path, "L61", drive("", mailbox=bare))) == 1
+    assert linted(tmp_path, "L61", drive("", dictionary_file=True, mailbox=bare)) == []
+
+
+def test_l67_knows_that_a_missing_dictionary_may_say_cia_402(tmp_path):
+    """A sensor's 0x6502 is no word of drive modes; its bits are printed as the bus carries them."""
+    types = TYPES + "<DataType><Name>DINT</Name><BitSize>32</BitSize></DataType>"
+    value = "<Info><DefaultData>FFFFFFFF</DefaultData></Info>"
+    sensor = dictionary(types, declared("#x6502", "DINT", 32, content=value)).replace(">402<", ">406<")
+    (found,) = linted(tmp_path, "L67", device(sensor))
+    assert found["message"].startswith("0x6502 has the default 0xFFFFFFFF, but")
+    missing = "<Profile><DictionaryFile>d.xml</DictionaryFile></Profile>"
+    assert linted(tmp_path, "L67", device(sensor + missing)) == []
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "content"),
+    [
+        ("L32", '<RxPdo Sm="2"><Index>#x1601</Index><Name>p</Name><Exclude>#x1602</Exclude></RxPdo>'),
+        ("L52", "<Dc><OpMode><Name>S</Name><AssignActivate>0</AssignActivate>"
+                '<Sm No="2"><Pdo>#x1602</Pdo></Sm></OpMode></Dc>'),
+        ("L36", OBJECT_0X1000),
+        ("L58", OBJECT_0X1000),
+        ("L61", "<Mailbox><CoE/></Mailbox>"),
+    ],
+)  # fmt: skip
+def test_what_missing_modules_may_have_is_not_missed(tmp_path, rule_id, content):
+    """The same linter has met the same PDOs and OpModes before, with all modules and without slots."""
+    assigned = f'<RxPdo Sm="2"><Index>#x1600</Index><Name>p</Name>{mapped("#x6040", 16)}</RxPdo>'
+    text = esi(device(content + SYNC_MANAGERS + assigned + slots(1)))
+    missing = text.replace("<Vendor>", "<InfoReference>modules.xml</InfoReference><Vendor>", 1)
+    write(tmp_path, {"a.xml": text, "b.xml": missing, "c.xml": missing.replace(slots(1), "")})
+    told = [Path(item["file"]).name for item in findings(tmp_path) if item["rule"] == rule_id]
+    assert told == ["a.xml", "c.xml"]
+
+
+def test_l53_tells_an_unknown_preset_of_missing_modules_once(tmp_path):
+    text = esi(device(SYNC_MANAGERS + slots(1).replace("<Slot ", '<Slot Default="#x10" ')))
+    assert len([item for item in findings(write(tmp_path, {"a.xml": text})) if item["rule"] == "L53"]) == 2
+    write(tmp_path, {"a.xml": text.replace("<Vendor>", "<InfoReference>modules.xml</InfoReference><Vendor>", 1)})
+    assert len([item for item in findings(tmp_path) if item["rule"] == "L53"]) == 1
+
+
+@pytest.mark.parametrize(
+    ("carried", "count"),
+    [
+        ("<ModuleIdent>#x10</ModuleIdent>", 1),
+        ("<ModuleClass><Class>C</Class></ModuleClass>", 0),
+        ("<ModuleIdent>#x11</ModuleIdent><ModuleClass><Class>C</Class></ModuleClass>", 0),
+    ],
+)
+def test_l54_looks_at_modules_with_a_class_where_slots_go_by_ident(tmp_path, carried, count):
+    """What the slot names by 0x10 is one of two modules."""
+    of_class = module("").replace("<Type ", '<Type ModuleClass="C" ')
+    by_slot = slots(1).replace("<ModuleIdent>#x10</ModuleIdent>", carried)
+    found = linted(tmp_path, "L54", device(SYNC_MANAGERS + by_slot), of_class * 2)
+    assert len(found) == count

@@ -30,6 +30,15 @@ def test_l27_knows_what_a_sync_manager_is_for(tmp_path, kind, sm, role, in_modul
     assert [item["message"].partition("which is ")[2] for item in found] == ([f"{role}: correct Sm"] if role else [])
 
 
+@pytest.mark.parametrize("in_module", [False, True])
+def test_l27_says_whose_sync_managers_it_counts(tmp_path, in_module):
+    assigned = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')
+    own, carried = (slots(1), module(assigned)) if in_module else (assigned, "")
+    (found,) = linted(tmp_path, "L27", device("<Sm>MBoxOut</Sm>" + own), carried)
+    of = "'T1'" if in_module else "the device"
+    assert found["message"] == f"RxPdo 0x1600 is assigned to SM 2 of {of}, which has 1 SyncManager: correct Sm"
+
+
 def test_l27_says_nothing_of_an_excluded_sync_manager_that_cannot_be_read(tmp_path):
     somewhere = pdo("RxPdo", "#x1600", 8, extra="<ExcludedSm>two</ExcludedSm>")
     assert linted(tmp_path, "L27", device(MAILBOX_AND_PROCESS_DATA + somewhere)) == []
@@ -114,6 +123,17 @@ def test_l65_says_what_assigns(tmp_path, mode, words):
     found = linted(tmp_path, "L65", device(ASSIGNED_0X1600 + MAILBOX_AND_PROCESS_DATA + pdos + modes))
     said = f"0x1C12 assigns 0x1600 by default, {words}: which of them counts depends on the master"
     assert [item["message"] for item in found] == ([said] if words else [])
+
+
+@pytest.mark.parametrize(
+    ("count", "words"), [("01", None), ("00", "0x1C12 assigns none by default, Sm=2 assigns 0x1600"), ("", None)]
+)
+def test_l65_believes_a_subindex_0_that_says_none(tmp_path, count, words):
+    """ETG.1000.6: subindex 0 of 0x1C12 counts the assigned PDOs; what stands behind them is not assigned."""
+    said = ASSIGNED_0X1600.replace("<DefaultData>01</DefaultData>", f"<DefaultData>{count}</DefaultData>" * bool(count))
+    assigned = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')
+    found = linted(tmp_path, "L65", device(said + MAILBOX_AND_PROCESS_DATA + assigned))
+    assert [item["message"].partition(":")[0] for item in found] == ([words] if words else [])
 
 
 @pytest.mark.parametrize("size", ["", 'DefaultSize="0"', 'DefaultSize="1"'])
@@ -360,3 +380,26 @@ def test_l31_says_which_pdo_is_listed_and_which_stays_because_it_is_mandatory(tm
     found = linted(tmp_path, "L31", device(f"<Sm>Outputs</Sm>{pdos}<Dc>{op_modes}</Dc>"))
     said = f"RxPdo 0x1601 and 0x1600 exclude each other, but {words}"
     assert [item["message"] for item in found] == ([said] if words else [])
+
+
+@pytest.mark.parametrize(
+    ("mandatory", "sm", "others", "message"),
+    [
+        ('Mandatory="1"', 'Sm="2"', ("", ""), "excludes 0x1601, 0x1602: these can never be assigned; drop Mandatory"),
+        ('Mandatory="1"', 'Sm="2"', ("", 'Virtual="1"'), "excludes 0x1601: these can never"),
+        ('Mandatory="1"', 'Sm="2"', ("", 'Sm="2"'), "excludes 0x1601: these can never"),  # of 0x1602 L31 tells
+        ("", 'Sm="2"', ("", ""), None),
+    ],
+)
+def test_l66_finds_what_a_mandatory_pdo_shuts_out(tmp_path, mandatory, sm, others, message):
+    """It stays assigned whatever is chosen; 0x1602 is excluded from its own side."""
+    exclude = "<Exclude>#x{}</Exclude>"
+    pdos = (
+        pdo("RxPdo", "#x1600", 8, attributes=f"{mandatory} {sm}", extra=exclude.format(1601))
+        + pdo("RxPdo", "#x1601", 8, attributes=others[0])
+        + pdo("RxPdo", "#x1602", 8, attributes=others[1], extra=exclude.format(1600))
+        + pdo("TxPdo", "#x1A00", 8)
+    )
+    found = linted(tmp_path, "L66", device(MAILBOX_AND_PROCESS_DATA + pdos))
+    expected = [f"RxPdo 0x1600 is Mandatory and {message}"] if message else []
+    assert [item["message"][: len(expected[0])] for item in found] == expected

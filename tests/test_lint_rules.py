@@ -432,6 +432,24 @@ def test_l62_leaves_out_pdos_that_op_modes_list(tmp_path, index, count):
     assert len(linted(tmp_path, "L62", device(SYNC_MANAGERS + pdo("RxPdo", "#x1600", 8) + mailbox + listing))) == count
 
 
+@pytest.mark.parametrize(
+    ("data_type", "bits", "with_dictionary", "words"),
+    [
+        ("UINT32", 32, False, "ethercat xml writes with and without sign: give UDINT or DINT, as the object is"),
+        ("UINT8", 8, False, "ethercat xml writes with and without sign: give USINT or SINT, as the object is"),
+        ("UINT32", 32, True, "is UDINT in ESI"),
+        ("INT32", 32, False, "is DINT in ESI"),
+        ("uint32", 32, False, "is UDINT in ESI"),
+    ],
+)
+def test_l48_knows_that_the_type_of_a_scan_tells_no_sign(tmp_path, data_type, bits, with_dictionary, words):
+    """The IgH tool makes the name from the length of an entry: 0x607A, a DINT, comes out as UINT32."""
+    own = OWN_DICTIONARY if with_dictionary else ""
+    mapping = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{mapped('#x607A', bits, data_type=data_type)}</RxPdo>"
+    (found,) = linted(tmp_path, "L48", device(own + mapping))
+    assert found["message"] == f"entry 1 of PDO 0x1600 has the DataType {data_type}, which {words}"
+
+
 def test_l48_leaves_out_padding(tmp_path):
     entries = mapped("0", 8, data_type="PADDING") + mapped("#x7000", 8, data_type="BYTES8")
     rx_pdo = f"<RxPdo><Index>#x1600</Index><Name>p</Name>{entries}</RxPdo>"

@@ -206,3 +206,26 @@ def test_what_has_no_index_is_not_called_that_of_index_0(tmp_path):
         "InitCmd without index",
     ):
         assert any(words in text for text in said), words
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        ("010000f0", None),
+        ("020000f0", "0x1018:02 has the default 0xF0000002, ProductCode is 0xF0000001: it looks taken over"),
+        ("f0000001", "0x1018:02 has the default 0x010000F0, ProductCode is 0xF0000001: its bytes are reversed"),
+    ],
+)
+def test_l13_compares_the_bits_of_an_identity(tmp_path, data, words):
+    """DINT and UDINT of the same four bytes are the same product code to a master."""
+    sub_items = "".join(
+        f"<SubItem><SubIdx>{n}</SubIdx><Name>S{n}</Name><Type>{name}</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{offset}</BitOffs></SubItem>"
+        for n, name, bits, offset in ((0, "USINT", 8, 0), (1, "DINT", 32, 16), (2, "DINT", 32, 48))
+    )
+    types = f"{TYPES}<DataType><Name>DT1018</Name><BitSize>80</BitSize>{sub_items}</DataType>"
+    values = f"<Info><SubItem><Name>S2</Name><Info><DefaultData>{data}</DefaultData></Info></SubItem></Info>"
+    types += "<DataType><Name>DINT</Name><BitSize>32</BitSize></DataType>"
+    objects = dictionary(types, declared("#x1018", "DT1018", 80, content=values))
+    found = linted(tmp_path, "L13", device(objects, product="#xF0000001"))
+    assert [item["message"].startswith(words) for item in found] == [True] * bool(words)

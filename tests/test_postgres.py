@@ -293,6 +293,14 @@ def test_what_stands_in_the_way_is_one_line_without_the_password(postgres, data,
         postgres: "not a catalog; make one with: esicatalog ingest",
         "mysql://me:secret@host/c": "postgresql+psycopg://",
         "postgresql://me:secret@host:port/c": "not a database URL",
+        f"postgresql://me@/c?{host}&password=secret": "no server answers there",
+        f"postgresql://me@/c?sslpassword=secret&passfile=/secret&{host}": "no server answers there",
+        "mysql://host/c?password=secret": "postgresql+psycopg://",
+        "sqlite:///c.db?password=secret": "take no options",
+        "postgresql://me:pass@secret@127.0.0.1:1/c": "write one in a password as %40",
+        "postgresql://me:pass@secret/word@127.0.0.1/c": "write one in a password as %40",
+        f"postgresql+psycopg_async://me:secret@/c?{host}": "write postgresql+psycopg://",
+        f"postgresql+asyncpg://me:secret@/c?{host}": "write postgresql+psycopg://",
     }
     for target, words_expected in cases.items():
         result = words("devices", "--db", target)

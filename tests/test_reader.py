@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from lxml import etree
-from snippets import device, esi, only_device, pdo, read
+from snippets import device, dictionary, esi, only_device, pdo, read
 
 from esicatalog.errors import DocumentError
 from esicatalog.esi.reader import Reader
@@ -244,3 +244,50 @@ def test_lines_beyond_what_libxml2_counts():
     expected = [text.count("\n", 0, end) + 1 for end in ends]
     assert expected[0] > 70_000
     assert read(text).document.device_lines == ((1, *expected),)
+
+
+def test_a_misplaced_element_is_told_with_what_the_schema_has_behind_it():
+    """Sequence of the schema: RxPdo, TxPdo; nobody knows Foo."""
+    found = read(esi(device("<TxPdo/><Foo/><RxPdo/>"))).findings
+    assert [finding.message for finding in found if finding.rule == "L04"] == [
+        "Device: RxPdo stands behind TxPdo; the schema has it before"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "tag"),
+    [
+        ("<Descriptions><Devices>", "</Devices></Descriptions><Descriptions><Devices>", "Descriptions"),
+        ("<Devices>", "</Devices><Devices>", "Devices"),
+        ("<Devices>", "</Devices><Foo/><Devices>", "Devices"),
+    ],
+)
+def test_what_occurs_again_around_devices_is_read_as_one_and_told(first, second, tag):
+    text = esi(device() + "@" + device(revision="#x2")).replace("@", second)
+    assert first in text
+    document = read(text)
+    assert [found.revision_no for found in document.document.infos[0].devices] == [1, 2]
+    assert f"element {tag} occurs again; read as one with the first" in [item.message for item in document.findings]
+
+
+def test_objects_that_occur_again_are_read_as_one_and_told():
+    declared = "<Object><Index>#x{}</Index><Name>O</Name><Type>USINT</Type><BitSize>8</BitSize></Object>"
+    twice = f"{declared.format(2000)}</Objects><Objects>{declared.format(2001)}"
+    document = read(esi(device(dictionary("<DataType><Name>USINT</Name><BitSize>8</BitSize></DataType>", twice))))
+    (found,) = document.document.infos[0].devices
+    assert [item.object_index for item in found.profiles[0].dictionary.objects] == [0x2000, 0x2001]
+    assert [item.message for item in document.findings] == ["element Objects occurs again; read as one with the first"]
+
+
+def test_clocks_that_occur_again_are_read_once():
+    """Both OpModes are read; an attribute that both have is kept as unmapped, and nothing else of the second Dc."""
+    modes = [f"<OpMode><Name>{name}</Name><AssignActivate>0</AssignActivate></OpMode>" for name in "AB"]
+    again = '<Dc UnknownFRMW="1">{}</Dc><Dc UnknownFRMW="0">{}</Dc>'.format(*modes)
+    document = read(esi(device(again)))
+    (found,) = document.document.infos[0].devices
+    assert [mode.name for mode in found.op_modes] == ["A", "B"]
+    assert [(item.path, item.value) for item in found.unmapped] == [("Dc[1]/@UnknownFRMW", "0")]
+    assert [item.message for item in document.findings] == [
+        "element Dc occurs again; read as one with the first",
+        "attribute Dc/@UnknownFRMW repeats a value given before; kept in unmapped",
+    ]

@@ -1,6 +1,7 @@
 """Opening, creating and upgrading catalogs. Alembic is imported only when there is something to migrate."""
 
 import os
+import re
 import sqlite3
 import threading
 from collections.abc import Callable
@@ -28,6 +29,8 @@ STATEMENT_END = ";\n\n"
 _DRIVERS = {"postgresql": "postgresql+psycopg", "postgres": "postgresql+psycopg"}
 """What a URL without driver means."""
 _BACKENDS = ("sqlite", "postgresql", "cockroachdb")
+_SECRET_OPTION = re.compile(r"(?<=[?&])(password|sslpassword|passfile)=[^&]*")
+"""What libpq takes as an option that no message may show."""
 
 
 def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
@@ -41,18 +44,27 @@ def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
         url = sa.make_url(text)
     except (sa.exc.ArgumentError, ValueError) as error:
         raise CatalogError("not a database URL; write postgresql+psycopg://USER:PASSWORD@HOST/DATABASE") from error
+    if any("@" in (part or "") for part in (url.host, url.database if url.password is not None else None)):
+        # What stands before that @ is the end of a password, which messages would show.
+        raise CatalogError("the database URL has more than one @; write one in a password as %40")
     if url.get_backend_name() not in _BACKENDS and url.drivername not in _DRIVERS:
-        raise CatalogError(f"{url!r}: a catalog is an SQLite file or lies at postgresql+psycopg://…")
+        raise CatalogError(f"{_shown(url)}: a catalog is an SQLite file or lies at postgresql+psycopg://…")
     if url.get_backend_name() == "sqlite" and (url.query or (url.database or "").startswith("file:")):
         # Left alone, an option such as mode=ro would silently be ignored.
-        raise CatalogError(f"{text}: SQLite URLs take no options and no file: names; give the path of the catalog")
+        raise CatalogError(
+            f"{_shown(url)}: SQLite URLs take no options and no file: names; give the path of the catalog"
+        )
     return url.set(drivername=_DRIVERS.get(url.drivername, url.drivername))
 
 
 def shown_target(target: str | os.PathLike[str]) -> str:
     """A catalog as messages name it: without the password."""
     text = os.fspath(target)
-    return repr(catalog_url(text)) if "://" in text else text
+    return _shown(catalog_url(text)) if "://" in text else text
+
+
+def _shown(url: sa.URL) -> str:
+    return _SECRET_OPTION.sub(r"\1=***", repr(url))
 
 
 def sqlite_path(url: sa.URL) -> Path | None:
@@ -65,7 +77,7 @@ def sqlite_path(url: sa.URL) -> Path | None:
 def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
     """An engine with foreign keys enforced and short waits for locks; ``read_only`` refuses every write.
 
-    Raises :class:`CatalogError` where the driver is missing.
+    Raises :class:`CatalogError` where the driver is missing or works asynchronously.
     """
     options: dict[str, Any] = {}
     if url.get_backend_name() != "sqlite":
@@ -76,10 +88,12 @@ def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
             "connect_args": {"client_encoding": "utf8"},
         }
     try:
+        if url.get_dialect().is_async:
+            raise CatalogError(f"{_shown(url)}: {url.drivername} is asynchronous; write postgresql+psycopg://…")
         engine = sa.create_engine(url, **options)
     except (ModuleNotFoundError, sa.exc.NoSuchModuleError) as error:
         raise CatalogError(
-            f"{url!r}: the driver of {url.drivername} is not installed ({error}); "
+            f"{_shown(url)}: the driver of {url.drivername} is not installed ({error}); "
             "PostgreSQL's comes with: pip install 'esicatalog[postgres]'"
         ) from error
     if url.get_backend_name() == "sqlite":

@@ -116,6 +116,8 @@ def _findings(connection: sa.Connection, device_id: int) -> tuple[SourceFinding,
 
 _PATH = sa.func.replace(schema.findings.c.path, "[0]", "")
 """A first element is written with its position or, where it is the only one of its tag, without."""
+_BELOW_REPEATED = ("%/Descriptions[%/Devices%/Device%", "%/Devices[%/Device%")
+"""Paths into a device that stands in another Descriptions or Devices than the first."""
 
 
 def _below_device() -> sa.ColumnElement[bool]:
@@ -135,7 +137,7 @@ def _without_number() -> sa.ColumnElement[bool]:
 
     Broken markup has no path.
     """
-    return sa.or_(schema.findings.c.path == "", *(_PATH.contains(tag) for tag in ("/Descriptions[", "/Devices[")))
+    return sa.or_(schema.findings.c.path == "", *map(_PATH.like, _BELOW_REPEATED))
 
 
 def _in_lines() -> sa.ColumnElement[bool]:

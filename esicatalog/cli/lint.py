@@ -54,6 +54,10 @@ def command(
         return
     if bool(paths) == bool(db):
         raise InputError("name files, folders or archives to lint, or a catalog with --db")
+    if db and schema is not None:
+        raise InputError(
+            "--schema validates documents, and a catalog does not hold them: name the files instead of --db"
+        )
     run = _StoredRun(db, rules) if db else FilesRun(paths, rules, schema)
     shown = print_findings(run.findings(), rules, output_format)
     for problem in run.unreadable:
@@ -91,6 +95,8 @@ def _ids(options: tuple[str, ...]) -> list[str]:
 def _print_rules(rules: "Sequence[Rule]", output_format: str) -> None:
     from esicatalog.lint.report import rule_json
 
+    if output_format == "sarif":
+        raise InputError("--list prints text or JSON; SARIF holds rules beside the findings of a run")
     rows = [rule_json(rule) for rule in rules]
     if output_format == "json":
         print_json(rows)

@@ -125,7 +125,9 @@ class Target(msgspec.Struct, frozen=True):
 class _Node:
     """What the reader does with one element: the compiled tree of a record's paths."""
 
-    __slots__ = ("attributes", "children", "leaves", "lists", "many", "plain", "rank", "raw", "record", "text", "whole")
+    __slots__ = (
+        "attributes", "children", "descends", "leaves", "lists", "many", "plain", "rank", "record", "text", "whole",
+    )  # fmt: skip
 
     def __init__(self) -> None:
         self.rank = 0
@@ -136,8 +138,9 @@ class _Node:
         self.record: type[Record] | None = None
         self.whole: str | None = None
         """Field that takes the element as a whole (record, raw XML or presence)."""
+        self.descends = True
+        """Whether what is in the element goes to fields of the same record."""
         self.many = False
-        self.raw = False
         self.plain: Target | None = None
         """The target of the text of an element that has nothing but text: the common case, read without descending."""
         self.lists: tuple[str, ...] = ()
@@ -165,7 +168,7 @@ def _compile(record_type: type[Record]) -> _Node:
         if is_record(field.item) or isinstance(field.xml.kind, Marker):
             node.whole, node.many = field.name, field.many
             node.record = field.item if is_record(field.item) else None
-            node.raw = field.xml.kind is RAW
+            node.descends = field.xml.kind is PRESENT
         elif attribute:
             node.attributes[attribute] = Target(field.name, field.xml.kind, False)
         else:
@@ -229,6 +232,7 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
         notes.unmapped_text(element, element.text)
     children = node.children
     rank = 0
+    met: tuple[_Node, ...] = ()
     for child in element:
         tail = child.tail
         if tail is not None and not tail.isspace():
@@ -238,7 +242,7 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
             notes.unmapped_element(child)
             continue
         if taken.rank < rank:
-            notes.misplaced(element, child)
+            notes.misplaced(element, child, children)
             rank = _ANYWHERE
         elif rank != _ANYWHERE:
             rank = taken.rank
@@ -247,10 +251,16 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
             if (remark := store(plain, child.text or "", values)) is not None:
                 notes.remark(child, remark)
             continue
-        if taken.whole is not None:
+        if not taken.descends:
             _take_whole(taken, child, values, notes)
-        if taken.whole is None or (taken.record is None and not taken.raw):
-            _fill(taken, child, values, notes)
+            continue
+        if taken.text is None:
+            if taken in met:
+                notes.read_as_one(child)
+            met = (*met, taken)
+            if taken.whole is not None:
+                values[taken.whole] = True
+        _fill(taken, child, values, notes)
 
 
 def _take_whole(node: _Node, child: etree._Element, values: dict[str, Any], notes: Notes) -> None:
@@ -259,10 +269,8 @@ def _take_whole(node: _Node, child: etree._Element, values: dict[str, Any], note
         notes.unmapped_element(child, repeated=True)
         return
     value: Any
-    if node.raw:
+    if node.record is None:
         value = canonical_xml(child)
-    elif node.record is None:
-        value = True
     elif node.record in notes.watched:
         records = notes.read_child(node.record, child, read_record)
         if node.many:

@@ -24,7 +24,17 @@ MAX_NAMESPACES = 100
 """Prefixes declared in one document; real ones declare two. Each is written with every part of the document."""
 NAMESPACE_PREFIX = re.compile(rb"xmlns:([^\s=]+)")
 """Declares one, in ASCII."""
-_BOMS = (codecs.BOM_UTF8, codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE, codecs.BOM_UTF32_BE)
+_BOMS = {
+    codecs.BOM_UTF8: ("UTF-8", "utf8"),
+    codecs.BOM_UTF32_LE: ("UTF-32LE", "utf-32 utf32 iso-10646-ucs-4 ucs-4"),
+    codecs.BOM_UTF32_BE: ("UTF-32BE", "utf-32 utf32 iso-10646-ucs-4 ucs-4"),
+    codecs.BOM_UTF16_LE: ("UTF-16LE", "utf-16 utf16 iso-10646-ucs-2 ucs-2 unicode"),
+    codecs.BOM_UTF16_BE: ("UTF-16BE", "utf-16 utf16 iso-10646-ucs-2 ucs-2 unicode unicodefffe"),
+}
+"""What the bytes are that begin with a byte order mark, and the other names by which a document may declare that. The
+longer ones come first: one begins as another does."""
+_WIDE_BOMS = tuple(bom for bom in _BOMS if bom != codecs.BOM_UTF8)
+_LONGEST_DECLARATION = 1_000
 _LIMITS = {
     "amplification": "its entities and attribute defaults expand too far",
     "depth": "nests more than 256 elements",
@@ -130,7 +140,7 @@ def _plain(content: bytes) -> bytes:
 
 def _looks_like_xml(content: bytes) -> bool:
     head = content[:4096]
-    if head.startswith(_BOMS[1:]) or head[:4] in (b"<\0?\0", b"\0<\0?", b"<\0\0\0", b"\0\0\0<"):
+    if head.startswith(_WIDE_BOMS) or head[:4] in (b"<\0?\0", b"\0<\0?", b"<\0\0\0", b"\0\0\0<"):
         return True
     return _LEADING_MARKUP.match(head.removeprefix(codecs.BOM_UTF8)) is not None
 
@@ -138,7 +148,7 @@ def _looks_like_xml(content: bytes) -> bool:
 def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
     line, reason = error.lineno or 0, _one_line(error)
     _check_limits(error.code, reason, line)
-    if b"<EtherCAT" not in content and not content.startswith(_BOMS[1:]):
+    if b"<EtherCAT" not in content and not content.startswith(_WIDE_BOMS):
         raise NotAnEsiDocument(f"XML without an EtherCAT root, and not well-formed: {reason}", line)
     if "encoding" in reason.lower() or "utf-8" in reason.lower():
         for encoding in ("utf-8", _code_page(content), "windows-1252"):
@@ -186,6 +196,21 @@ def declared_encoding(content: bytes) -> bytes | None:
     return declared[1].lower() if declared is not None else None
 
 
+def _mislabelled(content: bytes) -> str | None:
+    """Words about a document that declares another encoding than its byte order mark says; the parser reads by that.
+
+    XML 1.0 section 4.3.3: such a declaration is a fatal error, and other parsers stop there.
+    """
+    bom = next(filter(content.startswith, _BOMS), None)
+    if bom is None:
+        return None
+    declared = declared_encoding(_plain(content[len(bom) : _LONGEST_DECLARATION]))
+    encoding, other_names = _BOMS[bom]
+    if declared is None or declared.decode() in (encoding.lower(), *other_names.split()):
+        return None
+    return f"declared as {declared.decode()}, but its byte order mark says {encoding}; read as {encoding}"
+
+
 def _read_as(content: bytes, encoding: str) -> etree._Element | None:
     with contextlib.suppress(etree.XMLSyntaxError):
         return etree.fromstring(content, make_parser(encoding=encoding))
@@ -209,13 +234,17 @@ def _known(content: bytes, root: etree._Element, recovered: str | None, line: in
             raise BrokenDocument(f"encoded as {encoding}: save it as UTF-8")
         if _HAS_TOO_MANY_ATTRIBUTES(root):
             raise BrokenDocument(f"an element has more than {MAX_ATTRIBUTES} attributes; none of ESI has")
+        problems = [recovered] if recovered is not None else []
+        mislabelled = _mislabelled(content)
+        if mislabelled is not None:
+            line = line or 1
+            problems.append(mislabelled)
         entity = next(root.iter(etree.Entity), None)
         if entity is not None:
-            left_out = f"entity {entity.text} and others are not expanded; left out"
             line = line or entity.sourceline or 0
             etree.strip_elements(root, etree.Entity, with_tail=False)
-            recovered = f"{recovered}; {left_out}" if recovered is not None else left_out
-        return ParsedDocument(root, encoding, recovered, line)
+            problems.append(f"entity {entity.text} and others are not expanded; left out")
+        return ParsedDocument(root, encoding, "; ".join(problems) or None, line)
     raise NotAnEsiDocument(_other_root(root), root.sourceline or 0)
 
 

@@ -1,4 +1,4 @@
-"""Lines of elements: libxml2 counts to 65535 only, and then goes by the texts around an element."""
+"""Lines of elements: libxml2 counts line feeds, to 65535 only, and then goes by the texts around an element."""
 
 import re
 from collections.abc import Mapping
@@ -12,11 +12,17 @@ _MOST_BYTES = 1_000_000_000
 """That are looked through for one tree, once a tag: some seconds. Elements of further tags keep the parser's line."""
 
 
+def has_bare_returns(content: bytes) -> bool:
+    """Whether carriage returns alone end the lines of a document (XML 1.0 section 2.11): libxml2 sees a single line."""
+    return b"\n" not in content and b"\r" in content
+
+
 class Lines:
     """Lines of the elements of one tree, given the bytes that it was parsed from."""
 
     def __init__(self, content: bytes) -> None:
         self._content = content
+        self._line_end = b"\r" if has_bare_returns(content) else b"\n"
         self._counted: dict[str, Mapping[etree._Element, int]] = {}
         self._most_tags = _MOST_BYTES // max(1, len(content))
 
@@ -26,7 +32,7 @@ class Lines:
         Where libxml2 does not count start tags are counted in the bytes, if these are of an encoding based on ASCII.
         """
         line = element.sourceline or 0
-        if line < _LAST_COUNTED:
+        if line < _LAST_COUNTED and self._line_end == b"\n":
             return line
         tag = str(element.tag)
         if tag not in self._counted and len(self._counted) < self._most_tags:
@@ -40,7 +46,7 @@ class Lines:
         alike = list(tree.iter(tag))
         if len(ends) != len(alike):
             return {}
-        counts = accumulate(self._content.count(b"\n", before, end) for before, end in pairwise([0, *ends]))
+        counts = accumulate(self._content.count(self._line_end, before, end) for before, end in pairwise([0, *ends]))
         return {element: count + 1 for element, count in zip(alike, counts, strict=True)}
 
 

@@ -1,7 +1,7 @@
 """What the reader notices while it reads: findings with line numbers, and values that no record field holds."""
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from typing import Any, Protocol
 
 import msgspec
@@ -132,11 +132,15 @@ class Notes:
             raise BrokenDocument(_TOO_MANY, self._line_of(element))
         self.findings.append(Finding(rule, severity, message, self._line_of(element), self.path(element)))
 
-    def misplaced(self, element: etree._Element, child: etree._Element) -> None:
-        """A child of ``element`` that the schema has before the one it stands behind."""
-        before = child.getprevious()
-        behind = f" stands behind {before.tag!s}" if before is not None else " stands too late"
-        self.find(element, "L04", "W", f"{element.tag!s}: {child.tag!s}{behind}; the schema has it before")
+    def misplaced(self, element: etree._Element, child: etree._Element, known: Container[Any]) -> None:
+        """A child of ``element`` that the schema has before the one it stands behind; it has a place for ``known``."""
+        before = next(sibling.tag for sibling in child.itersiblings(preceding=True) if sibling.tag in known)
+        message = f"{element.tag!s}: {child.tag!s} stands behind {before!s}; the schema has it before"
+        self.find(element, "L04", "W", message)
+
+    def read_as_one(self, element: etree._Element) -> None:
+        """Another one of what the schema has once, whose parts are read as those of the first."""
+        self.find(element, "L05", "W", f"element {element.tag!s} occurs again; read as one with the first")
 
     def unmapped_attribute(self, element: etree._Element, name: str, text: str, repeated: bool = False) -> None:
         """An attribute that no field takes."""

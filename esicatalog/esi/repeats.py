@@ -24,7 +24,7 @@ from lxml import etree
 
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES
 from esicatalog.esi.documents import NAMESPACE_PREFIX, declared_encoding, make_parser
-from esicatalog.esi.lines import Lines, Located
+from esicatalog.esi.lines import Lines, Located, has_bare_returns
 
 MARK = f"repeated-{secrets.token_hex(8)}"
 """Attribute that tells what an element stands for; of those that stand for themselves too."""
@@ -378,7 +378,7 @@ class Repeats:
 def _encoding(content: bytes) -> bytes | None:
     """The declared encoding, in which ASCII is ASCII; None for documents that are better left alone."""
     begins = content.find(b"<EtherCAT", 0, _LONGEST_HEAD)
-    if begins < 0:
+    if begins < 0 or has_bare_returns(content):
         return None
     head = content[:begins].removeprefix(codecs.BOM_UTF8)
     encoding = declared_encoding(head) or b""

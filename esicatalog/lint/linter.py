@@ -27,6 +27,7 @@ from esicatalog.lint.subjects import (
     PdoMapping,
     PdoTypes,
     ProcessSubject,
+    dictionaries_of,
     pdo_mapping,
 )
 from esicatalog.model.derivation import Deriver
@@ -170,17 +171,18 @@ class Linter:
 
     def _process(self, device: DeviceSubject) -> _Hits:
         data = device.derivation.process_data
-        return self._of_process.get(id(data), data, self._check_process, device)
+        return self._of_process.get((id(data), bool(device.missing)), data, self._check_process, device)
 
     def _check_process(self, device: DeviceSubject) -> _Hits:
-        return self._check(ProcessSubject(device.derivation.process_data, device.modules), ProcessSubject)
+        subject = ProcessSubject(device.derivation.process_data, device.modules, bool(device.missing))
+        return self._check(subject, ProcessSubject)
 
     def _pdos(self, owner: Owner) -> _Hits:
         record, dictionaries = owner.record, self._dictionaries_for(owner)
         looked_at = (record.rx_pdos, record.tx_pdos, dictionaries.views, owner.types, *_slots(owner))
-        return self._of_pdos.get(
-            (*map(identities, looked_at), _increments(owner)), looked_at, self._check_pdos, owner, dictionaries
-        )
+        completeness = (owner.own.is_complete, dictionaries.is_complete)
+        key = (*map(identities, looked_at), _increments(owner), completeness)
+        return self._of_pdos.get(key, looked_at, self._check_pdos, owner, dictionaries)
 
     def _check_pdos(self, owner: Owner, dictionaries: Dictionaries) -> _Hits:
         hits: list[_Hit] = []
@@ -188,7 +190,7 @@ class Linter:
             hits += _below(place, self._of_record.of(pdo, self._check_pdo))
             foreign = self._foreign_types.of(pdo, foreign_types)
             if foreign:
-                hits += _below(place, self._check(PdoTypes(pdo, foreign, owner.types), PdoTypes))
+                hits += _below(place, self._check(PdoTypes(pdo, foreign, owner.types, owner.own.is_complete), PdoTypes))
             if dictionaries.views and pdo.entries:
                 hits += _below(place, self._check(pdo_mapping(direction, pdo, dictionaries), PdoMapping))
         return hits
@@ -206,8 +208,7 @@ class Linter:
             others, in_slots = owner.modules, owner.entries_in_slots
         elif isinstance(owner, ModuleSubject):
             others = owner.hosts
-        views = [view for part in (owner, *others) for view in part.own.views]
-        return Dictionaries(views, in_slots) if others else owner.own
+        return dictionaries_of((owner, *others), in_slots) if others else owner.own
 
     def _check_pdo(self, pdo: Pdo) -> _Hits:
         return self._check(pdo, Record) + self._check(pdo, Pdo) or ()

@@ -46,11 +46,15 @@ class DeclaredPdo(NamedTuple):
 class Dictionaries:
     """The dictionaries of an owner as one, see :func:`~esicatalog.model.dictionary_views.counting_view`.
 
-    ``in_slots`` tells what modules have at an index in slots that they move with, to which marked objects yield.
+    ``is_complete``: no document is missing that may have further objects. ``in_slots`` tells what modules have at an
+    index in slots that they move with, to which marked objects yield.
     """
 
-    def __init__(self, views: Sequence[DictionaryView], in_slots: "InSlots | None" = None) -> None:
+    def __init__(
+        self, views: Iterable[DictionaryView], is_complete: bool = True, in_slots: "InSlots | None" = None
+    ) -> None:
         self.views = tuple([view for view in views if view.by_index])
+        self.is_complete = is_complete
         self._in_slots = in_slots
 
     def __bool__(self) -> bool:
@@ -98,10 +102,13 @@ def declared_pdos(record: Device | Module | ProcessData) -> list[DeclaredPdo]:
 class Owner:
     """What devices and modules have in common."""
 
-    def __init__(self, record: Device | Module, info: EsiInfo, views: Sequence[DictionaryView]) -> None:
+    def __init__(
+        self, record: Device | Module, info: EsiInfo, views: Sequence[DictionaryView], is_complete: bool = True
+    ) -> None:
         self.record = record
         self.info = info
-        self.own = Dictionaries(views)
+        is_missing = any(profile.dictionary_file and profile.dictionary is None for profile in record.profiles)
+        self.own = Dictionaries(views, is_complete and not is_missing)
         self.types = tuple([view.types for view in views])
         """The data types that its dictionaries declare."""
 
@@ -134,11 +141,11 @@ class DeviceSubject(Owner):
         derivation: Derivation,
         missing: Sequence[str] = (),
     ) -> None:
-        super().__init__(device, info, views)
+        super().__init__(device, info, views, not (missing and device.slots))
         self.device = device
         self.modules = modules
-        self.missing = missing
-        """Documents that an InfoReference names and that were not found: they may have further modules."""
+        self.missing = missing if device.slots else ()
+        """Documents that an InfoReference names and that were not found: they may have further modules for it."""
         self.derivation = derivation
 
     @property
@@ -178,10 +185,18 @@ class ProcessSubject:
     A rule that looks at nothing else of a device is asked once for all devices that have equal ones.
     """
 
-    def __init__(self, data: ProcessData, modules: Sequence[ModuleSubject]) -> None:
+    def __init__(self, data: ProcessData, modules: Sequence[ModuleSubject], misses_modules: bool) -> None:
         self.data = data
         self.modules = modules
+        self.misses_modules = misses_modules
+        """Whether a document is missing that may have further ones."""
         self.pdos = declared_pdos(data)
+
+
+def dictionaries_of(owners: Sequence[Owner], in_slots: InSlots | None = None) -> Dictionaries:
+    """The dictionaries of several owners as one."""
+    views = [view for owner in owners for view in owner.own.views]
+    return Dictionaries(views, all(owner.own.is_complete for owner in owners), in_slots)
 
 
 class InfoSubject(NamedTuple):
@@ -221,6 +236,8 @@ class PdoTypes(NamedTuple):
     """Each name with the position of the first entry that has it."""
     types: Sequence[TypeSet]
     """The data types that its owner declares."""
+    are_all_types: bool
+    """Whether its owner names no dictionary that is missing."""
 
 
 class PdoMapping(NamedTuple):
@@ -231,7 +248,7 @@ class PdoMapping(NamedTuple):
     described: list[tuple[int, Entry, ObjectEntry]]
     """Entries, their positions, and what a dictionary says about that which they map."""
     unknown: list[NumberedEntry]
-    """Entries that map what no dictionary has."""
+    """Entries that map what no dictionary has, and no missing one can have."""
 
 
 def pdo_mapping(direction: str, pdo: Pdo, dictionaries: Dictionaries) -> PdoMapping:
@@ -247,6 +264,8 @@ def pdo_mapping(direction: str, pdo: Pdo, dictionaries: Dictionaries) -> PdoMapp
         declared = entries.get(entry.subindex or 0) if entries is not None else None
         if declared is not None:
             mapping.described.append((position, entry, declared))
-        elif not any((entry.subindex or 0) in found for found in dictionaries.in_slots(index)):
+        elif dictionaries.is_complete and not any(
+            (entry.subindex or 0) in found for found in dictionaries.in_slots(index)
+        ):
             mapping.unknown.append((position, entry))
     return mapping

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from esicatalog.esi.records.dc import OpMode, OpModeSm
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeclaredPdo, ModuleSubject, ProcessSubject, is_absent
-from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import is_superseded, sync_signals
 from esicatalog.sii.words import AssignActivate
@@ -91,7 +90,7 @@ def op_mode_references(subject: ProcessSubject | ModuleSubject) -> Iterator[Foun
         described[placed.pdo.pdo_index].append(placed)
     for number, mode in enumerate(subject.data.op_modes):
         for position, item in enumerate(mode.sm_assignments):
-            for found in _assignment(subject.data, item, described):
+            for found in _assignment(subject, item, described):
                 place = (*_at(number), "sm_assignments", position, *found.place)
                 yield Found(f"{_words(number, mode)} {found.message}", place)
 
@@ -109,9 +108,11 @@ def _names_twice(modes: Sequence[OpMode]) -> Iterator[Found]:
             names.add(mode.name)
 
 
-def _assignment(data: ProcessData, item: OpModeSm, by_index: Mapping[int | None, list[DeclaredPdo]]) -> Iterator[Found]:
+def _assignment(
+    subject: ProcessSubject, item: OpModeSm, by_index: Mapping[int | None, list[DeclaredPdo]]
+) -> Iterator[Found]:
     """What is wrong with the PDOs of a SyncManager; ``by_index`` are those that are described."""
-    sm = None
+    data, sm = subject.data, None
     if item.no is not None and 0 <= item.no < len(data.sync_managers):
         sm = data.sync_managers[item.no]
     elif item.no is not None:
@@ -123,7 +124,7 @@ def _assignment(data: ProcessData, item: OpModeSm, by_index: Mapping[int | None,
         if index is None:
             continue
         described = by_index.get(index, [])
-        if not described and not data.in_slots.has_pdo(index):
+        if not described and not subject.misses_modules and not data.in_slots.has_pdo(index):
             yield Found(f"assigns PDO 0x{index:04X}, which is not described", ("pdos", nth))
         elif described and sm is not None and not any(may_transport(sm, placed.direction) for placed in described):
             kinds = " and ".join(sorted({placed.direction for placed in described}))

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator
 
+from esicatalog.identity import UINT32_MAX
 from esicatalog.lint.registry import WARNING, Found, Place, rule
-from esicatalog.lint.subjects import DeviceSubject, Dictionaries, ModuleSubject, Owner
+from esicatalog.lint.subjects import DeviceSubject, ModuleSubject, Owner, dictionaries_of
 from esicatalog.model.cia402 import (
     AXIS_STEP,
     CONTROLWORD,
@@ -66,8 +67,8 @@ def drive_objects(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
 
 
 def _missing_objects(subject: DeviceSubject) -> Iterator[Found]:
-    dictionaries = Dictionaries([view for owner in (subject, *subject.modules) for view in owner.own.views])
-    all_described = all(module.own for module in subject.modules)
+    dictionaries = dictionaries_of((subject, *subject.modules))
+    all_described = dictionaries.is_complete and all(module.own for module in subject.modules)
     missing = [f"0x{index:04X}" for index in _NEEDED if dictionaries.entries(index) is None]
     if missing and dictionaries and all_described:
         yield Found(f"CiA 402 drive without {', '.join(missing)} in its dictionary", _dictionary_place(subject))
@@ -122,9 +123,9 @@ def device_type(subject: DeviceSubject) -> Iterator[Found]:
 def modes_of_no_drive(subject: DeviceSubject) -> Iterator[Found]:
     """0x6502 of a device that is no CiA 402 drive; it says nothing about drive modes."""
     default = subject.own.default(SUPPORTED_DRIVE_MODES)
-    if default and not subject.derivation.modes.evidence:
+    if default and not subject.derivation.modes.evidence and subject.own.is_complete:
         yield Found(
-            f"0x6502 has the default 0x{default:X}, but nothing else says CiA 402: "
+            f"0x6502 has the default 0x{default & UINT32_MAX:X}, but nothing else says CiA 402: "
             "do not read it as supported drive modes",
             subject.object_place(SUPPORTED_DRIVE_MODES),
         )

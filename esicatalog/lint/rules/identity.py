@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterator
 
+from esicatalog.identity import UINT32_MAX
 from esicatalog.lint.library import DeviceFact, Library
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject, is_absent
@@ -135,7 +136,10 @@ def identity_object(subject: DeviceSubject) -> Iterator[Found]:
     entries = subject.own.entries(_IDENTITY_OBJECT) or {}
     for subindex, name, expected, severity in compared:
         default = entries[subindex].default_int if subindex in entries else None
-        if default and default != expected and expected is not None:
+        if not default or expected is None:
+            continue
+        default &= UINT32_MAX  # as it is on the bus, be the type signed or not
+        if default != expected:
             reversed_bytes = default == int.from_bytes(expected.to_bytes(4, "little"), "big")
             why = "its bytes are reversed" if reversed_bytes else "it looks taken over from another device"
             yield Found(

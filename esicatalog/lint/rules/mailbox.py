@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.lint.registry import WARNING, Found, Place, rule
-from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject
+from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject, dictionaries_of
 from esicatalog.model.access import states_to_write
 from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.model.counting import counted
@@ -26,10 +26,14 @@ def init_cmd(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
     if not subject.coe_init_cmds:
         return
     others = () if isinstance(subject, DeviceSubject) else tuple(subject.hosts)
-    dictionaries = Dictionaries([view for owner in (subject, *others) for view in owner.own.views])
+    dictionaries = dictionaries_of((subject, *others))
     if not dictionaries:
         return
-    is_complete = bool(subject.own) and not (isinstance(subject, DeviceSubject) and subject.is_modular)
+    is_complete = (
+        bool(subject.own)
+        and dictionaries.is_complete
+        and not (isinstance(subject, DeviceSubject) and subject.is_modular)
+    )
     for number, command in enumerate(subject.coe_init_cmds):
         problem = _init_cmd_problem(command, dictionaries, is_complete)
         if problem is not None:
@@ -87,11 +91,11 @@ def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete:
 def dictionary_without_coe(subject: DeviceSubject) -> Iterator[Found]:
     """A dictionary without CoE, or CoE of which neither the document nor the device tells the objects."""
     mailbox = subject.device.mailbox
-    has_dictionary = bool(subject.own) or any(module.own for module in subject.modules)
+    dictionaries = dictionaries_of((subject, *subject.modules))
     if mailbox is None or not mailbox.coe:
         if subject.own and not (mailbox is not None and mailbox.soe):
             yield Found("the device has a dictionary but no CoE: nothing can read its objects", _mailbox_place(subject))
-    elif not has_dictionary and not mailbox.coe_sdo_info:
+    elif not dictionaries and dictionaries.is_complete and not mailbox.coe_sdo_info:
         yield Found(
             "CoE without dictionary and without SdoInfo: nothing tells which objects the device has",
             ("mailbox", "coe"),

@@ -21,6 +21,8 @@ _SYNC_ERRORS = frozenset((index, 0x20) for index in SYNC_PARAMETERS)
 """Mappable by the standard (ETG.1020), and mapped by many devices whose dictionary does not say so."""
 _OTHER_NAMES = frozenset({"BOOLEAN", "BIT"})
 """Names that tables of the base types list beside BOOL."""
+_SIGN_UNKNOWN = frozenset({"UINT8", "UINT16", "UINT32", "UINT64"})
+"""What ``ethercat xml`` (IgH EtherLab) makes of the length of an entry: a slave does not tell it more of its PDOs."""
 _OWN_TYPE = "DT"
 """How data types of a dictionary are named."""
 
@@ -140,8 +142,15 @@ def type_name(record: PdoTypes | TypeSet) -> Iterator[Found]:
         return
     for number, name in record.foreign:
         standard = _standard_name(name)
-        if standard is not None or not any(name in types.by_name for types in record.types):
-            words = f"is {standard} in ESI" if standard is not None else "is no base type of ESI"
+        if standard is not None or (record.are_all_types and not any(name in types.by_name for types in record.types)):
+            if standard is None:
+                words = "is no base type of ESI"
+            elif name in _SIGN_UNKNOWN and not record.types:
+                words = (
+                    f"ethercat xml writes with and without sign: give {standard} or {standard[1:]}, as the object is"
+                )
+            else:
+                words = f"is {standard} in ESI"
             yield Found(
                 f"entry {number + 1} of PDO {index_words(record.pdo.pdo_index)} has the DataType {name}, which {words}",
                 ("entries", number, "data_type"),

@@ -6,6 +6,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.pdo import Exclude, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import DeclaredPdo, DeviceSubject, ModuleSubject, ProcessSubject, is_absent
+from esicatalog.model.counting import counted
 from esicatalog.model.pdo_facts import (
     PDO_ASSIGNMENTS,
     PDO_FIELDS,
@@ -38,7 +39,7 @@ def sync_manager_of_pdo(subject: ProcessSubject | ModuleSubject) -> Iterator[Fou
                 continue
             words = _sm_words(placed)
             if not 0 <= number < len(sync_managers):
-                words += f"{of}, which has {len(sync_managers)} SyncManagers"
+                words += f"{of or ' of the device'}, which has {counted(len(sync_managers), 'SyncManager')}"
                 yield Found(f"{words}: correct Sm", (*placed.place, "sm"))
             elif not may_transport(sync_managers[number], placed.direction):
                 yield Found(f"{words}{of}, which is {sync_managers[number].usage}: correct Sm", (*placed.place, "sm"))
@@ -230,6 +231,8 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
     if not _any_excludes(subject):
         return
     hosts = [] if isinstance(subject, ProcessSubject) else subject.hosts
+    if subject.misses_modules if isinstance(subject, ProcessSubject) else any(host.missing for host in hosts):
+        return
     modules = subject.modules if isinstance(subject, ProcessSubject) else [m for host in hosts for m in host.modules]
     known = {placed.pdo.pdo_index for owner in (subject, *hosts, *modules) for placed in owner.pdos}
     for placed in subject.pdos:
@@ -325,10 +328,10 @@ def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
         defaults = _each_once(
             entry.default_int
             for subindex, entry in sorted(entries.items())
-            if subindex and entry.default_int and (not count or subindex <= count)
+            if subindex and entry.default_int and (count is None or subindex <= count)
         )
         assigned = _each_once(placed.pdo.pdo_index for placed in image.pdos)
-        if defaults and defaults != assigned:
+        if (defaults or count == 0) and defaults != assigned:
             mode = listing.get(image.sm)
             what = f"the OpMode {mode.name!r}" if mode is not None else f"Sm={image.sm}"
             is_order = set(defaults) == set(assigned)
@@ -352,12 +355,22 @@ def _indices(indices: Iterable[int | None], in_order: bool) -> str:
 
 @rule("L66", WARNING, "ETG.2000 Pdo/@Mandatory: it must stay assigned, so it must be assigned")
 def mandatory_without_sync_manager(subject: ProcessSubject) -> Iterator[Found]:
-    """A mandatory PDO has no Sm."""
-    listed = listed_pdos(subject.data.op_modes)
+    """A mandatory PDO has no Sm, or excludes optional ones, which can then never be assigned."""
+    pdos = [placed.pdo for placed in subject.pdos if not placed.pdo.virtual]
+    assigned = {pdo.pdo_index for pdo in pdos if pdo.sm is not None}.union(listed_pdos(subject.data.op_modes))
+    optional = {pdo.pdo_index for pdo in pdos} - assigned
+    exclusions = symmetric_exclusions(pdos) if _any_excludes(subject) else {}
     for placed in subject.pdos:
         pdo = placed.pdo
-        if pdo.mandatory and pdo.sm is None and not pdo.virtual and pdo.pdo_index not in listed:
+        if not pdo.mandatory or pdo.virtual:
+            continue
+        words = _words(placed.direction, pdo.pdo_index)
+        excluded = [index for index in exclusions.get(pdo.pdo_index, ()) if index in optional]
+        if pdo.pdo_index in optional:
+            yield Found(f"{words} is Mandatory, but no Sm assigns it: give its Sm", placed.place)
+        elif excluded and pdo.sm is not None:
             yield Found(
-                f"{_words(placed.direction, pdo.pdo_index)} is Mandatory, but no Sm assigns it: give its Sm",
-                placed.place,
+                f"{words} is Mandatory and excludes {listed([f'0x{index:04X}' for index in excluded])}: "
+                "these can never be assigned; drop Mandatory",
+                (*placed.place, "mandatory"),
             )

@@ -31,9 +31,9 @@ def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
                     severity,
                 )
         for name, ident in (("Default", slot.default_ident), ("Fallback", slot.fallback_ident)):
-            if ident is not None and not any(
-                module.module_ident == ident and accepts(slot, module) for module in subject.module_records
-            ):
+            if ident is None or (subject.missing and ident not in idents):
+                continue
+            if not any(module.module_ident == ident and accepts(slot, module) for module in subject.module_records):
                 yield Found(f"{words} has {name} 0x{ident:X}, which is no module that fits it", place, WARNING)
         preset = [item for item in slot.module_idents if item.is_default]
         if len(preset) > 1:
@@ -52,11 +52,15 @@ def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
 
 @rule("L54", ERROR, "ETG.2000 Module Type/@ModuleIdent: what slots and 0xF030 refer to")
 def module_ident_twice(section: InfoSubject) -> Iterator[Found]:
-    """Two modules of a document have the same ModuleIdent."""
+    """Two modules of a document have the same ModuleIdent; of those with a ModuleClass, where a slot names it."""
+    named = {
+        item.module_ident for device in section.info.devices for slot in device.slots for item in slot.module_idents
+    }
     places: dict[int, list[int]] = defaultdict(list)
     for number, module in enumerate(section.info.modules):
-        if module.module_ident is not None and module.module_class is None:  # slots refer to others by their class
-            places[module.module_ident].append(number)
+        ident = module.module_ident
+        if ident is not None and (module.module_class is None or ident in named):
+            places[ident].append(number)
     for ident, numbers in places.items():
         for number in numbers[1:]:
             first, other = section.info.modules[numbers[0]], section.info.modules[number]
