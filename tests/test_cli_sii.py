@@ -7,6 +7,7 @@ import pytest
 from sii.by_hand import WHOLE
 from snippets import device, esi, only_device, pdo
 from test_cli import one_line_error, run
+from test_identify import SLAVES
 from test_search import catalog_of
 
 from esicatalog import Catalog
@@ -29,6 +30,16 @@ def test_what_is_no_image_is_one_line(tmp_path):
         line = one_line_error(run(*words, tmp_path / "short.bin"))
         assert line.startswith(f"esicatalog: {tmp_path / 'short.bin'}: no SII image: its length in bytes is 3;")
     assert "No such file" in one_line_error(run("sii", "decode", str(tmp_path / "missing.bin")))
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
+def test_a_text_is_no_image(tmp_path, encoding):
+    (tmp_path / "slaves.txt").write_bytes(("\x1b[1m" + SLAVES + "  Device name: 1 \u00b5s\r\n").encode(encoding))
+    for words in (("sii", "decode"), ("sii", "verify"), ("identify", "--sii"), ("export", "cstruct", "--sii")):
+        line = one_line_error(run(*words, tmp_path / "slaves.txt"))
+        begins = f"esicatalog: {tmp_path / 'slaves.txt'}: a text, no SII image; it begins with "
+        assert line.startswith(begins), line
+        assert "=== Master 0, Slave 0 ===" in line
 
 
 DEVICE = (
