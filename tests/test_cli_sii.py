@@ -7,6 +7,7 @@ import pytest
 from sii.by_hand import WHOLE
 from snippets import device, esi, only_device, pdo
 from test_cli import one_line_error, run
+from test_identify import SLAVES
 from test_search import catalog_of
 
 from esicatalog import Catalog
@@ -29,6 +30,16 @@ def test_what_is_no_image_is_one_line(tmp_path):
         line = one_line_error(run(*words, tmp_path / "short.bin"))
         assert line.startswith(f"esicatalog: {tmp_path / 'short.bin'}: no SII image: its length in bytes is 3;")
     assert "No such file" in one_line_error(run("sii", "decode", str(tmp_path / "missing.bin")))
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
+def test_a_text_is_no_image(tmp_path, encoding):
+    (tmp_path / "slaves.txt").write_bytes(("\x1b[1m" + SLAVES + "  Device name: 1 \u00b5s\r\n").encode(encoding))
+    for words in (("sii", "decode"), ("sii", "verify"), ("identify", "--sii"), ("export", "cstruct", "--sii")):
+        line = one_line_error(run(*words, tmp_path / "slaves.txt"))
+        begins = f"esicatalog: {tmp_path / 'slaves.txt'}: a text, no SII image; it begins with "
+        assert line.startswith(begins), line
+        assert "=== Master 0, Slave 0 ===" in line
 
 
 DEVICE = (
@@ -190,6 +201,45 @@ def test_general_flags_and_coe_details_count(tmp_path):
         True,
     )
     assert "CoE details" in run("sii", "verify", "--help").stdout
+
+
+BROKEN = [
+    (30, bytes(16), "category 30 (General): the image has 00 00"),
+    (30, bytes(34), "category 30 (General), bytes of no whole record: the image has 00 00"),
+    (41, bytes(10), "category 41 (SyncM), bytes of no whole record: the image has 00 00"),
+    # A PDO that announces 5 entries, of which one is there.
+    (
+        50,
+        bytes.fromhex("001a050300001100") + bytes(8),
+        "category 50 (TxPDO), bytes of no whole record: the image has 00 1a",
+    ),
+    (
+        51,
+        bytes.fromhex("0016050300001100") + bytes(8),
+        "category 51 (RxPDO), bytes of no whole record: the image has 00 16",
+    ),
+    (60, bytes(20), "category 60 (DC), bytes of no whole record: the image has 00 00"),
+]
+
+
+@pytest.mark.parametrize(("kind", "data", "words"), BROKEN)
+def test_a_category_that_a_master_cannot_read_is_a_difference_that_counts(tmp_path, kind, data, words):
+    """IgH refuses a General that is not 32 bytes, and lists whose records do not fill them."""
+    dump = dump_of(tmp_path, "")
+    image = dump.read_bytes()
+    head = kind.to_bytes(2, "little") + (len(data) // 2).to_bytes(2, "little")
+    dump.write_bytes(image[:128] + head + data + b"\xff\xff")
+    done = run("sii", "verify", dump, db=catalog_of(tmp_path, esi(device())))
+    assert done.exit_code == 1
+    assert any(line.startswith("  ! ") and words in line for line in done.stdout.splitlines()), done.stdout
+
+
+def test_a_category_that_no_master_reads_does_not_count(tmp_path):
+    dump = dump_of(tmp_path, "")
+    dump.write_bytes(dump.read_bytes()[:128] + bytes.fromhex("03000100aabb") + b"\xff\xff")
+    done = run("sii", "verify", dump, db=catalog_of(tmp_path, esi(device())))
+    lines = [line for line in done.stdout.splitlines() if "category 3 " in line]
+    assert (done.exit_code, lines[0].startswith("    other categories: ")) == (0, True)
 
 
 def test_an_image_in_the_description_that_is_none_is_not_that_of_the_user(tmp_path):

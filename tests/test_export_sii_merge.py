@@ -283,7 +283,7 @@ def test_bytes_and_texts_that_a_merge_loses_are_told():
     own = SyncManagers(rest=b"\1\2")
     dump = msgspec.structs.replace(computed(CONFIG), categories=(texts, computed(CONFIG).general, own))
     assert words(merge_image(computed(CONFIG), dump).changes) == [
-        ("other categories", "bytes of no whole record would be removed: 01 02"),
+        ("unreadable categories", "category 41 (SyncM), bytes of no whole record would be removed: 01 02"),
         ("texts", "texts that nothing names would be removed: 'calibrated'"),
     ]
 

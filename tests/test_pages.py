@@ -277,6 +277,10 @@ LOADED = bytes([*range(14), crc8(bytes(range(14))), 0]) + bytes(112)
         # A text for Windows would have no zeros, a bitmap without pixels no end mark.
         (b"BM" + bytes(200), "drop.bin: neither a scan nor an EEPROM image"),
         (b"hello", "drop.bin: no scan is recognised"),
+        *(
+            (filler * 256, f"drop.bin: neither a scan nor an EEPROM image (all bytes are 0x{words}: an empty EEPROM")
+            for filler, words in ((b"\0", "00"), (b"\xff", "FF"))
+        ),
         # What is an image by its beginning is told as one.
         (LOADED + b"BADC", "drop.bin: category 16706 at byte 0x80 runs past the end of the image"),
         (HEX_WITHOUT_END, "drop.bin: Intel HEX: no end record; the file is cut"),

@@ -45,8 +45,9 @@ def verify(file: Path, db: str, output_format: str) -> None:
     """Compare an EEPROM image with the catalogued description of its identity.
 
     Exit code 1 when they differ in what a master uses (identity, mailboxes, sync managers, FMMUs, PDOs, clocks, flags
-    and CoE details of General), when the check sum over the configuration words is wrong, which the device does not
-    start with, and when the identity is not described exactly. What the description does not say is no difference.
+    and CoE details of General, and what of these categories cannot be read), when the check sum over the configuration
+    words is wrong, which the device does not start with, and when the identity is not described exactly. What the
+    description does not say is no difference.
     """
     from esicatalog.api import Catalog
     from esicatalog.sii.files import read_sii

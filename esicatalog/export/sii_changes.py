@@ -11,6 +11,7 @@ from esicatalog.sii.encode import category_body
 from esicatalog.sii.files import FILLER
 from esicatalog.sii.image import (
     PADDING_BYTES,
+    Category,
     DistributedClocks,
     Fmmus,
     General,
@@ -89,7 +90,6 @@ _GENERAL: Labels = {
     "sysman_class": ("SysmanClass", 2),
     "reserved_15": ("byte 15", 2),
     "reserved_20": ("bytes 20 to 31", 0),
-    "rest": ("bytes from 32", 0),
 }
 _NAMES: Labels = {
     "order_string_number": ("order code", 0),
@@ -107,6 +107,10 @@ _BESIDE_GAP: Labels = {
     **_BESIDE_ENTRY,
 }
 _BESIDE_DC_MODE: Labels = {"reserved_20": (_RESERVED, 8)}
+UNREADABLE = "unreadable categories"
+_NO_RECORD = "bytes of no whole record"
+_CONFIGURING = (General, Fmmus, SyncManagers, TxPdos, RxPdos, DistributedClocks)
+"""The categories by which a master configures a device."""
 _FREE = bytes([FILLER])
 _STORED = {
     Strings.category_type: "order, padding or encoding of texts",
@@ -137,7 +141,8 @@ def image_changes(old: SiiImage, new: SiiImage) -> tuple[Change, ...]:
     """How ``new`` differs from ``old``, in the order of possible harm.
 
     PDI words come first, with which a device can become unreachable, then their check sum, identity, mailboxes,
-    SyncManagers, FMMUs, PDOs, OpModes, what General says, further words and categories, texts. Where nothing is found,
+    SyncManagers, FMMUs, PDOs, OpModes, what General says, what of these categories cannot be read, further words and
+    categories, texts. Where nothing is found,
     the images can still differ as :func:`stored_otherwise` says.
     """
     return tuple(Change(part, *differing) for part, compare in _PARTS for differing in compare(old, new))
@@ -287,20 +292,36 @@ def _dc_mode(mode: DcMode | None) -> str | None:
     )
 
 
+def _unreadable(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
+    for kind in _CONFIGURING:
+        title = category_title(kind.category_type)
+        for label, bytes_of in ((title, _raw_data), (f"{title}, {_NO_RECORD}", _of_no_record)):
+            yield from _differing(label, *(bytes_of(image, kind).hex(" ") or None for image in (old, new)))
+
+
+def _raw_data(image: SiiImage, kind: type[Category]) -> bytes:
+    return b"".join(item.data for item in image.of_type(RawCategory) if item.category_type == kind.category_type)
+
+
+def _of_no_record(image: SiiImage, kind: type[Category]) -> bytes:
+    """What follows the last whole record, which may be zeros too: masters refuse a size that does not fit."""
+    return b"".join(item.rest for item in image.of_type(kind) if not isinstance(item, Fmmus | RawCategory))
+
+
 def _raw_categories(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
-    before, after = (image.of_type(RawCategory) for image in (old, new))
+    configuring = {kind.category_type for kind in _CONFIGURING}
+    before, after = (
+        [item for item in image.of_type(RawCategory) if item.category_type not in configuring] for image in (old, new)
+    )
     for category_type in dict.fromkeys(item.category_type for item in (*before, *after)):
         data = (b"".join(item.data for item in part if item.category_type == category_type) for part in (before, after))
         yield from _differing(category_title(category_type), *(part.hex(" ") or None for part in data))
-    for label, bytes_of in (("bytes of no whole record", _of_no_record), ("further General categories", _generals)):
+    for label, bytes_of in ((_NO_RECORD, _behind_texts), ("further General categories", _generals)):
         yield from _differing(label, *(bytes_of(image).hex(" ") or None for image in (old, new)))
 
 
-def _of_no_record(image: SiiImage) -> bytes:
-    kinds = (SyncManagers, TxPdos, RxPdos, DistributedClocks)
-    behind_texts = (table.rest for table in image.of_type(Strings) if len(table.rest) > PADDING_BYTES)
-    rests = (category.rest for category in image.categories if isinstance(category, kinds))
-    return b"".join((*behind_texts, *rests))
+def _behind_texts(image: SiiImage) -> bytes:
+    return b"".join(table.rest for table in image.of_type(Strings) if len(table.rest) > PADDING_BYTES)
 
 
 def _generals(image: SiiImage) -> bytes:
@@ -359,6 +380,7 @@ _PARTS: tuple[tuple[str, Compare], ...] = (
     ("PDOs", _pdos),
     ("OpModes", _dc_modes),
     ("General", _fields(_general_of, _GENERAL)),
+    (UNREADABLE, _unreadable),
     ("other words", _fields(lambda image: image.header, _OTHER_WORDS)),
     ("other categories", _raw_categories),
     ("texts", _texts),

@@ -10,7 +10,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.device import SyncManager as EsiSyncManager
 from esicatalog.export.sii import described_image, op_modes_of_image
-from esicatalog.export.sii_changes import CHECK_SUM, NOT_CONFIGURED, Change, image_changes
+from esicatalog.export.sii_changes import CHECK_SUM, NOT_CONFIGURED, UNREADABLE, Change, image_changes
 from esicatalog.export.sii_header import configuration_bytes, whole_image
 from esicatalog.export.sii_merge import merged_general, merged_header
 from esicatalog.export.subject import Subject
@@ -24,7 +24,7 @@ from esicatalog.sii.words import AssignActivate, SmEnable
 _OWN = {"serial number", "station alias", CHECK_SUM}
 """What is the device's own and in no description, and the check sum over it, which is held against the image itself."""
 _REFUSED = "wrong: a slave controller refuses the configuration words"
-_USED_PARTS = {"identity", "mailboxes", "SyncManagers", "FMMUs", "PDOs", "OpModes"}
+_USED_PARTS = {"identity", "mailboxes", "SyncManagers", "FMMUs", "PDOs", "OpModes", UNREADABLE}
 _USED_OF_GENERAL = {"flags", "CoE"}
 _STORED_AS = {"start_address": "start_address", "default_size": "length_bytes", "control_byte": "control_byte"}
 """Attributes of Sm whose value an image stores, by the field that it has there; Enable is one bit of its field."""
@@ -104,7 +104,7 @@ def _described(subject: Subject, image: SiiImage) -> SiiImage:
 def _category(category: Category, device: Device, image: SiiImage) -> Category:
     match category:
         case General() if image.general is not None:
-            return merged_general(category, image.general)
+            return msgspec.structs.replace(merged_general(category, image.general), rest=category.rest)
         case SyncManagers():
             said = zip(category.sync_managers, device.sync_managers, strict=True)
             stored = (_sync_manager(*item, own) for item, own in zip(said, _padded(image.sync_managers), strict=False))

@@ -2,6 +2,7 @@
 
 import re
 
+from esicatalog.scan.text import decode_text, quoted
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.image import MAX_IMAGE_BYTES, SiiImage
@@ -9,6 +10,9 @@ from esicatalog.sii.image import MAX_IMAGE_BYTES, SiiImage
 FILLER = 0xFF
 """What an erased EEPROM reads, for addresses that an Intel HEX file leaves out."""
 
+_NOT_DECODED = "\ufffd"
+_MARKS = "\ufeff\x1b"
+"""The mark of an encoding, and what begins the colours of a terminal."""
 # A raw image starts with the PDI control word, and there is no PDI type 0x3A (":").
 _INTEL_HEX = re.compile(rb":|(?:\xef\xbb\xbf)?\s*:[0-9A-Fa-f]{8}")
 _RECORD = re.compile(r":((?:[0-9A-Fa-f]{2}){5,})")
@@ -30,14 +34,28 @@ def read_sii(data: bytes) -> SiiImage:
 def image_bytes(data: bytes) -> bytes:
     """The image in the bytes of a file, raw or Intel HEX by content.
 
-    Raises :class:`SiiImageError` for a broken Intel HEX file, with its line.
+    Raises :class:`SiiImageError` for a broken Intel HEX file, with its line, and for any other text.
     """
-    return _intel_hex(data) if is_intel_hex(data) else data
+    if is_intel_hex(data):
+        return _intel_hex(data)
+    _check_is_no_text(data)
+    return data
 
 
 def is_intel_hex(data: bytes) -> bool:
     """Whether the bytes of a file are Intel HEX; editors put a byte order mark or blank lines before it."""
     return _INTEL_HEX.match(data) is not None
+
+
+def _check_is_no_text(data: bytes) -> None:
+    """An image holds zeros and other bytes that no text has; read as categories a text gives errors without sense."""
+    text = decode_text(data[:MAX_IMAGE_BYTES])
+    if text and _NOT_DECODED not in text and all(map(_is_of_text, set(text))):
+        raise SiiImageError(f"a text, no SII image; it begins with {quoted(text)}")
+
+
+def _is_of_text(character: str) -> bool:
+    return character.isprintable() or character.isspace() or character in _MARKS
 
 
 def _intel_hex(data: bytes) -> bytes:

@@ -11,7 +11,7 @@ from esicatalog.scan.text import decode_text, is_utf16
 from esicatalog.sii.checksum import is_loaded
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
-from esicatalog.sii.files import image_bytes, is_intel_hex
+from esicatalog.sii.files import FILLER, image_bytes, is_intel_hex
 from esicatalog.sii.image import SiiImage
 from esicatalog.sii.records import HEADER
 from esicatalog.sii.text import sheet_lines
@@ -54,8 +54,9 @@ def _answer(content: bytes, catalog: Catalog) -> dict[str, Any]:
 
 
 def _looks_like_image(content: bytes) -> bool:
-    """Scans are text; an image holds zeros, or is Intel HEX."""
-    return not is_utf16(content) and (b"\0" in content or is_intel_hex(content))
+    """Scans are text; an image holds zeros, or is Intel HEX, and an erased EEPROM holds nothing but 0xFF."""
+    is_erased = bool(content) and not content.strip(bytes([FILLER]))
+    return not is_utf16(content) and (b"\0" in content or is_erased or is_intel_hex(content))
 
 
 def _read_image(content: bytes) -> SiiImage:
