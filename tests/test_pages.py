@@ -845,7 +845,19 @@ async def test_a_coupler_has_no_process_data(tmp_path):
         (await web.post("/-/esi/scan", data={"scan": "vendor,product,revision\n0xe5c,1,1\n"})).text
     )
     assert [texts(scanned, f"table.slaves td:nth-child({place})") for place in (8, 9)] == [["0"], ["0"]]
-    assert "sizes unknown of" not in texts(scanned, "dl.facts dt")
+    at_bus = dict(zip(texts(scanned, "dl.facts dt"), texts(scanned, "dl.facts dd"), strict=True))
+    assert at_bus["process data"] == "0 bytes out, 0 bytes in"
+
+
+async def test_the_page_says_of_a_bus_what_the_command_says(data_db, tmp_path):
+    """Two terminals of one byte each way; nothing is known of the third slave."""
+    (tmp_path / "slaves.txt").write_text(SLAVES)
+    lines = run("identify", "--slaves", str(tmp_path / "slaves.txt"), db=data_db).stdout.partition("Summary\n")[2]
+    answer = await (await client(data_db)).post("/-/esi/scan", data={"scan": SLAVES})
+    tree = html.fromstring(answer.text)
+    shown = list(zip(texts(tree, "dl.facts dt"), texts(tree, "dl.facts dd"), strict=True))
+    assert lines.splitlines() == [f"  {name:15}  {words}" for name, words in shown]
+    assert ("process data", "2 bytes out, 2 bytes in; unknown of slave 2") in shown
 
 
 async def test_entries_without_codes_come_last(tmp_path):

@@ -14,6 +14,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import NO_REVISION
 from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, as_listed, look_at_bus
+from esicatalog.model.counting import counted
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.scan_compare import compare_scanned_objects, compare_scanned_pdos
@@ -113,17 +114,35 @@ class BusReport(NamedTuple):
         return tuple(item.slave.position for item in self.slaves if not item.identification.is_exact)
 
 
-def slave_words(positions: Sequence[int]) -> str:
+def bus_facts(bus: BusReport) -> list[tuple[str, str]]:
+    """What is to be known of a bus as a whole: names of facts and their words, those that there are."""
+    summary = bus.summary
+    unknown = f"; unknown of {_slave_words(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
+    sizes = f"{counted(summary.output_bytes, 'byte')} out, {counted(summary.input_bytes, 'byte')} in"
+    facts = [
+        ("slaves", f"{len(bus.slaves)}, {len(bus.slaves) - len(bus.not_exact_at)} with exact ESI"),
+        ("no exact ESI", _slave_words(bus.not_exact_at)),
+        ("process data", sizes + unknown),
+        ("reference clock", _reference_clock_words(bus)),
+        ("no LRW", _slave_words(summary.no_lrw_at)),
+        ("E-bus exceeded", _slave_words(summary.e_bus_exceeded_at)),
+        ("E-bus unknown", _slave_words(summary.e_bus_unknown_at)),
+        ("same alias", _alias_words(summary.duplicate_aliases)),
+    ]
+    return [(name, words) for name, words in facts if words]
+
+
+def _slave_words(positions: Sequence[int]) -> str:
     """Ring positions in words; empty without any."""
     return f"slave {', '.join(map(str, positions))}" if positions else ""
 
 
-def alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:
+def _alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:
     """Aliases that several slaves share, in words."""
-    return "; ".join(f"{alias}: {slave_words(positions)}" for alias, positions in duplicates.items())
+    return "; ".join(f"{alias}: {_slave_words(positions)}" for alias, positions in duplicates.items())
 
 
-def reference_clock_words(bus: BusReport) -> str:
+def _reference_clock_words(bus: BusReport) -> str:
     """Which slave can be the reference clock, and of which ones before it nothing is known or described."""
     summary = bus.summary
     clock, unknown = summary.reference_clock_candidate, summary.clock_unknown_at
@@ -141,7 +160,7 @@ def reference_clock_words(bus: BusReport) -> str:
         "nothing is known of {}": [position for position in unknown if position not in described],
         f"of {{}} {says} nothing of clocks": silent,
     }
-    return "; ".join([*known, *(text.format(slave_words(at)) for text, at in words.items() if at)])
+    return "; ".join([*known, *(text.format(_slave_words(at)) for text, at in words.items() if at)])
 
 
 _Listed = tuple[ScannedSlave, tuple[ScanFinding, ...]]

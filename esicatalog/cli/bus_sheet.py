@@ -2,9 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
-from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, reference_clock_words, slave_words
+from esicatalog.catalog.bus import BusReport, IdentifiedSlave, bus_facts
 from esicatalog.cli.common import table_lines
-from esicatalog.model.counting import counted
 
 _HEAD = ("pos", "alias", "identity", "ESI", "device", "revision", "E-bus left", "out", "in", "source")
 
@@ -51,24 +50,7 @@ def _notes(slaves: Sequence[IdentifiedSlave]) -> Iterator[str]:
 
 
 def _summary(bus: BusReport) -> Iterator[str]:
-    summary = bus.summary
-    known = len(bus.slaves) - len(bus.not_exact_at)
-    unknown = f"; unknown of {slave_words(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
-    facts = [
-        ("slaves", f"{len(bus.slaves)}, {known} with exact ESI"),
-        ("without", slave_words(bus.not_exact_at)),
-        (
-            "process data",
-            f"{counted(summary.output_bytes, 'byte')} out, {counted(summary.input_bytes, 'byte')} in{unknown}",
-        ),
-        ("reference clock", reference_clock_words(bus)),
-        ("no LRW", slave_words(summary.no_lrw_at)),
-        ("E-bus exceeded", slave_words(summary.e_bus_exceeded_at)),
-        ("E-bus unknown", slave_words(summary.e_bus_unknown_at)),
-        ("same alias", alias_words(summary.duplicate_aliases)),
-    ]
     yield ""
     yield "Summary"
-    for name, words in facts:
-        if words:
-            yield f"  {name:15}  {words}"
+    for name, words in bus_facts(bus):
+        yield f"  {name:15}  {words}"

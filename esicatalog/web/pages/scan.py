@@ -4,7 +4,7 @@ import asyncio
 from typing import Any
 
 from esicatalog.api import Catalog
-from esicatalog.catalog.bus import BusReport, IdentifiedSlave, alias_words, reference_clock_words, slave_words
+from esicatalog.catalog.bus import BusReport, IdentifiedSlave, bus_facts
 from esicatalog.errors import EsiCatalogError, InputError
 from esicatalog.parameters import check_names
 from esicatalog.scan.text import decode_text, is_utf16
@@ -93,21 +93,10 @@ def _image(content: bytes, catalog: Catalog) -> dict[str, Any]:
 
 
 def _bus(bus: BusReport) -> dict[str, Any]:
-    summary = bus.summary
-    facts = [
-        ("with exact ESI", f"{len(bus.slaves) - len(bus.not_exact_at)} of {len(bus.slaves)}"),
-        ("process data", f"{summary.output_bytes} bytes out, {summary.input_bytes} bytes in"),
-        ("sizes unknown of", slave_words(summary.bytes_unknown_at)),
-        ("reference clock", reference_clock_words(bus)),
-        ("no LRW", slave_words(summary.no_lrw_at)),
-        ("E-bus supply exceeded at", slave_words(summary.e_bus_exceeded_at)),
-        ("E-bus current unknown of", slave_words(summary.e_bus_unknown_at)),
-        ("same alias", alias_words(summary.duplicate_aliases)),
-    ]
     return {
         "title": bus.title,
         "slaves": [_slave(item) for item in bus.slaves],
-        "summary": [(name, words) for name, words in facts if words],
+        "summary": bus_facts(bus),
     }
 
 
