@@ -30,7 +30,7 @@ test: install lint
 
 # The web pages and routes once more, on the coming line of Datasette, which would close after each test what it made.
 test-datasette-1: $(VENV)-datasette-1/installed
-	$(VENV)-datasette-1/bin/python -m pytest -n auto --dist loadfile -m 'not corpus and not faults' -o datasette_autoclose=false tests/test_server.py tests/test_datasette.py tests/test_identify.py tests/test_addresses.py tests/test_canned_queries.py tests/test_pages.py tests/test_browser.py tests/test_mcp.py tests/test_drawings.py tests/test_snapshot.py
+	$(VENV)-datasette-1/bin/python -m pytest -n auto --dist loadfile -m 'datasette and not corpus and not faults' -o datasette_autoclose=false
 
 $(VENV)-datasette-1/installed: pyproject.toml
 	$(PYTHON) -m venv $(VENV)-datasette-1

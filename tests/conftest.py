@@ -21,11 +21,23 @@ SAMPLE_ARCHIVES = ("hpmicro+hpm_sdk.zip", "AIMEtherCAT+EcatV2_AX58100_H750_Unive
 """Small archives of the corpus: modules, a document that needs recovery, plain drives."""
 
 
+_APPLICATIONS = {"web_client", "esicatalog.web.app"}
+"""Where tests have an application of Datasette from."""
+
 # Looking for cycles as often as Python does takes a tenth of the time of all tests.
 gc.set_threshold(20_000, 20, 10)
 
 settings.register_profile("on any machine", deadline=None)
 settings.load_profile("on any machine")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark what answers through Datasette: ``make test-datasette-1`` runs that on the coming line of it."""
+    for item in items:
+        names = vars(item.module)
+        sources = {getattr(value, "__module__", None) for value in names.values()}
+        if "served" in item.fixturenames or "serving" in names or sources & _APPLICATIONS:
+            item.add_marker("datasette")
 
 
 @pytest.fixture(scope="session")
@@ -82,9 +94,11 @@ def serving(db: Path) -> Iterator[str]:
     command = [sys.executable, "-m", "esicatalog", "serve", "--db", str(db), "--port", "0"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     assert process.stdout is not None
-    yield process.stdout.readline().strip().removesuffix("/catalog")
-    process.terminate()
-    process.wait()
+    try:
+        yield process.stdout.readline().strip().removesuffix("/catalog")
+    finally:
+        process.terminate()
+        process.wait()
 
 
 @pytest.fixture(scope="session")

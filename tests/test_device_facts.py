@@ -14,7 +14,7 @@ from snippets import (
 
 from esicatalog.model.derivation import derive
 from esicatalog.model.pdo_facts import pdo_facts
-from esicatalog.model.process_image import NamedAssignment, alternative_assignments
+from esicatalog.model.predefined_assignments import PredefinedAssignment, predefined_assignments
 from esicatalog.model.sync import default_position
 
 OUTPUTS = "<Sm>Outputs</Sm>"
@@ -214,7 +214,7 @@ def test_a_fault_in_the_text_of_a_vendor_hides_nothing_beside_it(fault):
     found = only_device(esi(device(faulty_vendor_texts(fault))))
     assert derive(found).facts.min_cycle_ns == 5_000
     assert default_position(found.op_modes) == 1
-    assert alternative_assignments(found) == [NamedAssignment("A", False, {0: (0x1600,)})]
+    assert predefined_assignments(found) == [PredefinedAssignment("A", False, {0: (0x1600,)})]
 
 
 def test_samples_of_an_op_mode_that_newer_tools_ignore_do_not_count():

@@ -288,12 +288,25 @@ def test_a_locked_database_is_waited_for_and_then_named(tmp_path, whole, library
     assert_consistent(db)
 
 
+def has_open(process: subprocess.Popen[str], file: Path) -> bool:
+    """Whether a process has a file open; what it closes meanwhile it has not."""
+    for entry in Path(f"/proc/{process.pid}/fd").iterdir():
+        with suppress(OSError):
+            if entry.readlink() == file:
+                return True
+    return False
+
+
 def test_a_lock_that_is_given_back_is_no_obstacle(tmp_path, whole):
     db = Path(shutil.copy(whole, tmp_path / "c.db"))
     with closing(sqlite3.connect(db)) as connection:
         connection.execute("BEGIN EXCLUSIVE")
         process = started(sys.executable, "-m", "esicatalog", "devices", "--limit", "1", "--db", str(db))
-        time.sleep(1.5)
+        while not has_open(process, db):
+            assert process.poll() is None
+            time.sleep(0.01)
+        time.sleep(0.2)  # from opening to asking for a lock
+        assert process.poll() is None
         connection.rollback()
         process.communicate()
     assert process.returncode == 0

@@ -12,7 +12,7 @@ from esicatalog.esi.lines import Lines
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.tree import DocumentTree
-from esicatalog.lint.library import device_facts, lint_library
+from esicatalog.lint.library import facts_of_document, lint_library
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.registry import SEVERITY_WORDS
 from esicatalog.lint.rules import ALL_RULES
@@ -28,7 +28,7 @@ def check(content: bytes, linter: Linter) -> list[Finding]:
     findings = linter.document(
         read, lambda: DocumentTree(parse_document(content).root, Lines(content)), lambda _: False
     )
-    facts = list(device_facts(read, "a.xml", lambda device, modules, vendor_id: repr(device.type).encode()))
+    facts = list(facts_of_document(read, "a.xml", lambda device, modules, vendor_id: repr(device.type).encode()))
     findings += [item.finding for item in lint_library([*facts, *facts], ALL_RULES)]
     lines = content.count(b"\n") + 1
     for finding in findings:

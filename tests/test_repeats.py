@@ -9,6 +9,7 @@ from lxml import etree
 from snippets import device, dictionary, esi
 
 from esicatalog.errors import EsiCatalogError
+from esicatalog.esi import repeats
 from esicatalog.esi.documents import make_parser
 from esicatalog.esi.reader import ReadDocument, Reader
 from esicatalog.esi.repeats import Repeats
@@ -259,19 +260,11 @@ def test_prefixed_names_depend_on_where_they_stand(monkeypatch):
 
 
 def test_a_full_memory_starts_anew(monkeypatch):
-    monkeypatch.setattr(Reader, "__init__", _small_reader)
+    monkeypatch.setattr(repeats, "_CAPACITY_BYTES", 300)
     reader = Reader()
     contents = [twice(TYPE, OBJECT.replace("#x1000", f"#x{number:x}")).encode() for number in range(8)]
     for content in contents * 2:
         assert reader.read(content) == plain(content, monkeypatch)
-
-
-_init = Reader.__init__
-
-
-def _small_reader(self: Reader) -> None:
-    _init(self)
-    self._repeats._capacity_bytes = 300
 
 
 PIECES = st.sampled_from(

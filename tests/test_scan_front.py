@@ -1,6 +1,9 @@
 """Recognition by content, clear errors, and texts that try to break the readers."""
 
-import time
+import contextlib
+import signal
+from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -108,6 +111,23 @@ def test_broken_bytes_are_kept_in_names():
 
 
 MANY = 3_000_000
+"""Read in a second or less; in hours, if the time grew with the square of the length."""
+
+
+@contextlib.contextmanager
+def ending(cpu_seconds: int = 60) -> Iterator[None]:
+    """Fails when the block takes so much of a processor, however busy the machine is; expressions are interrupted."""
+
+    def give_up(*_: Any) -> None:
+        raise AssertionError(f"not read within {cpu_seconds} s of a processor")
+
+    before = signal.signal(signal.SIGVTALRM, give_up)
+    signal.setitimer(signal.ITIMER_VIRTUAL, cpu_seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        signal.signal(signal.SIGVTALRM, before)
 
 
 @pytest.mark.parametrize(
@@ -130,19 +150,15 @@ MANY = 3_000_000
     ],
     ids=lambda text: ascii(text[:20].strip()),
 )
-def test_long_lines_take_bounded_time(text):
-    began = time.perf_counter()
+def test_the_time_for_a_long_line_does_not_grow_with_its_square(text):
     for read in (read_scan, read_pdos, read_sdos):
-        try:
+        with ending(), contextlib.suppress(ScanError):
             read(text)
-        except ScanError:
-            continue
-    assert time.perf_counter() - began < 5
 
 
 def test_ten_megabytes_of_garbage_below_a_heading():
-    began = time.perf_counter()
-    scan = read_scan("=== Slave 0 ===\n" + ("Group 0:=S\t,abc " * 20 + "\n") * 31_000)
+    text = "=== Slave 0 ===\n" + ("Group 0:=S\t,abc " * 20 + "\n") * 31_000
+    with ending():
+        scan = read_scan(text)
     assert len(scan.slaves) == 1
     assert len(scan.findings) == 2
-    assert time.perf_counter() - began < 10

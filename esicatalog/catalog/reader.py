@@ -40,7 +40,7 @@ class RecordReader:
         self._type_sets: dict[int, list[int]] = {}
 
     def device(self, device_id: int, source_id: int | None = None) -> Device:
-        """One description; with ``source_id`` in the group that this document puts it in."""
+        """One description; with ``source_id``, as tests ask, in the group that this document puts it in."""
         device = next(iter(self.devices([device_id])))
         if source_id is None:
             return device

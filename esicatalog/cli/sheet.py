@@ -16,7 +16,8 @@ from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
-from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
+from esicatalog.model.predefined_assignments import predefined_assignments
+from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals, is_superseded
@@ -59,7 +60,7 @@ def _assignments(description: DeviceDescription) -> Iterator[str]:
             item.name,
             "; ".join(f"SM{sm}: {' '.join(map(_hex, indices)) or 'none'}" for sm, indices in item.pdo_indices.items()),
         ]
-        for item in alternative_assignments(description.device)
+        for item in predefined_assignments(description.device)
     ]
     yield from _section("Predefined PDO assignments (* = default)", ("", "name", "PDOs"), rows)
 

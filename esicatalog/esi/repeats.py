@@ -34,6 +34,8 @@ _ASCII = b"us-ascii"
 _UTF_8 = (b"", b"utf-8", b"utf8")
 _ASCII_BASED = re.compile(rb"(us-ascii|utf-?8|iso-?8859-\d+|windows-125\d)?")
 _LONGEST_HEAD = 10_000
+_CAPACITY_BYTES = 64_000_000
+"""Of the words that are remembered."""
 _SECTIONS = ((b"<!--", b"-->"), (b"<![CDATA[", b"]]>"))
 _LEADING = re.compile(rb"(?:[ \t\r\n]+|<!--.{0,1000}?-->)*", re.DOTALL)
 """Comments have a bounded length: none is sought for to the end of the document again and again."""
@@ -358,9 +360,8 @@ class Repeats:
     ``read`` gives the record of an element that needs no parsing.
     """
 
-    def __init__(self, record_types: Iterable[type], read: _Read, capacity_bytes: int = 64_000_000) -> None:
+    def __init__(self, record_types: Iterable[type], read: _Read) -> None:
         self._memory = _Memory(record_types, read)
-        self._capacity_bytes = capacity_bytes
         self._document_count = 0
 
     def cut(self, content: bytes) -> Cut | None:
@@ -368,7 +369,7 @@ class Repeats:
         encoding = _encoding(content) if len(content) <= MAX_DOCUMENT_BYTES else None
         if encoding is None:
             return None
-        if self._memory.held_bytes > self._capacity_bytes:
+        if self._memory.held_bytes > _CAPACITY_BYTES:
             self._memory.forget()
         self._document_count += 1
         cut = Cut(content, encoding, self._document_count, self._memory)

@@ -27,7 +27,10 @@ def c_bytes(data: bytes) -> str:
 
 
 def wrapped(lines: Iterable[str], width: int = 116) -> list[str]:
-    """The lines, each broken at blanks where it is longer than ``width``; what is broken off is indented."""
+    """The lines, each broken at blanks where it is longer than ``width``; what is broken off is indented.
+
+    Tests take narrow lines; files have those of the default.
+    """
     result = []
     for line in lines:
         rest, indent = line, _indent(line)

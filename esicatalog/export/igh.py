@@ -8,7 +8,7 @@ from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines
 from esicatalog.export.igh_device import DeviceCode, device_code
 from esicatalog.export.igh_limits import lrw_remarks
-from esicatalog.export.igh_startup import command_remarks, register_remarks, timeout_remarks
+from esicatalog.export.igh_startup import register_remarks, timeout_remarks, unsendable_remarks
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.model.counting import counted
@@ -76,7 +76,7 @@ def _heading_lines(configuration: Configuration) -> Iterator[str]:
         *configuration.copy_remarks,
         *timeout_remarks(device),
         *register_remarks(device, "IgH"),
-        *command_remarks(configuration),
+        *unsendable_remarks(configuration),
         *lrw_remarks(device, "register its outputs in one domain and its inputs in another"),
     )
     return heading_lines(configuration._replace(remarks=remarks), TARGET)

@@ -17,7 +17,7 @@ from esicatalog.export.esc_registers import (
     settable,
 )
 from esicatalog.export.igh_limits import master_written
-from esicatalog.export.init_cmds import LaterCommands, StartCommand, by_transition
+from esicatalog.export.init_cmds import LaterCommands, SentCommand, StartCommand, by_transition
 from esicatalog.export.unread_remarks import unread_remark
 from esicatalog.model.access import PREOP, SAFEOP
 from esicatalog.model.start_up import BEFORE_SAFE_OP, SENT_IN
@@ -36,14 +36,6 @@ _OFF_BEAT = (
     "The master looks for the first SYNC0 in steps of SYNC0 cycle + SYNC1 delay, which is no multiple of the bus cycle "
     "here: measure where SYNC0 lies in the cycle."
 )
-
-
-class SentCommand(NamedTuple):
-    """A command with the call that sends ``data``; without a call it stands there as a comment only."""
-
-    words: str
-    call: str | None = None
-    data: str = ""
 
 
 class StateTimeout(NamedTuple):
@@ -131,7 +123,7 @@ def _unsendable(command: StartCommand) -> str | None:
     return None
 
 
-def command_remarks(configuration: Configuration) -> Iterator[str]:
+def unsendable_remarks(configuration: Configuration) -> Iterator[str]:
     """Commands that neither the master nor the application sends, but for those on PDOs that the master writes."""
     written = master_written(configuration)
     for command in configuration.commands:

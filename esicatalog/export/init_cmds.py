@@ -61,6 +61,14 @@ class StartCommand(NamedTuple):
         return f"{self.transition} {self.place} {self.comment}".rstrip()
 
 
+class SentCommand(NamedTuple):
+    """A command with the C call that sends ``data``; without a call it stands there as a comment only."""
+
+    words: str
+    call: str | None = None
+    data: str = ""
+
+
 Sent = TypeVar("Sent")
 
 

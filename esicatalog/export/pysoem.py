@@ -61,7 +61,7 @@ class ImageClass(NamedTuple):
     properties: tuple[BitProperty, ...]
 
 
-class SentCommand(NamedTuple):
+class CommandStatement(NamedTuple):
     """A command as a Python statement; None where pysoem has no call for it."""
 
     words: str
@@ -83,7 +83,7 @@ def pysoem_module(configuration: Configuration) -> str:
     maps = [io_map(configuration, direction) for direction in (OUTPUT, INPUT)]
     remarks = [*configuration.remarks, *configuration.copy_remarks]
     remarks += [remark for layout in maps for remark in (*layout.remarks, *_sharing(layout))]
-    remarks += register_remarks(configuration, "pysoem")
+    remarks += register_remarks(configuration.subject.device, "pysoem")
     remarks += command_remarks(configuration, "pysoem")
     remarks += [
         f"{command.transition} {command.place} is left out: pysoem has no call for SoE"
@@ -163,8 +163,8 @@ def _property(name: str, entry: MappedEntry) -> BitProperty:
     return BitProperty(name, _entry_words(entry), reading, writing, entry.bit_offset, entry.bit_length)
 
 
-def _sent(command: StartCommand | RegisterWrite) -> SentCommand:
-    return SentCommand(comment_text(command.words), _statement(command))
+def _sent(command: StartCommand | RegisterWrite) -> CommandStatement:
+    return CommandStatement(comment_text(command.words), _statement(command))
 
 
 def _statement(command: StartCommand | RegisterWrite) -> str | None:

@@ -6,7 +6,7 @@ from esicatalog.export.c_clocks import clock_code
 from esicatalog.export.c_text import c_bytes, comment_text, wrapped
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines
-from esicatalog.export.init_cmds import StartCommand, by_transition
+from esicatalog.export.init_cmds import SentCommand, StartCommand, by_transition
 from esicatalog.export.rendering import render
 from esicatalog.export.soem_image import image_code
 from esicatalog.export.soem_startup import (
@@ -61,14 +61,6 @@ _APIS = {
 }
 
 
-class SentCommand(NamedTuple):
-    """A command with the call that sends ``data``."""
-
-    words: str
-    call: str
-    data: str
-
-
 class ClockCalls(NamedTuple):
     """How SOEM can set the clocks."""
 
@@ -85,7 +77,7 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
     remarks = (
         *configuration.remarks,
         *configuration.copy_remarks,
-        *register_remarks(configuration, "SOEM"),
+        *register_remarks(configuration.subject.device, "SOEM"),
         *command_remarks(configuration, "SOEM"),
         *(remark for image in images for remark in image.remarks),
     )

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from esicatalog.esi.records.device import Device
 from esicatalog.export.clocks import Clocks
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import (
@@ -52,7 +53,7 @@ def hook_commands(configuration: Configuration) -> Iterator[StartCommand | Regis
             command.writes_pdo_configuration and command.object_index in written
         ):
             yield command
-    yield from _watchdogs(configuration)
+    yield from _watchdogs(configuration.subject.device)
     yield from own
 
 
@@ -99,18 +100,18 @@ def soem_clocks(found: Clocks) -> SoemClocks:
     return SoemClocks(has_sync0, has_both, written)
 
 
-def _watchdogs(configuration: Configuration) -> Iterator[RegisterWrite]:
-    for item in _watchdog_registers(configuration):
+def _watchdogs(device: Device) -> Iterator[RegisterWrite]:
+    for item in _watchdog_registers(device):
         yield RegisterWrite(item.register, item.value.to_bytes(2, "little"), item.words)
 
 
-def _watchdog_registers(configuration: Configuration) -> tuple[EscRegister, ...]:
-    return settable(configuration.subject.device, (WATCHDOG_DIVIDER, PDI_WATCHDOG, PROCESS_DATA_WATCHDOG))
+def _watchdog_registers(device: Device) -> tuple[EscRegister, ...]:
+    return settable(device, (WATCHDOG_DIVIDER, PDI_WATCHDOG, PROCESS_DATA_WATCHDOG))
 
 
-def register_remarks(configuration: Configuration, program: str) -> Iterator[str]:
+def register_remarks(device: Device, program: str) -> Iterator[str]:
     """Registers that the hook does not write."""
-    return left_out(configuration.subject.device, program, _watchdog_registers(configuration))
+    return left_out(device, program, _watchdog_registers(device))
 
 
 def _pdo_configuration(configuration: Configuration) -> Iterator[StartCommand]:

@@ -30,7 +30,10 @@ def read_here(tasks: Sequence[Task]) -> Iterator[Outcome]:
 
 
 class Pool:
-    """Reads documents in worker processes; :meth:`outcomes` gives them in the order in which they are ready."""
+    """Reads documents in worker processes; :meth:`outcomes` gives them in the order in which they are ready.
+
+    ``deadline_seconds`` is the longest time for a document; tests do not wait as long as an ingest.
+    """
 
     def __init__(self, tasks: Sequence[Task], jobs: int, deadline_seconds: float = DEADLINE_SECONDS) -> None:
         self._tasks = {_place(task): task for task in tasks}

@@ -76,18 +76,10 @@ class Dictionaries:
         """One entry."""
         return (self.entries(index) or {}).get(subindex)
 
-    def default(self, index: int, subindex: int = 0) -> int | None:
-        """The default of an entry as a number."""
-        entry = self.entry(index, subindex)
+    def default(self, index: int) -> int | None:
+        """The default of an object that is a single value, as a number."""
+        entry = self.entry(index, 0)
         return entry.default_int if entry is not None else None
-
-    def place(self, profiles: Sequence[Any], index: int) -> Place:
-        """Where an object stands below its owner; the owner itself when it stands in another document."""
-        for number, profile in enumerate(profiles):
-            for position, declared in enumerate(profile.dictionary.objects if profile.dictionary is not None else ()):
-                if declared.object_index == index:
-                    return ("profiles", number, "dictionary", "objects", position)
-        return ()
 
 
 def declared_pdos(record: Device | Module | ProcessData) -> list[DeclaredPdo]:
@@ -123,8 +115,12 @@ class Owner:
         return self.record.mailbox.coe_init_cmds if self.record.mailbox is not None else ()
 
     def object_place(self, index: int) -> Place:
-        """Where an object of its own dictionaries stands."""
-        return self.own.place(self.record.profiles, index)
+        """Where an object of its own dictionaries stands; the owner itself when it stands in another document."""
+        for number, profile in enumerate(self.record.profiles):
+            for position, declared in enumerate(profile.dictionary.objects if profile.dictionary is not None else ()):
+                if declared.object_index == index:
+                    return ("profiles", number, "dictionary", "objects", position)
+        return ()
 
 
 class DeviceSubject(Owner):

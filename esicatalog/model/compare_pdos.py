@@ -41,7 +41,7 @@ from esicatalog.model.pdo_facts import (
     mapped_words,
     symmetric_exclusions,
 )
-from esicatalog.model.process_image import NamedAssignment, alternative_assignments
+from esicatalog.model.predefined_assignments import PredefinedAssignment, predefined_assignments
 
 
 def type_words(name: str | None) -> str | None:
@@ -212,7 +212,7 @@ def _compare_exclusions(left: Sequence[Pdo], right: Sequence[Pdo]) -> Iterator[D
 def compare_predefined_assignments(left: Device, right: Device) -> Iterator[Difference]:
     """TwinCAT's predefined PDO assignments, by name."""
     for ours, theirs in matched(
-        alternative_assignments(left), alternative_assignments(right), lambda assignment: assignment.name
+        predefined_assignments(left), predefined_assignments(right), lambda assignment: assignment.name
     ):
         said, also = (_assignment_words(item) for item in (ours, theirs))
         if said != also:
@@ -220,7 +220,7 @@ def compare_predefined_assignments(left: Device, right: Device) -> Iterator[Diff
             yield difference(PDO, place, said, also, lost(ours, theirs))
 
 
-def _assignment_words(assignment: NamedAssignment | None) -> str | None:
+def _assignment_words(assignment: PredefinedAssignment | None) -> str | None:
     if assignment is None:
         return None
     sms = [f"SM{sm}: {listed(index_words)(indices) or 'none'}" for sm, indices in assignment.pdo_indices.items()]

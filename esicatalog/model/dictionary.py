@@ -56,12 +56,12 @@ class ObjectEntry(Record, kw_only=False):
 
 
 class ResolvedObject(NamedTuple):
-    """An object with its entries; ``remarks`` are lint rule id and words."""
+    """An object with its entries; ``remarks`` tell which values of Info found no entry, or not by its name."""
 
     object: Object
     object_code: int
     entries: tuple[ObjectEntry, ...]
-    remarks: tuple[tuple[str, str], ...]
+    remarks: tuple[str, ...]
 
 
 def type_table(data_types: Iterable[DataType]) -> dict[str, DataType]:
@@ -135,7 +135,7 @@ class _Composite(NamedTuple):
     """What objects of the same type, values and flags share."""
 
     entries: tuple[ObjectEntry, ...]
-    remarks: tuple[tuple[str, str], ...]
+    remarks: tuple[str, ...]
 
 
 class ObjectType:
@@ -156,7 +156,6 @@ class ObjectType:
         self._members = Members(data_type, types, base, memo.members) if data_type and is_composite else None
         self._base = base(name)
         self._bit_size = data_type.bit_size if data_type is not None else None
-        self._is_unknown = bool(name) and data_type is None and base_type(name) is None
 
     def resolve(self, declared: Object) -> ResolvedObject:
         """The object, which names this type, with its entries."""
@@ -169,16 +168,14 @@ class ObjectType:
         return ResolvedObject(declared, OBJECT_CODES["ARRAY" if members.is_array else "RECORD"], *made)
 
     def _resolve_single(self, declared: Object) -> ResolvedObject:
-        remarks: list[tuple[str, str]] = []
-        if self._is_unknown:
-            remarks.append(("L41", f"type {self._name!r} is not declared in the dictionary"))
+        remarks: list[str] = []
         size = declared.bit_size if declared.bit_size is not None else self._bit_size
         member = Member(0, display_text(declared.names), (), self._name, self._base, size, 0, None, None)
         entry = self._entry(member, _single_values(declared, remarks), declared.flags)
         return ResolvedObject(declared, OBJECT_CODES["VAR"], (entry,), tuple(remarks))
 
     def _composite(self, members: Members, infos: tuple[InfoSubItem, ...], inherited: Flags | None) -> _Composite:
-        remarks: list[tuple[str, str]] = []
+        remarks: list[str] = []
         paired = members.pair(infos, remarks)
         known, make = self._memo.entries.get, self._entry
         entries = []
@@ -196,14 +193,14 @@ _own_values = attrgetter("default_data", "default_value", "default_string", "min
 _NO_OWN_VALUES = _own_values(DeclaredValues())
 
 
-def _single_values(declared: Object, remarks: list[tuple[str, str]]) -> DeclaredValues:
+def _single_values(declared: Object, remarks: list[str]) -> DeclaredValues:
     """Values of an object without sub-items: those of Info itself, else of the one sub-item that some files give."""
     if not declared.info_sub_items or _own_values(declared) != _NO_OWN_VALUES:
         return declared
     if len(declared.info_sub_items) > 1:
-        remarks.append(("L46", "Info has sub-items, but the data type has none; left unpaired"))
+        remarks.append("Info has sub-items, but the data type has none; left unpaired")
         return declared
-    remarks.append(("L46", "Info has a sub-item, but the data type has none; its values are taken for the object"))
+    remarks.append("Info has a sub-item, but the data type has none; its values are taken for the object")
     return declared.info_sub_items[0]
 
 

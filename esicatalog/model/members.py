@@ -78,7 +78,7 @@ class Members:
     def __iter__(self) -> Iterator[Member]:
         return iter(self._members)
 
-    def pair(self, infos: tuple[InfoSubItem, ...], remarks: list[tuple[str, str]]) -> Sequence[DeclaredValues | None]:
+    def pair(self, infos: tuple[InfoSubItem, ...], remarks: list[str]) -> Sequence[DeclaredValues | None]:
         """Declared values of each member; never shifted to a neighbour.
 
         Names come first (ESI-FACTS section 7.2). Position counts in an array with a value for each member, unless their
@@ -118,7 +118,7 @@ class Members:
                 problem = "occur again" if is_known else "match no sub-item of the data type"
                 by_problem.setdefault(problem, []).append(repr(info.name))
             for problem, names in by_problem.items():
-                remarks.append(("L46", f"Info sub-items {', '.join(names[:3])} {problem}; {outcome}"))
+                remarks.append(f"Info sub-items {', '.join(names[:3])} {problem}; {outcome}")
         return [paired.get(position) for position in range(len(self._members))]
 
     def _in_order(self, infos: Sequence[InfoSubItem]) -> Sequence[InfoSubItem]:

@@ -11,8 +11,6 @@ from typing import NamedTuple
 
 import msgspec
 
-from esicatalog.esi.canonical import elements_naming
-from esicatalog.esi.numbers import parse_hex_dec
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -126,14 +124,6 @@ class SmImage(NamedTuple):
             if self.bit_size or self.has_known_size
             else self.byte_words
         )
-
-
-class NamedAssignment(NamedTuple):
-    """TwinCAT's predefined PDO assignment: a name and the PDO indices of each SyncManager."""
-
-    name: str
-    is_default: bool
-    pdo_indices: dict[int, tuple[int, ...]]
 
 
 def default_process_image(device: Device, modules: Sequence[Module] = ()) -> list[SmImage]:
@@ -406,22 +396,6 @@ def _sampled(pdo: Pdo, repeat: int, remarks: list[str]) -> Iterator[Entry]:
                 yield msgspec.structs.replace(entry, entry_index=entry.entry_index + step * sample)
             else:
                 yield entry
-
-
-def alternative_assignments(device: Device) -> list[NamedAssignment]:
-    """The predefined PDO assignments of TwinCAT: Info/VendorSpecific/TwinCAT/AlternativeSmMapping."""
-    tag = "AlternativeSmMapping"
-    found = []
-    for element in [item for item in elements_naming(tag, device.info_vendor_specific) if item.tag == tag]:
-        indices: dict[int, tuple[int, ...]] = {}
-        for sm in element.iterchildren("Sm"):
-            number = parse_hex_dec(sm.get("No") or "")
-            pdos = [parse_hex_dec(pdo.text or "") for pdo in sm.iterchildren("Pdo")]
-            if number is not None:
-                indices[number] = tuple(index for index in pdos if index is not None)
-        name = " ".join((element.findtext("Name") or "").split())
-        found.append(NamedAssignment(name, element.get("Default") in ("1", "true"), indices))
-    return found
 
 
 def byte_bit(bit_offset: int | None) -> str:

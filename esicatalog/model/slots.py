@@ -5,9 +5,9 @@ the slot number (counted from 0 over all instances) and only where DependOnSlot 
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import product
-from typing import Any, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 import msgspec
 
@@ -16,6 +16,7 @@ from esicatalog.esi.records.dictionary import Object
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
+from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.records.slots import Slot
 from esicatalog.identity import MAX_INDEX
 from esicatalog.model.module_effects import configure_alike
@@ -24,6 +25,8 @@ from esicatalog.model.pdo_facts import is_pdo_mapping
 _MAX_INSTANCES = 255
 
 Shifted = TypeVar("Shifted", Entry, InitCmd, Object)
+Move = Callable[[int, bool | None, bool | None], int]
+"""Where an index moves to that depends on the slot, and on the group of the slot."""
 
 
 class PluggedModule(NamedTuple):
@@ -245,7 +248,7 @@ def furthest_move(device: Device, plugged: PluggedModule, dependences: Iterable[
     return max((0, *moves))
 
 
-def _profile_in_slot(profile: Any, shift: "SlotShift") -> Any:
+def _profile_in_slot(profile: Profile, shift: "SlotShift") -> Profile:
     dictionary = profile.dictionary
     if dictionary is None or not any(o.depend_on_slot or o.depend_on_slot_group for o in dictionary.objects):
         return profile
@@ -253,7 +256,7 @@ def _profile_in_slot(profile: Any, shift: "SlotShift") -> Any:
     return msgspec.structs.replace(profile, dictionary=msgspec.structs.replace(dictionary, objects=objects))
 
 
-def _in_slot(item: Shifted, field: str, move: Any) -> Shifted:
+def _in_slot(item: Shifted, field: str, move: Move) -> Shifted:
     index = getattr(item, field)
     if not index:
         return item

@@ -105,9 +105,8 @@ def info_unpaired(subject: ObjectValues) -> Iterator[Found]:
     if not infos or subject.is_paired:
         return
     index = index_words(subject.declared.object_index)
-    for rule_id, words in subject.resolved.remarks:
-        if rule_id == "L46":
-            yield Found(f"object {index}: {words}: correct Info", ("info_sub_items", 0))
+    for words in subject.resolved.remarks:
+        yield Found(f"object {index}: {words}: correct Info", ("info_sub_items", 0))
     members = len(subject.resolved.entries)
     names = {entry.name for entry in subject.resolved.entries}
     if (

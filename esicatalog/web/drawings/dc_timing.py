@@ -26,10 +26,10 @@ def dc_timing_svg(
 ) -> str:
     """Frames, SYNC0, SYNC1 and shifts of an OpMode over some bus cycles as SVG, a ``g.lane`` for each.
 
-    ``cycle_ns`` is the bus cycle in ns that the drawing takes; ``op_mode`` None is a device without OpModes. Only
-    signals that AssignActivate generates are drawn, and none for a device with Dc/@TimeLoopControlOnly, which is
-    ``time_loop_control_only``; a period that the OpMode leaves open is said to be unknown. Needs
-    ``DRAWING_CSS`` in the page. Raises :class:`InputError` when the bus cycle is not positive.
+    ``cycle_ns`` is the bus cycle in ns that the drawing takes (tests take others than the page); ``op_mode`` None is a
+    device without OpModes. Only signals that AssignActivate generates are drawn, and none for a device with
+    Dc/@TimeLoopControlOnly, which is ``time_loop_control_only``; a period that the OpMode leaves open is said to be
+    unknown. Needs ``DRAWING_CSS`` in the page. Raises :class:`InputError` when the bus cycle is not positive.
     """
     if cycle_ns <= 0:
         raise InputError(f"bus cycle of {cycle_ns} ns: give a positive number of nanoseconds")

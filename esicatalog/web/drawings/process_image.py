@@ -122,7 +122,7 @@ def image_label(image: SmImage) -> str:
     total = sum(len(pdo.entries) for pdo in image.pdos)
     facts = [image.byte_words, counted(total - gaps, "entry", "entries")]
     if gaps:
-        facts.append(counted(gaps, "gap", "gaps"))
+        facts.append(counted(gaps, "gap"))
     usage = f"{clipped(image.usage)}, " if image.usage else ""
     return f"{usage}SM{image.sm}: {', '.join(facts)}"
 
@@ -239,7 +239,7 @@ def _address(drawn: _Drawn) -> str:
 
 def _title_lines(drawn: _Drawn) -> list[str]:
     entry = drawn.placed.entry
-    where = f"{counted(drawn.end_bit - drawn.first_bit, 'bit', 'bits')} at {byte_bit(drawn.first_bit)}"
+    where = f"{counted(drawn.end_bit - drawn.first_bit, 'bit')} at {byte_bit(drawn.first_bit)}"
     if entry_facts(entry).is_padding:
         return [f"Gap, {where}", f"PDO {_pdo_words(drawn.pdo)}"]
     lines = [f"{_address(drawn)} {clipped(display_text(entry.names) or '')}".rstrip()]

@@ -63,7 +63,6 @@ svg.drawing .no-size{stroke-dasharray:2 3}
 svg.drawing .overlap rect{fill:var(--drawing-alarm-fill);stroke:var(--drawing-alarm);stroke-width:2}
 svg.drawing .grid{stroke:var(--drawing-line);stroke-dasharray:2 3;opacity:.6}
 svg.drawing .pulse{stroke:var(--drawing-text);stroke-width:2}
-svg.drawing .frame{stroke-width:6}
 svg.drawing .shift{stroke:var(--drawing-text);stroke-width:1.5}
 .drawing-legend{list-style:none;margin:.5em 0;padding:0;display:flex;flex-wrap:wrap;gap:.25em 1em;font-size:.85rem}
 .drawing-legend li{overflow-wrap:anywhere}

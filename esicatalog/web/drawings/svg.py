@@ -127,6 +127,6 @@ def _is_wide(character: str) -> bool:
     return unicodedata.east_asian_width(character) in "WF"
 
 
-def hexadecimal(value: int | None, absent: str = "without index") -> str:
+def hexadecimal(value: int | None) -> str:
     """An index or address as engineers write it."""
-    return f"0x{value:04X}" if value is not None else absent
+    return f"0x{value:04X}" if value is not None else "without index"

@@ -1,7 +1,7 @@
 """The device page: what a description declares and implies, in sections."""
 
 import asyncio
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from esicatalog.api import Catalog
@@ -24,7 +24,8 @@ from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.module_choice import module_choices, module_labels
 from esicatalog.model.pdo_facts import bits_words, entry_words, index_words, pdos_by_direction, symmetric_exclusions
-from esicatalog.model.process_image import SmImage, alternative_assignments, assigned_sms, byte_bit, module_sms
+from esicatalog.model.predefined_assignments import predefined_assignments
+from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
@@ -100,82 +101,110 @@ def _image_remarks(description: DeviceDescription) -> tuple[str, ...]:
 
 
 def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
-    device, found = description.device, description.found
+    """What the page shows, section by section."""
+    device = description.device
     derived = derive(device, description.modules)
     images = description.images(choice) if choice else derived.images
-    slots = _slots(description, choice)
-    last_slot = sum(1 for _ in numbered_slots(device)) - 1
-    default = description.default_position(choice)
-    path = device_path(found) or ""
+    return {
+        "problem": None,
+        "drawing_css": DRAWING_CSS,
+        **_head(description, choice),
+        "facts": _facts(description, derived.facts),
+        **_exports(description.found, any(image.pdos for image in images)),
+        **_module_picker(description, choice),
+        "images": [_image(image) for image in images],
+        "sync_managers": [
+            {"number": number, "sm": sm, "facts": sm_facts(sm)} for number, sm in enumerate(device.sync_managers)
+        ],
+        "memory_map": memory_map_svg(device, images) if device.sync_managers else "",
+        "pdos": _pdos(device, assigned_sms(derived.images)),
+        "assignments": predefined_assignments(device),
+        "modules": _modules(description.modules),
+        "verdicts": derived.modes.verdicts,
+        "evidence": derived.modes.evidence,
+        "op_modes": _op_modes(device, description.default_position(choice)),
+        "commands": _commands(device.mailbox),
+        "objects": object_counts(description, choice),
+        "eeprom": device.eeprom,
+        "image_remarks": _image_remarks(description),
+        "findings": description.findings,
+        "revisions": _revisions(description),
+        "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
+        "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
+    }
+
+
+def _head(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
+    """What the device is, where that is described, and the addresses of what is about it."""
+    found, path = description.found, device_path(description.found) or ""
     chosen = modules_query(choice)
     return {
         "found": found,
-        "path": path,
+        "identity": found.identity_text,
         "title": found.shown_type,
         "revision_text": revision_text(found.vendor_id, found.revision_no),
-        "image": image_key(device.image_data),
-        "group": device.group_type,
+        "image": image_key(description.device.image_data),
+        "group": description.device.group_type,
         "sources": description.sources,
+        "path": path,
+        "chosen": chosen,
+        "json_path": f"{path}.json{chosen}",
         "variants": [
             f"{path.partition('@')[0]}{'' if n == 1 else f'@{n}'}" for n in range(1, description.variant_count + 1)
         ],
-        "facts": _facts(description, derived.facts),
-        "images": [_image(image) for image in images],
-        "problem": None,
-        "choice": choice,
-        "slots": slots,
-        "last_slot": last_slot if last_slot >= _MOST_SLOTS else None,
-        "sync_managers": [_sync_manager(number, sm) for number, sm in enumerate(device.sync_managers)],
-        "memory_map": memory_map_svg(device, images) if device.sync_managers else "",
-        "pdos": _pdos(device, assigned_sms(derived.images)),
-        "assignments": alternative_assignments(device),
-        "modules": [
-            {
-                "ident": module.module_ident,
-                "label": label,
-                "name": display_text(module.names) or module.type or "",
-                "pdos": _pdos(module, module_sms(module)),
-                "commands": _commands(module.mailbox),
-            }
-            for module, label in zip(description.modules, module_labels(description.modules), strict=True)
-        ],
-        "findings": description.findings,
-        "op_modes": [
-            {
-                "mode": mode,
-                "signals": generated_signals(mode, device.dc_time_loop_control_only),
-                "is_default": position == default,
-                "is_superseded": is_superseded(mode),
-                "drawing": dc_timing_svg(mode, time_loop_control_only=device.dc_time_loop_control_only),
-            }
-            for position, mode in enumerate(device.op_modes)
-        ],
-        "verdicts": derived.modes.verdicts,
-        "evidence": derived.modes.evidence,
-        "commands": _commands(device.mailbox),
-        "eeprom": device.eeprom,
-        "image_remarks": _image_remarks(description),
-        "objects": object_counts(description, choice),
-        "revisions": [
-            {
-                "path": device_path(item.device),
-                "found": item.device,
-                "number": hex32(item.device.revision_no) or "-",
-                "text": revision_text(item.device.vendor_id, item.device.revision_no),
-                "hidden": item.hidden,
-                "layout": item.layout_words,
-                "is_this": item.device.revision_no == found.revision_no,
-            }
-            for item in description.revisions
-        ],
-        "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
-        "alike_more": max(0, len(description.same_layout) - _MOST_ALIKE),
-        "identity": found.identity_text,
-        **_exports(found, any(image.pdos for image in images)),
-        "chosen": chosen,
-        "json_path": f"{path}.json{chosen}",
-        "drawing_css": DRAWING_CSS,
     }
+
+
+def _module_picker(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
+    """Slots with what fits them; the number of the last one where not all are shown."""
+    last_slot = sum(1 for _ in numbered_slots(description.device)) - 1
+    return {
+        "choice": choice,
+        "slots": _slots(description, choice),
+        "last_slot": last_slot if last_slot >= _MOST_SLOTS else None,
+    }
+
+
+def _modules(modules: Sequence[Module]) -> list[dict[str, Any]]:
+    return [
+        {
+            "ident": module.module_ident,
+            "label": label,
+            "name": display_text(module.names) or module.type or "",
+            "pdos": _pdos(module, module_sms(module)),
+            "commands": _commands(module.mailbox),
+        }
+        for module, label in zip(modules, module_labels(modules), strict=True)
+    ]
+
+
+def _op_modes(device: Device, default: int | None) -> list[dict[str, Any]]:
+    time_only = device.dc_time_loop_control_only
+    return [
+        {
+            "mode": mode,
+            "signals": generated_signals(mode, time_only),
+            "is_default": position == default,
+            "is_superseded": is_superseded(mode),
+            "drawing": dc_timing_svg(mode, time_loop_control_only=time_only),
+        }
+        for position, mode in enumerate(device.op_modes)
+    ]
+
+
+def _revisions(description: DeviceDescription) -> list[dict[str, Any]]:
+    return [
+        {
+            "path": device_path(item.device),
+            "found": item.device,
+            "number": hex32(item.device.revision_no) or "-",
+            "text": revision_text(item.device.vendor_id, item.device.revision_no),
+            "hidden": item.hidden,
+            "layout": item.layout_words,
+            "is_this": item.device.revision_no == description.found.revision_no,
+        }
+        for item in description.revisions
+    ]
 
 
 def _exports(found: FoundDevice, has_process_data: bool) -> dict[str, Any]:
@@ -245,10 +274,6 @@ def _image(image: SmImage) -> dict[str, Any]:
             for placed in pdo.entries
         ],
     }
-
-
-def _sync_manager(number: int, sm: Any) -> dict[str, Any]:
-    return {"number": number, "sm": sm, "facts": sm_facts(sm)}
 
 
 def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[dict[str, Any]]:

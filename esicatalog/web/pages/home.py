@@ -9,7 +9,7 @@ import msgspec
 from esicatalog.api import Catalog
 from esicatalog.catalog.device_filter import DeviceFilter
 from esicatalog.catalog.filter_texts import PARAMETERS, SHARPENS, TRUE_WORDS, filter_of_texts
-from esicatalog.catalog.listing import Listing
+from esicatalog.catalog.listing import ListedDevice, Listing
 from esicatalog.errors import EsiCatalogError, InputError
 from esicatalog.identity import parse_number
 from esicatalog.parameters import given_texts
@@ -161,7 +161,7 @@ def _toggled(given: list[tuple[str, str]], name: str, text: str, chosen: tuple[s
     return [*(item for item in given if item[0] != name), (name, ",".join(words))]
 
 
-def _row(item: Any) -> dict[str, Any]:
+def _row(item: ListedDevice) -> dict[str, Any]:
     device = item.found
     return {
         "identity": device.identity_text,
