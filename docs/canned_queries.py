@@ -2,6 +2,8 @@
 
 from typing import Any
 
+from esicatalog.catalog.views import mapped_subindex
+
 _IDENTITY = "vendor, device_type, device_name, vendor_id_hex, product_code_hex, revision_no_hex"
 _ORDER = "vendor_id, product_code, revision_no"
 _SHOWN = "(hidden = 0 or :include_hidden not in ('', '0'))"
@@ -169,19 +171,20 @@ order by {_ORDER}
     "who_maps_an_object": {
         "title": "Who maps an object",
         "description": (
-            "index: 0x60FF, #x60FF or 24831 (empty = 0x60FF); subindex: a number (empty = all). Looks at the PDOs of "
-            "devices and of the modules that their slots can reach, and names the module; sm is the sync manager that "
-            "a PDO is assigned to by default. Indices of modules are those of the first slot. "
+            "index: 0x60FF, #x60FF or 24831 (empty = 0x60FF); subindex: a number (empty = all, also what cannot be "
+            "read). Looks at the PDOs of devices and of the modules that their slots can reach, and names the module; "
+            "sm is the sync manager that a PDO is assigned to by default. Indices of modules are those of the first "
+            "slot. "
             f"{_HIDDEN_DOC}"
         ),
         "params": ["index", "subindex", "include_hidden"],
         "sql": f"""\
 with mapped as (
   select p.device_id, p.module_id, p.direction, hex0x(p.pdo_index) as pdo, p.name as pdo_name, p.sm,
-    hex0x(e.entry_index) as entry, ifnull(e.subindex, 0) as subindex, e.bit_length, e.data_type, e.name as entry_name
+    hex0x(e.entry_index) as entry, {mapped_subindex("e")} as subindex,
+    e.bit_length, e.data_type, e.name as entry_name
   from pdo_entries e join pdos p on p.id = e.pdo_id
   where e.entry_index = parse_hex(ifnull(nullif(:index, ''), '0x60FF'))
-    and (:subindex = '' or ifnull(e.subindex, 0) = parse_hex(:subindex))
 ), reached as (
   select device_id as found_id, * from mapped where device_id is not null
   union all
@@ -195,6 +198,7 @@ from reached
 join devices d on d.id = found_id and d.variant = 1 and {_SHOWN}
 left join vendors v on v.vendor_id = d.vendor_id
 left join modules m on m.id = reached.module_id
+where :subindex = '' or subindex = parse_hex(:subindex)
 order by d.vendor_id, d.product_code, d.revision_no, m.module_ident, pdo
 """,
     },

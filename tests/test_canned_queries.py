@@ -83,6 +83,22 @@ async def test_hidden_revisions_are_left_out_as_by_the_command(drives_db, query,
     ]
 
 
+@pytest.mark.parametrize(
+    ("subindex", "expected"),
+    [("", [("0x7000", None), ("0x7000", 0), ("0x7000", 1)]), ("0", [("0x7000", 0)]), ("1", [("0x7000", 1)])],
+)
+async def test_who_maps_a_subindex_that_cannot_be_read_is_not_known(tmp_path, subindex, expected):
+    """The first entry has the SubIndex x1, which may mean any; the second has none, which is 0."""
+    entries = "".join(
+        f"<Entry><Index>#x7000</Index>{told}<BitLen>8</BitLen></Entry>"
+        for told in ("<SubIndex>x1</SubIndex>", "", "<SubIndex>1</SubIndex>")
+    )
+    db = catalog_of(tmp_path, esi(device(f"<RxPdo><Index>#x1600</Index><Name>P</Name>{entries}</RxPdo>")))
+    asked = {"index": "0x7000", "subindex": subindex, "include_hidden": "", "_shape": "array"}
+    answer = await (await client(db)).get("/catalog/who_maps_an_object.json", params=asked)
+    assert [(row["entry"], row["subindex"]) for row in answer.json()] == expected
+
+
 def test_queries_about_devices_tell_of_hidden_revisions():
     """Those about revisions, identities, vendors and documents are about all there are, or say so."""
     queries = yaml.safe_load(resource("datasette-metadata.yml").read_text())["databases"]["catalog"]["queries"]

@@ -265,6 +265,17 @@ def test_places_in_the_default_image(tmp_path):
     ]
 
 
+def test_an_entry_whose_subindex_cannot_be_read_is_of_no_object(tmp_path):
+    """Unknown is not 0: of an object that is a single value the entry without SubIndex is, that with x1 is not."""
+    types = "<DataType><Name>UINT</Name><BitSize>16</BitSize></DataType>"
+    objects = "<Object><Index>#x7000</Index><Name>Speed</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+    entry = "<Entry><Index>#x7000</Index>{}<BitLen>16</BitLen></Entry>"
+    entries = "".join(map(entry.format, ("<SubIndex>x1</SubIndex>", "", "<SubIndex></SubIndex>")))
+    content = dictionary(types, objects) + f"<RxPdo><Index>#x1600</Index><Name>R</Name>{entries}</RxPdo>"
+    query = "SELECT object_name, signed FROM device_pdo_entries ORDER BY position"
+    assert rows(catalog_of(tmp_path, esi(device(content))), query) == [(None, None), ("Speed", 0), ("Speed", 0)]
+
+
 def test_a_length_that_is_not_described_is_no_number(tmp_path):
     """Variable content before 16 bits: neither is the size known nor the place; inputs there are none."""
     empty = '<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name></RxPdo>'

@@ -191,6 +191,7 @@ def test_nothing_is_sampled_where_only_a_gap_of_no_bits_is_more(tmp_path):
 
 
 VARIABLE = '<RxPdo Sm="0"><Index>#x1600</Index><Name>R</Name></RxPdo>'
+UNREAD = pdo("RxPdo", "#x1601", 8, attributes='Sm="0"').replace("<SubIndex>1<", "<SubIndex>x1<")
 SLOT_OF_NOBODY = '<Slots><Slot MinInstances="1" MaxInstances="1"><ModuleIdent>9</ModuleIdent></Slot></Slots>'
 NO_LENGTH = '<RxPdo Sm="0"><Index>#x1600</Index><Entry><Index>#x7000</Index></Entry></RxPdo>'
 
@@ -232,6 +233,16 @@ NO_LENGTH = '<RxPdo Sm="0"><Index>#x1600</Index><Entry><Index>#x7000</Index></En
             "<Sm>Outputs</Sm>" + NO_LENGTH,
             "<Sm>Outputs</Sm>" + NO_LENGTH.replace("</Index></Entry>", "</Index><BitLen>16</BitLen></Entry>"),
             "SM0 byte 0.0 is 0x7000:00 (no length) here, 0x7000:00 (16 bit) there",
+        ),
+        (
+            "<Sm>Outputs</Sm>" + VARIABLE + UNREAD,
+            "<Sm>Outputs</Sm>" + VARIABLE + UNREAD.replace(">x1<", ">x2<"),
+            "in PDOs of unknown length, or behind them",
+        ),
+        (
+            "<Sm>Outputs</Sm>" + VARIABLE + UNREAD,
+            "<Sm>Outputs</Sm>" + VARIABLE + UNREAD.replace("<SubIndex>x1</SubIndex>", ""),
+            "in PDOs of unknown length, or behind them",
         ),
     ],
 )

@@ -8,6 +8,7 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.conditions import Condition, among, tested
 from esicatalog.catalog.device_filter import Mapped
 from esicatalog.catalog.schema import devices, pdo_entries, pdos, profiles
+from esicatalog.catalog.views import mapped_subindex
 from esicatalog.model.pdo_facts import subindex_words
 
 _LINKS = schema.device_modules.c
@@ -16,14 +17,7 @@ _OF_PDO = pdo_entries.c.pdo_id == tested(pdos.c.id)
 _SM_WITH_MODULE = sa.case((pdos.c.virtual == sa.true(), None), else_=pdos.c.sm)
 """SyncManager that a PDO of a module goes to with it, as :func:`esicatalog.model.process_image.module_sms` tells it."""
 
-_UNREAD_SUBINDEX = sa.and_(
-    pdo_entries.c.subindex.is_(None),
-    pdo_entries.c.spelling.like('%"subindex":"%'),
-    pdo_entries.c.spelling.not_like('%"subindex":""%'),
-)
-"""Whether an entry has a SubIndex that cannot be read."""
-_SUBINDEX = sa.case((pdo_entries.c.subindex.is_not(None), pdo_entries.c.subindex), (_UNREAD_SUBINDEX, None), else_=0)
-"""Of an entry: 0 where it has none, NULL where it cannot be read."""
+_SUBINDEX: sa.ColumnElement[int] = sa.literal_column(mapped_subindex(pdo_entries.name), sa.BigInteger)
 
 
 def profile(profile_no: int) -> Condition:
@@ -142,7 +136,7 @@ def not_maps(mapped: Mapped) -> Condition:
     One whose SubIndex cannot be read may map it: nobody can say that it does not.
     """
     index, subindex = mapped
-    unread = () if subindex is None else (_UNREAD_SUBINDEX,)
+    unread = () if subindex is None else (_SUBINDEX.is_(None),)
     found = [_mapping_devices(mapped, None), *(_mapping_devices((index, None), None, item) for item in unread)]
     of_one = [_maps(mapped, None), *(_maps((index, None), None, item) for item in unread)]
     return Condition(sa.and_(*(sa.not_(among(item)) for item in found)), of_one=sa.not_(sa.or_(*of_one)))

@@ -34,15 +34,15 @@ _SOURCES = (
     "LEFT JOIN source_vendors y ON y.source_id = x.source_id AND y.position = x.section "
     "WHERE x.device_id = ? ORDER BY s.member, x.line, s.location"
 )
+_SUBINDEX = "e.subindex, CASE WHEN e.subindex IS NULL THEN e.spelling END"
 _LAYOUT = (
-    "SELECT p.image_sm, e.image_bit_offset, e.entry_index, e.subindex, "
-    "CASE WHEN e.subindex IS NULL THEN e.spelling END, e.bit_length FROM pdos p "
+    f"SELECT p.image_sm, e.image_bit_offset, e.entry_index, {_SUBINDEX}, e.bit_length FROM pdos p "
     "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND e.image_bit_offset IS NOT NULL "
     "AND (e.entry_index IS NULL OR e.entry_index <> 0)"
 )
 """What :func:`~esicatalog.model.image_layout.entries_with_place` gives: padding is no place of its own."""
 _WITHOUT_PLACE = (
-    "SELECT p.image_sm, p.pdo_index, e.entry_index, coalesce(e.subindex, 0), e.bit_length FROM pdos p "
+    f"SELECT p.image_sm, p.pdo_index, e.entry_index, e.bit_length, {_SUBINDEX} FROM pdos p "
     "LEFT JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND p.image_sm IS NOT NULL "
     "AND (e.image_bit_offset IS NULL OR e.bit_length IS NULL OR e.bit_length < 0 OR e.bit_length = 0 "
     "AND e.entry_index <> 0) AND (e.pdo_id IS NOT NULL OR p.fixed IS NOT TRUE OR p.ref IS NOT NULL) "
@@ -278,8 +278,7 @@ class IdentityLookup:
                     f"SM{sm} byte {byte_bit(bit_offset)} is {ours.get(place, 'nothing')} here, "
                     f"{theirs.get(place, 'nothing')} there"
                 )
-        without, also = (list(self._query(_WITHOUT_PLACE, (device_id,))) for device_id in (here, there))
-        if without != also:
+        if self._without_place(here) != self._without_place(there):
             return "in PDOs of unknown length, or behind them"
         if has_modules or also_has:
             return "in PDOs of modules"
@@ -293,9 +292,21 @@ class IdentityLookup:
         """What begins where, in words."""
         found = {}
         for sm, offset, index, subindex, spelling, bits in self._query(_LAYOUT, (device_id,)):
-            unread = msgspec.json.decode(spelling).get("subindex") if spelling else None
-            found[sm, offset] = mapped_words(index, subindex or unread or 0, bits)
+            found[sm, offset] = mapped_words(index, _subindex(subindex, spelling), bits)
         return found
+
+    def _without_place(self, device_id: int) -> list[tuple[Any, ...]]:
+        """What is assigned at places that are not known, entry by entry."""
+        return [
+            (*known, _subindex(subindex, spelling))
+            for *known, subindex, spelling in self._query(_WITHOUT_PLACE, (device_id,))
+        ]
+
+
+def _subindex(subindex: int | None, spelling: str | None) -> int | str:
+    """The subindex of an entry as :func:`~esicatalog.model.pdo_facts.mapped` tells it."""
+    unread = msgspec.json.decode(spelling).get("subindex") if spelling else None
+    return subindex or unread or 0
 
 
 def _device(row: tuple[Any, ...]) -> FoundDevice:

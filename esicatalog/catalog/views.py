@@ -35,6 +35,17 @@ def hex_text(expression: str, digits: int, dialect: str) -> str:
     return f"CASE WHEN {expression} IS NOT NULL THEN printf('0x%0{digits}x', {expression}) END"
 
 
+def mapped_subindex(entry: str) -> str:
+    """SQL for the subindex that a PDO entry maps: 0 where it has none, NULL where it cannot be read.
+
+    As :func:`esicatalog.model.pdo_facts.mapped` tells it; ``entry`` names its row of ``pdo_entries``.
+    """
+    return (
+        f'CASE WHEN {entry}.subindex IS NULL AND {entry}.spelling LIKE \'%"subindex":"%\' '
+        f'AND {entry}.spelling NOT LIKE \'%"subindex":""%\' THEN NULL ELSE coalesce({entry}.subindex, 0) END'
+    )
+
+
 def _integer(expression: str) -> str:
     """SQL for an integer that a view computes: without a type, SQLite would never find it equal to a text.
 
@@ -185,7 +196,7 @@ def _pdo_entries_view(kind: str, identity: str, source: str, dialect: str) -> Vi
             f"(SELECT {expression} FROM profiles q JOIN dictionary_objects l ON l.dictionary_id = q.dictionary_id "
             "JOIN objects o ON o.id = l.object_id JOIN object_entries z ON z.object_id = o.id "
             f"WHERE q.{kind}_id = {alias}.id AND e.entry_index <> 0 AND o.object_index = e.entry_index "
-            "AND z.subindex = coalesce(e.subindex, 0) ORDER BY q.position, l.position LIMIT 1)"
+            f"AND z.subindex = {mapped_subindex('e')} ORDER BY q.position, l.position LIMIT 1)"
         )
 
     signed = f"coalesce({described(_signed('z.base_type'))}, {_signed('e.data_type')})"
@@ -338,7 +349,7 @@ def create_views(connection: sa.Connection) -> None:
     """Make all views and the full-text table anew; the caller fills it."""
     drop_views(connection)
     for view in views(connection.dialect.name):
-        connection.exec_driver_sql(f"CREATE VIEW {view.name} AS {view.select}")
+        connection.execute(sa.text(f"CREATE VIEW {view.name} AS {view.select}"))
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql(
             f"CREATE VIRTUAL TABLE {FULL_TEXT} USING fts5(vendor, type, name, identity, words, "
