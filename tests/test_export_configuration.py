@@ -959,6 +959,31 @@ def test_commands_that_write_no_cycle_time(commands):
     assert cycle_remarks(commands) == []
 
 
+@pytest.mark.parametrize(
+    ("due", "written_ns"),
+    [
+        # 1 times 10^-3 s; at OP, which leads back, nothing is written in the course of a start.
+        ((("PS", 1, "01"), ("OP", 2, "FC")), 1_000_000),
+        # 10 times 10^-4 s, then 1 times 10^-3 s.
+        ((("PS", 1, "0A"), ("PS", 2, "FC"), ("SO", 1, "01"), ("SO", 2, "FD")), 1_000_000),
+        ((("SO", 1, "02"), ("PS", 1, "0A"), ("PS", 2, "FD")), 2_000_000),
+        ((("PS", 1, "02"), ("SO", 2, "FC")), 200_000),
+    ],
+)
+def test_the_cycle_time_is_what_a_start_leaves(due, written_ns):
+    """The interpolation time period: subindex 1 times ten to the power of subindex 2, which is -3 by itself."""
+    commands = "".join(
+        written("#x60C2", subindex, data).replace(">PS<", f">{transition}<") for transition, subindex, data in due
+    )
+    assert cycle_remarks(commands, cycle_ns=written_ns) == []
+    (remark,) = cycle_remarks(commands, cycle_ns=4_000_000)
+    assert f"writes {written_ns} ns" in remark
+
+
+def test_a_cycle_time_that_only_a_way_back_writes_is_none():
+    assert cycle_remarks(written("#x1C32", 2, "40420F00").replace(">PS<", ">SP<"), cycle_ns=4_000_000) == []
+
+
 def test_the_cycle_of_sync0_is_also_one_for_the_sync_manager():
     mode = dc(("DC", times("#x300", 'Factor="2">0')))
     assert cycle_remarks(written("#x1C32", 2, "80841E00"), mode) == []
