@@ -6,6 +6,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.pdo import Exclude, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import DeclaredPdo, DeviceSubject, ModuleSubject, ProcessSubject, is_absent
+from esicatalog.model.counting import counted
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_FIELDS, PDO_MAPPINGS, entry_facts, symmetric_exclusions
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
@@ -32,7 +33,7 @@ def sync_manager_of_pdo(subject: ProcessSubject | ModuleSubject) -> Iterator[Fou
                 continue
             words = _sm_words(placed)
             if not 0 <= number < len(sync_managers):
-                words += f"{of}, which has {len(sync_managers)} SyncManagers"
+                words += f"{of}, which has {counted(len(sync_managers), 'SyncManager')}"
                 yield Found(f"{words}: correct Sm", (*placed.place, "sm"))
             elif not may_transport(sync_managers[number], placed.direction):
                 yield Found(f"{words}{of}, which is {sync_managers[number].usage}: correct Sm", (*placed.place, "sm"))
@@ -276,8 +277,8 @@ def not_whole_bytes(subject: ProcessSubject) -> Iterator[Found]:
         place = () if first.position is None or first.module is not None else _place(first.direction, first.position)
         what = _words(first.direction, first.pdo.pdo_index) if alone else f"{len(image.pdos)} PDOs"
         yield Found(
-            f"SM {image.sm}: {what} of {image.bit_size} bits; the last byte is filled up: where the device maps the "
-            f"other {-image.bit_size % 8} too, describe them by a padding entry (Index 0)",
+            f"SM {image.sm}: {what} of {counted(image.bit_size, 'bit')}; the last byte is filled up: where the "
+            f"device maps the other {-image.bit_size % 8} too, describe them by a padding entry (Index 0)",
             place,
             WARNING if alone else INFORMATION,
         )
