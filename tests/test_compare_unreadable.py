@@ -81,6 +81,11 @@ def test_two_texts_are_two_values(left, right):
     assert told(right, left)
 
 
+def test_a_subindex_that_cannot_be_read_is_told_once():
+    (found,) = compared(esi(device(mapping(subindex="x1"))), esi(device(mapping(subindex="x2"))))
+    assert (found.left, found.right) == ("0x7000:? 'x1' (8 bit) USINT E", "0x7000:? 'x2' (8 bit) USINT E")
+
+
 @pytest.mark.parametrize("other", ["#x1010533005", ""])
 def test_revisions(other):
     """More than 32 bits are no RevisionNo."""

@@ -664,18 +664,41 @@ def test_a_shift_that_is_not_within_a_cycle_of_sync0_does_not_change_the_rate_of
 
 
 @pytest.mark.parametrize(
-    ("sync0", "sync1", "cycle_ns", "described"),
+    ("sync0", "sync1", "cycle_ns", "described", "other_cycle_ns"),
     [
         # The delay of 2.5 ms is over between the second and the third SYNC0: SYNC1 would come every 3 ms.
-        (FACTOR_1, ">4000000", 1_500_000, "every 4000000 ns, which is no multiple of the SYNC0 cycle of 1500000 ns"),
-        ('Factor="2">0', 'Factor="-3">0', None, "every 3000000 ns, which is no multiple of the SYNC0 cycle of 2000000"),
-        (">400000", ">1000000", 2_000_000, "every 1000000 ns, which is no multiple of the SYNC0 cycle of 400000 ns"),
+        (
+            FACTOR_1,
+            ">4000000",
+            1_500_000,
+            "every 4000000 ns, which is no multiple of the SYNC0 cycle of 1500000",
+            1_000_000,
+        ),
+        (
+            'Factor="2">0',
+            'Factor="-3">0',
+            None,
+            "every 3000000 ns, which is no multiple of the SYNC0 cycle of 2000000",
+            None,
+        ),
+        (
+            ">400000",
+            ">1000000",
+            2_000_000,
+            "every 1000000 ns, which is no multiple of the SYNC0 cycle of 400000 ns",
+            None,
+        ),
+        (">1000000", 'Factor="-3">0', 500_000, "every 1500000 ns", 1_000_000),
     ],
 )
-def test_a_sync1_between_two_multiples_of_the_sync0_cycle_is_refused(sync0, sync1, cycle_ns, described):
+def test_a_sync1_between_two_multiples_of_the_sync0_cycle_is_refused(sync0, sync1, cycle_ns, described, other_cycle_ns):
+    """Another bus cycle is advised where one helps: with neither fixed times nor multiples only."""
     content = SMS + dc(("m", times("#x700", sync0, sync1)))
-    with pytest.raises(InputError, match=f"'m' describes SYNC1 {described}"):
+    with pytest.raises(InputError, match=f"'m' describes SYNC1 {described}") as why:
         configured(content, cycle_ns=cycle_ns)
+    assert ("--cycle-ns" in str(why.value)) == (other_cycle_ns is not None)
+    if other_cycle_ns is not None:
+        assert configured(content, cycle_ns=other_cycle_ns).clocks is not None
     # Without the bit of SYNC1 it is none.
     assert configured(content.replace("#x700", "#x300"), cycle_ns=cycle_ns).clocks is not None
 
@@ -936,6 +959,31 @@ def test_cycle_times_that_commands_write_are_compared_with_the_bus_cycle(command
 )
 def test_commands_that_write_no_cycle_time(commands):
     assert cycle_remarks(commands) == []
+
+
+@pytest.mark.parametrize(
+    ("due", "written_ns"),
+    [
+        # 1 times 10^-3 s; at OP, which leads back, nothing is written in the course of a start.
+        ((("PS", 1, "01"), ("OP", 2, "FC")), 1_000_000),
+        # 10 times 10^-4 s, then 1 times 10^-3 s.
+        ((("PS", 1, "0A"), ("PS", 2, "FC"), ("SO", 1, "01"), ("SO", 2, "FD")), 1_000_000),
+        ((("SO", 1, "02"), ("PS", 1, "0A"), ("PS", 2, "FD")), 2_000_000),
+        ((("PS", 1, "02"), ("SO", 2, "FC")), 200_000),
+    ],
+)
+def test_the_cycle_time_is_what_a_start_leaves(due, written_ns):
+    """The interpolation time period: subindex 1 times ten to the power of subindex 2, which is -3 by itself."""
+    commands = "".join(
+        written("#x60C2", subindex, data).replace(">PS<", f">{transition}<") for transition, subindex, data in due
+    )
+    assert cycle_remarks(commands, cycle_ns=written_ns) == []
+    (remark,) = cycle_remarks(commands, cycle_ns=4_000_000)
+    assert f"writes {written_ns} ns" in remark
+
+
+def test_a_cycle_time_that_only_a_way_back_writes_is_none():
+    assert cycle_remarks(written("#x1C32", 2, "40420F00").replace(">PS<", ">SP<"), cycle_ns=4_000_000) == []
 
 
 def test_the_cycle_of_sync0_is_also_one_for_the_sync_manager():

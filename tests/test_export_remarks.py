@@ -238,6 +238,7 @@ ASSIGNABLE = AXIS.replace("#x6040", "#x7040", 1) + '<Mailbox><CoE PdoAssign="1"/
         (sized("#x1400", 'MaxSize="12"'), None),
         (sized("#x1124"), None),
         (sized("#x1112"), "SM 2 takes 0x1100 to 0x1123 and SM 3 starts at 0x1112: they overlap by 6 bytes"),
+        (sized("#x1123"), "SM 2 takes 0x1100 to 0x1123 and SM 3 starts at 0x1123: they overlap by 1 byte"),
     ],
 )
 def test_chosen_pdos_that_do_not_fit(content, words):

@@ -5,6 +5,7 @@ Each ends in a consistent catalog and one line that says what to do; running aga
 
 import contextlib
 import errno
+import json
 import os
 import random
 import resource
@@ -377,6 +378,26 @@ def test_ingests_end_well_while_others_have_the_catalog_open(tmp_path, whole):
     assert (done.returncode, "2 unchanged" in done.stdout, journal_mode(db)) == (0, True, "delete"), done
     assert [path.name for path in tmp_path.iterdir() if path.name.startswith(db.name)] == [db.name]
     assert_consistent(db)
+
+
+def test_an_ingest_that_ends_while_others_are_reading_says_that_the_latest_is_in_the_log(tmp_path, whole):
+    """What a transaction reads must stay as it is in the file, so that a copy of it lacks the new device."""
+    db = Path(shutil.copy(whole, tmp_path / "c.db"))
+    before = len(rows(db, "SELECT 1 FROM devices"))
+    documents = write(tmp_path / "more", {"1.xml": esi(device(product="#xABCD1"))})
+    with closing(sqlite3.connect(db, isolation_level=None)) as reader:
+        reader.execute("PRAGMA journal_mode = WAL")
+        reader.execute("BEGIN")
+        assert len(reader.execute("SELECT 1 FROM devices").fetchall()) == before
+        done = run("ingest", documents, "--db", db, "--format", "json")
+        assert (done.returncode, json.loads(done.stdout)["is_in_file"]) == (0, False)
+        assert f"the latest is in {db}-wal" in done.stderr
+        assert len(rows(Path(shutil.copy(db, tmp_path / "copy.db")), "SELECT 1 FROM devices")) == before
+        done = run("snapshot", "--from", db, "--to", tmp_path / "snapshot.db")
+        assert len(rows(tmp_path / "snapshot.db", "SELECT 1 FROM devices")) == before + 1, done.stderr
+    done = run("ingest", documents, "--db", db, "--format", "json")
+    assert (json.loads(done.stdout)["is_in_file"], "-wal" in done.stderr) == (True, False)
+    assert len(rows(Path(shutil.copy(db, tmp_path / "copy.db")), "SELECT 1 FROM devices")) == before + 1
 
 
 def test_an_emptied_catalog_fills_again_while_others_have_it_open(tmp_path):

@@ -157,6 +157,12 @@ def test_the_length_of_an_image_is_not_held_against_sizes_when_it_is_not_known(t
     assert linted(tmp_path, rule, device(sms + pdo("RxPdo", "#x1600", 8) + modes)) == []
 
 
+def test_l25_says_1_byte(tmp_path):
+    content = device('<Sm DefaultSize="1" MinSize="4">Outputs</Sm>' + pdo("RxPdo", "#x1600", 8, attributes='Sm="0"'))
+    (found,) = linted(tmp_path, "L25", content)
+    assert "the assigned PDOs take 1 byte, MinSize is 4" in found["message"]
+
+
 @pytest.mark.parametrize(("first", "second", "words"), [("0016", "0116", None), ("0116", "0016", "0x1601, 0x1600")])
 def test_l65_knows_the_order(tmp_path, first, second, words):
     """In document order 0x1600 lies first; 0x1C12:01 and :02 may have it otherwise, and then no place is the same."""

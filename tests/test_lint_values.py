@@ -125,7 +125,7 @@ def test_l56_knows_when_an_object_can_be_written(tmp_path, restriction, transiti
         ("INT", 16, "<DefaultValue>-32768</DefaultValue>", None),
         ("INT", 16, "<DefaultValue>#xFFFF</DefaultValue>", None),  # the bits of -1
         ("BOOL", 1, "<DefaultValue>1</DefaultValue>", None),
-        ("BOOL", 1, "<DefaultValue>2</DefaultValue>", "the default 2, which does not fit into the 1 bits of BOOL"),
+        ("BOOL", 1, "<DefaultValue>2</DefaultValue>", "the default 2, which does not fit into the 1 bit of BOOL"),
         ("UINT", 16, "<DefaultString>70000</DefaultString>", "the default 70000, which does not fit into the 16 bits"),
         ("STRING(4)", 32, "<DefaultString>ABCD</DefaultString>", None),
         ("STRING(4)", 32, "<DefaultString>ABCDE</DefaultString>", "a DefaultString of 5 characters, STRING(4) has 4"),

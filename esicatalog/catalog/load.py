@@ -3,8 +3,9 @@
 A server keeps its indexes, which cost it less than they spare several that load at once, and checks foreign keys last.
 
 While documents are added SQLite keeps a write-ahead log (readers go on reading). A finished ingest leaves a single
-file that can be copied; where others have it open, everything is in that file too, and the log stays beside it until
-an ingest ends that finds nobody else there.
+file that can be copied; where others have it open, the log stays beside it until an ingest ends that finds nobody else
+there. Everything is in the file even then, unless somebody is reading at that moment: what they read must stay in it,
+so that what is newer is in the log alone.
 """
 
 import sqlite3
@@ -114,13 +115,18 @@ def finish_load(connection: sa.Connection, changed: bool) -> None:
     connection.commit()
 
 
-def end_load(connection: sa.Connection) -> None:
-    """Whatever became of the load: roll back what was not committed, enforce foreign keys again, leave one file."""
+def end_load(connection: sa.Connection) -> bool:
+    """Whatever became of the load: roll back what was not committed, enforce foreign keys again, leave one file.
+
+    Returns whether all is in that file, for what others were reading was not in the way.
+    """
     connection.rollback()
     _enforce_foreign_keys(connection, True)
-    if connection.dialect.name == "sqlite":
-        connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
-        _end_log(connection)
+    if connection.dialect.name != "sqlite":
+        return True
+    is_busy, *_ = connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)").one()
+    _end_log(connection)
+    return not is_busy
 
 
 def _end_log(connection: sa.Connection) -> None:

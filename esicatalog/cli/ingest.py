@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from esicatalog.ingest.report import DocumentLine, IngestReport
 
 _NAMED_STATUSES = ("failed", "recovered", "skipped", "removed")
+_IN_LOG = (
+    "others are reading the catalog: the latest is in {db}-wal, and {db} alone is older; carry the catalog with "
+    "esicatalog snapshot"
+)
 _REDRAW_SECONDS = 0.1
 _PLAIN_LINE_SECONDS = 2.0
 
@@ -53,6 +57,8 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, prof
         _print_summary(report, db)
         if profile:
             _print_profile(report)
+    if not report.is_in_file:
+        click.echo(_IN_LOG.format(db=db), err=True)
     if report.counts["failed"]:
         sys.exit(EXIT_NO)
 

@@ -250,11 +250,12 @@ def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int | No
 
 def _check_even(found: Clocks, name: str | None, cycle_ns: int) -> None:
     if found.is_uneven(cycle_ns):
-        period, sync0_cycle = found.sync1_period.in_ns(cycle_ns), found.sync0_cycle.in_ns(cycle_ns)
+        period, sync0_cycle = found.sync1_period, found.sync0_cycle
+        by_cycle = period.cycles * sync0_cycle.ns != period.ns * sync0_cycle.cycles
+        advice = "choose the bus cycle (--cycle-ns) or another OpMode" if by_cycle else "correct it, or choose another"
         raise InputError(
-            f"OpMode {name!r} describes SYNC1 every {period} ns, which is no multiple of the SYNC0 cycle of "
-            f"{sync0_cycle} ns, and a slave controller generates multiples only: choose the bus cycle (--cycle-ns) or "
-            "another OpMode"
+            f"OpMode {name!r} describes SYNC1 every {period.in_ns(cycle_ns)} ns, which is no multiple of the SYNC0 "
+            f"cycle of {sync0_cycle.in_ns(cycle_ns)} ns, and a slave controller generates multiples only: {advice}"
         )
 
 

@@ -11,6 +11,7 @@ from fractions import Fraction
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.model.cia402 import AXIS_STEP
+from esicatalog.model.start_up import after_start
 from esicatalog.model.sync_parameters import SYNC_PARAMETERS
 
 _NS_OF_UNIT = {
@@ -35,7 +36,7 @@ def cycle_remarks(
     cycle_ns: int,
     sync0_ns: Fraction | None,
 ) -> Iterator[str]:
-    """Commands that write a cycle time other than the bus cycle.
+    """Commands that write a cycle time other than the bus cycle, which the device has when it is in operation.
 
     For the parameters of SyncManagers the cycle of SYNC0, None when it is not generated, is as good.
     """
@@ -50,34 +51,36 @@ def cycle_remarks(
 
 
 def _written_times(
-    commands: Sequence[StartCommand], axes: Iterable[int], objects: ObjectTable
+    commands: Iterable[StartCommand], axes: Iterable[int], objects: ObjectTable
 ) -> Iterator[tuple[StartCommand, int | Fraction]]:
-    """Commands, each for one subindex, with the nanoseconds that they make of a cycle time."""
+    """What a start leaves of cycle times, in nanoseconds, each with the command for one subindex that makes it so."""
     periods = [_INTERPOLATION_TIME_PERIOD + axis * AXIS_STEP for axis in sorted({0, *axes})]
     sizes = dict.fromkeys(periods, (1, 1)) | dict.fromkeys(SYNC_PARAMETERS, (2, 4))
-    single = [part for command in commands for part in _single(command, sizes)]
-    for command in single:
-        unit = _NS_OF_UNIT.get((command.protocol, command.object_index, command.subindex))
+    last = after_start(
+        (part.transition, (part.protocol, part.object_index, part.subindex, part.channel), part)
+        for command in commands
+        for part in _single(command, sizes)
+    )
+    for (protocol, index, subindex, _), command in last.items():
+        unit = _NS_OF_UNIT.get((protocol, index, subindex))
         if unit is not None and len(command.data) <= _MAX_TIME_BYTES:
             yield command, int.from_bytes(command.data, "little") * unit
     for index in periods:
-        yield from _written_periods([item for item in single if item.object_index == index], index, objects)
+        value, exponent = (last.get(("CoE", index, subindex, 0)) for subindex in (_VALUE, _EXPONENT))
+        yield from _written_period(value, exponent, index, objects)
 
 
-def _written_periods(
-    single: Sequence[StartCommand], index: int, objects: ObjectTable
+def _written_period(
+    value: StartCommand | None, exponent: StartCommand | None, index: int, objects: ObjectTable
 ) -> Iterator[tuple[StartCommand, Fraction]]:
     """What commands on an interpolation time period make of it; what they do not write stays as the device has it."""
-    values = [item for item in single if item.protocol == "CoE" and item.subindex == _VALUE]
-    exponents = [item for item in single if item.protocol == "CoE" and item.subindex == _EXPONENT]
-    exponent = exponents[-1].data[0] if exponents else _default(objects, index, _EXPONENT)
-    unit = Fraction(10) ** ((_USUAL_EXPONENT if exponent is None else _signed(exponent)) - _EXPONENT_OF_NS)
-    for command in values:
-        if len(command.data) <= _MAX_TIME_BYTES:
-            yield command, int.from_bytes(command.data, "little") * unit
-    kept = _default(objects, index, _VALUE)
-    if exponents and not values and kept:
-        yield exponents[-1], kept * unit
+    power = exponent.data[0] if exponent is not None else _default(objects, index, _EXPONENT)
+    unit = Fraction(10) ** ((_USUAL_EXPONENT if power is None else _signed(power)) - _EXPONENT_OF_NS)
+    if value is not None:
+        if len(value.data) <= _MAX_TIME_BYTES:
+            yield value, int.from_bytes(value.data, "little") * unit
+    elif exponent is not None and (kept := _default(objects, index, _VALUE)):
+        yield exponent, kept * unit
 
 
 def _default(objects: ObjectTable, index: int, subindex: int) -> int | None:

@@ -19,6 +19,7 @@ from esicatalog.model.assignable_pdos import (
     meant_by_index,
     staying_pdos,
 )
+from esicatalog.model.counting import counted
 from esicatalog.model.pdo_assignment import Assignment
 from esicatalog.model.pdo_facts import PDO_FIELDS, mapped_entries, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
@@ -71,8 +72,8 @@ def apply_choice(
                 continue
             device, plugged = _with_entries(device, plugged, found, entries)
             remarks.append(
-                f"PDO 0x{item.pdo_index:04X}: {len(entries)} entries are chosen, {len(found.pdo.entries)} are "
-                "described; the master writes the mapping at start"
+                f"PDO 0x{item.pdo_index:04X}: {counted(len(entries), 'entry is', 'entries are')} chosen, "
+                f"{counted(len(found.pdo.entries), 'is', 'are')} described; the master writes the mapping at start"
             )
     return ChosenPdos(device, tuple(plugged), assignment, tuple(remarks))
 

@@ -7,6 +7,7 @@ from operator import ne
 from typing import Any, NamedTuple
 
 from esicatalog.export.sii import NOT_ASSIGNED
+from esicatalog.model.counting import counted
 from esicatalog.sii.encode import category_body
 from esicatalog.sii.files import FILLER
 from esicatalog.sii.image import (
@@ -216,7 +217,7 @@ def _sync_manager(sm: SyncManager | None) -> str | None:
     if sm is None:
         return None
     return (
-        f"{sm.usage or f'usage {sm.usage_code}'} at 0x{sm.start_address:04X}, {sm.length_bytes} bytes, "
+        f"{sm.usage or f'usage {sm.usage_code}'} at 0x{sm.start_address:04X}, {counted(sm.length_bytes, 'byte')}, "
         f"control 0x{sm.control_byte:02X}, enable 0x{int(sm.enable):02X}"
     )
 
@@ -271,9 +272,9 @@ def _entry(entry: PdoEntry | None) -> str | None:
     if entry is None:
         return None
     if not entry.entry_index:
-        return f"a gap of {entry.bit_length} bits"
+        return f"a gap of {counted(entry.bit_length, 'bit')}"
     data_type = entry.data_type or f"type 0x{entry.data_type_code:02X}"
-    return f"0x{entry.entry_index:04X}:{entry.subindex:02X}, {entry.bit_length} bits, {data_type}"
+    return f"0x{entry.entry_index:04X}:{entry.subindex:02X}, {counted(entry.bit_length, 'bit')}, {data_type}"
 
 
 def _dc_modes(old: SiiImage, new: SiiImage) -> Iterator[Differing]:

@@ -8,6 +8,7 @@ import msgspec
 
 from esicatalog.errors import InputError
 from esicatalog.export.sii import NOT_ASSIGNED
+from esicatalog.model.counting import counted
 from esicatalog.sii.encode import MAX_STRINGS, category_offsets, encode_sii, string_table
 from esicatalog.sii.files import FILLER
 from esicatalog.sii.findings import STRING_NUMBER
@@ -156,8 +157,8 @@ def _with_bytes_behind(before: SiiImage, after: SiiImage) -> SiiImage:
     excess = grown - (len(behind) - len(behind.lstrip(_FREE)))
     if behind and excess > 0:
         raise SiiLimitError(
-            f"the image is {excess} bytes too long: it would overwrite the device's own bytes behind the end mark; "
-            "to fit, names and then more can be left out (esicatalog export sii --fit)",
+            f"the image is {counted(excess, 'byte')} too long: it would overwrite the device's own bytes behind "
+            "the end mark; to fit, names and then more can be left out (esicatalog export sii --fit)",
             excess,
         )
     return msgspec.structs.replace(after, trailing=_FREE * -grown + before.trailing[max(grown, 0) :])

@@ -8,6 +8,7 @@ import msgspec
 
 from esicatalog.export.sii_changes import Change, image_changes
 from esicatalog.export.sii_limits import behind_end_mark
+from esicatalog.model.counting import counted
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import Category, General, RawCategory, SiiImage
@@ -142,6 +143,6 @@ def _kept(computed: SiiImage, dump: SiiImage, config_bytes: int) -> Iterator[str
     for category in dump.of_type(RawCategory):
         other = declared.get(category.category_type, category.data) != category.data
         differs = "; the description declares other data" if other else ""
-        yield f"{category_title(category.category_type)}, {len(category.data)} bytes{differs}"
+        yield f"{category_title(category.category_type)}, {counted(len(category.data), 'byte')}{differs}"
     if behind_end_mark(dump):
-        yield f"{len(behind_end_mark(dump))} bytes behind the end mark"
+        yield f"{counted(len(behind_end_mark(dump)), 'byte')} behind the end mark"

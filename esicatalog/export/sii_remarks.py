@@ -23,6 +23,7 @@ from esicatalog.export.sii_merge import PDI_BYTES
 from esicatalog.export.sii_texts import storable
 from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
+from esicatalog.model.counting import counted
 from esicatalog.model.pdo_facts import entry_facts, entry_words, has_length, has_object
 from esicatalog.model.ports import port_kind
 from esicatalog.model.sm_facts import is_mailbox, sm_facts
@@ -93,9 +94,9 @@ def _config_data_too_short(device: Device) -> list[int]:
     return [size] if 0 < size < PDI_BYTES else []
 
 
-def _config_data_too_long(device: Device) -> list[int]:
+def _config_data_too_long(device: Device) -> list[str]:
     size = _bytes_of(_eeprom(device).config_data)
-    return [size - CHECKSUM_OFFSET] if size > CHECKSUM_OFFSET else []
+    return [counted(size - CHECKSUM_OFFSET, "byte")] if size > CHECKSUM_OFFSET else []
 
 
 def _boot_strap_broken(device: Device) -> list[str]:
@@ -234,7 +235,7 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
         f"ConfigData has {{}} of the {PDI_BYTES} bytes of the PDI words; the others are zero, in a merged image those "
         "of the device.",
     ),
-    (_config_data_too_long, "ConfigData is {} bytes longer than the words 0 to 6; the check sum is computed."),
+    (_config_data_too_long, "ConfigData is {} longer than the words 0 to 6; the check sum is computed."),
     (_boot_strap_broken, "BootStrap {} is not 8 bytes; the bootstrap mailbox is zero."),
     (
         lambda device: [fmmu.usage for fmmu in device.fmmus if fmmu.usage and fmmu.usage not in FMMU_USAGE_CODES],

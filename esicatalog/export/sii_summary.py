@@ -8,6 +8,7 @@ from esicatalog.export.sii_merge import MergedImage
 from esicatalog.export.sii_remarks import image_remarks
 from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
+from esicatalog.model.counting import counted
 from esicatalog.sii.checksum import is_loaded
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import SiiImage
@@ -69,6 +70,12 @@ def _merge_lines(image: SiiImage, merged: MergedImage) -> Iterator[str]:
     yield from _listed("Kept as the device has it:", merged.kept)
 
 
+_BEHIND = (
+    "byte behind this image is no part of it and stays as it is",
+    "bytes behind this image are no part of it and stay as they are",
+)
+
+
 def _unread_lines(size: int, merged: MergedImage) -> Iterator[str]:
     """What of the EEPROM the dump does not hold, and what becomes of it when ``size`` bytes are written."""
     unread = merged.byte_size - merged.dump_bytes
@@ -82,8 +89,8 @@ def _unread_lines(size: int, merged: MergedImage) -> Iterator[str]:
         )
     if size < merged.byte_size:
         yield (
-            f"{merged.byte_size - size} bytes behind this image are no part of it and stay as they are, if the tool "
-            "that writes it leaves alone what the file does not hold."
+            counted(merged.byte_size - size, *_BEHIND)
+            + ", if the tool that writes it leaves alone what the file does not hold."
         )
 
 

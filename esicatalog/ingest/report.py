@@ -23,6 +23,8 @@ class IngestReport(NamedTuple):
     seconds: float
     profile: Mapping[str, float] = {}
     """Processor time by stage (:data:`~esicatalog.esi.stages.STAGES`), of all processes together."""
+    is_in_file: bool = True
+    """Whether the file alone is the catalog; else others were reading it, and the latest is in its log (``-wal``)."""
 
     @property
     def counts(self) -> dict[str, int]:
@@ -55,4 +57,5 @@ class IngestReport(NamedTuple):
             "modules": self.modules,
             "seconds": round(self.seconds, 3),
             "documents": [line._asdict() for line in self.documents],
+            "is_in_file": self.is_in_file,
         }

@@ -69,7 +69,7 @@ def ingest(
                 with stages("index"):
                     finish_load(connection, changed=not plan.is_empty)
             finally:
-                end_load(connection)
+                is_in_file = end_load(connection)
     except sa.exc.DBAPIError as error:
         raise database_error(str(engine.url.database), error) from error
     except OverflowError as error:  # from the driver, which has many documents at once and does not say which
@@ -78,7 +78,7 @@ def ingest(
             "documents since the last commit, and ingest the others without them"
         ) from error
     lines.sort(key=lambda line: line.path)
-    return IngestReport(lines, time.monotonic() - started, stages.seconds)
+    return IngestReport(lines, time.monotonic() - started, stages.seconds, is_in_file)
 
 
 def _write(

@@ -153,8 +153,8 @@ def _compare_entries(place: str, left: Sequence[Entry], right: Sequence[Entry]) 
 
 
 def _mapped(entry: Entry) -> tuple[Mapped, str | None]:
-    """What an entry maps, as far as it could be read, and the rest as the vendor wrote it."""
-    return mapped(entry), unread_words(entry, ("entry_index", "subindex", "bit_length"))
+    """What an entry maps, where what cannot be read is as the vendor wrote it."""
+    return mapped(entry), unread_words(entry, ("entry_index", "bit_length"))
 
 
 def _number(number: int | None, other: int | None, entry: Entry | None) -> str:

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.model.areas import Area, overlaps
+from esicatalog.model.counting import counted
 from esicatalog.model.sm_facts import sm_facts
 
 MEMORY_START = 0x1000
@@ -34,7 +35,7 @@ def memory_overlaps(
         yield MemoryOverlap(
             next_number,
             f"SM {number} takes 0x{start:04X} to 0x{end - 1:04X} and SM {next_number} starts at "
-            f"0x{next_start:04X}: they overlap by {min(end, next_end) - next_start} bytes",
+            f"0x{next_start:04X}: they overlap by {counted(min(end, next_end) - next_start, 'byte')}",
         )
 
 
@@ -61,9 +62,11 @@ def occupied_area(number: int, sync_manager: SyncManager, byte_size: int | None)
 
 def size_conflict(sync_manager: SyncManager, byte_size: int | None) -> str | None:
     """What PDOs of this length contradict in a SyncManager: MaxSize or MinSize; None if they fit, or are unknown."""
-    words = f"the assigned PDOs take {byte_size} bytes"
-    if byte_size and sync_manager.max_size is not None and byte_size > sync_manager.max_size:
+    if not byte_size:
+        return None
+    words = f"the assigned PDOs take {counted(byte_size, 'byte')}"
+    if sync_manager.max_size is not None and byte_size > sync_manager.max_size:
         return f"{words}, MaxSize is {sync_manager.max_size}"
-    if byte_size and sync_manager.min_size is not None and byte_size < sync_manager.min_size:
+    if sync_manager.min_size is not None and byte_size < sync_manager.min_size:
         return f"{words}, MinSize is {sync_manager.min_size}"
     return None

@@ -3,7 +3,7 @@
 A command that does not tell where it writes to, what or when is sent by nobody, so it writes nothing.
 """
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Hashable, Iterable
 from typing import TypeVar
 
 from esicatalog.esi.numbers import decode_hex_binary
@@ -24,10 +24,11 @@ TRANSITIONS = (*START_TRANSITIONS, "SP", "OP", "OS")
 _WORDS = {"object_index": "index", "idn": "IDN"}
 _PARTS = (("subindex", "subindex"), ("channel", "channel"), ("complete_access", "CompleteAccess"))
 
+Place = TypeVar("Place", bound=Hashable)
 Written = TypeVar("Written")
 
-Write = tuple[str, int, Written]
-"""Transition, object and what is written to it."""
+Write = tuple[str, Place, Written]
+"""Transition, object or what else is written to, and what is written there."""
 
 
 def transition_of(text: str) -> str:
@@ -35,11 +36,11 @@ def transition_of(text: str) -> str:
     return text.strip().upper()
 
 
-def after_start(writes: Iterable[Write[Written]]) -> dict[int, Written]:
-    """What was last written to each object in the course of a start: transition by transition, in the order given."""
+def after_start(writes: Iterable[Write[Place, Written]]) -> dict[Place, Written]:
+    """What was last written to each place in the course of a start: transition by transition, in the order given."""
     due = [item for item in writes if item[0] in START_TRANSITIONS]
     due.sort(key=lambda item: START_TRANSITIONS.index(item[0]))
-    return {index: written for _, index, written in due}
+    return {place: written for _, place, written in due}
 
 
 def unusable_part(command: InitCmd, index_field: str = "object_index") -> str | None:

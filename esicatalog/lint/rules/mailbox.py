@@ -117,14 +117,15 @@ def pdo_choice_without_service(subject: DeviceSubject) -> Iterator[Found]:
     optional = [pdo for pdo in pdos if pdo.sm is None and pdo.pdo_index not in listed]
     if optional and not mailbox.coe_pdo_assign:
         yield Found(
-            f"{len(optional)} PDOs are optional (no Sm, in no OpMode), but CoE has no PdoAssign: "
-            "they can never be assigned",
+            f"{counted(len(optional), 'PDO is', 'PDOs are')} optional (no Sm, in no OpMode), but CoE has no PdoAssign: "
+            "nobody can assign what is optional",
             ("mailbox", "coe"),
         )
     free = [pdo for pdo in pdos if not pdo.fixed and pdo.entries]
     if free and not mailbox.coe_pdo_config:
         yield Found(
-            f"{len(free)} PDOs are not Fixed, but CoE has no PdoConfig: mark them Fixed, nobody can change them",
+            f"{counted(len(free), 'PDO is', 'PDOs are')} not Fixed, but CoE has no PdoConfig: mark as Fixed what "
+            "nobody can change",
             ("mailbox", "coe"),
         )
 

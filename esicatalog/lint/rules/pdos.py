@@ -285,8 +285,8 @@ def not_whole_bytes(subject: ProcessSubject) -> Iterator[Found]:
         place = () if first.position is None or first.module is not None else _place(first.direction, first.position)
         what = _words(first.direction, first.pdo.pdo_index) if alone else f"{len(image.pdos)} PDOs"
         yield Found(
-            f"SM {image.sm}: {what} of {image.bit_size} bits; the last byte is filled up: where the device maps the "
-            f"other {-image.bit_size % 8} too, describe them by a padding entry (Index 0)",
+            f"SM {image.sm}: {what} of {counted(image.bit_size, 'bit')}; the last byte is filled up: where the "
+            f"device maps the other {-image.bit_size % 8} too, describe them by a padding entry (Index 0)",
             place,
             WARNING if alone else INFORMATION,
         )

@@ -65,7 +65,9 @@ def _fit_problem(entry: ObjectEntry) -> str | None:
     needed = (number if number >= 0 else ~number).bit_length() + base.signed
     if needed <= entry.bit_size and (base.signed or number >= 0):
         return None
-    return f"has the default {number}, which does not fit into the {entry.bit_size} bits of {entry.data_type}"
+    return (
+        f"has the default {number}, which does not fit into the {counted(entry.bit_size, 'bit')} of {entry.data_type}"
+    )
 
 
 def _reading(given: int, entry: ObjectEntry, base: BaseType) -> str:
