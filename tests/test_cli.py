@@ -241,8 +241,8 @@ def test_the_shape_of_ingest(tmp_path, data):
     result = run("ingest", data, "--jobs", "1", "--format", "json", db=tmp_path / "c.db")
     report = json.loads(result.stdout)
     assert result.exit_code == 0
-    assert report.keys() == {"sources", "devices", "modules", "seconds", "documents", "is_in_file"}
-    assert report["sources"] == {"stored": 5, "unchanged": 0, "recovered": 0, "skipped": 1, "failed": 0, "removed": 0}
+    assert report.keys() == {"sources", "devices", "modules", "seconds", "documents"}
+    assert report["sources"] == {"stored": 5, "unchanged": 0, "recovered": 0, "skipped": 1, "failed": 0}
     assert (report["devices"], report["modules"]) == (6, 7)
     assert {line["path"] for line in report["documents"]} == {path.name for path in data.iterdir()}
     assert all(line.keys() == {"path", "status", "message", "devices", "modules"} for line in report["documents"])

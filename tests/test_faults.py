@@ -5,7 +5,6 @@ Each ends in a consistent catalog and one line that says what to do; running aga
 
 import contextlib
 import errno
-import json
 import os
 import random
 import resource
@@ -389,14 +388,13 @@ def test_an_ingest_that_ends_while_others_are_reading_says_that_the_latest_is_in
         reader.execute("PRAGMA journal_mode = WAL")
         reader.execute("BEGIN")
         assert len(reader.execute("SELECT 1 FROM devices").fetchall()) == before
-        done = run("ingest", documents, "--db", db, "--format", "json")
-        assert (done.returncode, json.loads(done.stdout)["is_in_file"]) == (0, False)
+        done = run("ingest", documents, "--db", db)
+        assert done.returncode == 0
         assert f"the latest is in {db}-wal" in done.stderr
         assert len(rows(Path(shutil.copy(db, tmp_path / "copy.db")), "SELECT 1 FROM devices")) == before
         done = run("snapshot", "--from", db, "--to", tmp_path / "snapshot.db")
         assert len(rows(tmp_path / "snapshot.db", "SELECT 1 FROM devices")) == before + 1, done.stderr
-    done = run("ingest", documents, "--db", db, "--format", "json")
-    assert (json.loads(done.stdout)["is_in_file"], "-wal" in done.stderr) == (True, False)
+    assert "-wal" not in run("ingest", documents, "--db", db).stderr
     assert len(rows(Path(shutil.copy(db, tmp_path / "copy.db")), "SELECT 1 FROM devices")) == before + 1
 
 

@@ -107,9 +107,10 @@ def _print_summary(report: "IngestReport", db: str) -> None:
     from esicatalog.catalog.database import shown_target
 
     counts = report.counts
+    removed = f", {report.removed} removed" if report.removed else ""
     click.echo(
         f"{counts['stored']} stored ({counts['recovered']} after recovery), {counts['unchanged']} unchanged, "
-        f"{counts['skipped']} skipped, {counts['failed']} failed, {counts['removed']} removed; "
+        f"{counts['skipped']} skipped, {counts['failed']} failed{removed}; "
         f"{report.devices} devices, {report.modules} modules in {report.seconds:.1f} s -> {shown_target(db)}"
     )
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from esicatalog.esi.containers import NESTED, Folder, open_regular
 from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_members, discover, unusable_archive
-from esicatalog.ingest.report import DocumentLine
+from esicatalog.ingest.report import REMOVED, DocumentLine
 from esicatalog.ingest.tasks import Known, Outcome, Task
 from esicatalog.ingest.unchanged import Hashes, ReferenceHashes, is_unchanged
 from esicatalog.model.counting import counted
@@ -40,7 +40,7 @@ class HeldDocument(NamedTuple):
         """Its line in a report when the catalog drops it."""
         described = f"{counted(self.devices, 'device')} and {counted(self.modules, 'module')}"
         message = f"no longer among the documents; it described {described}"
-        return DocumentLine(self.member, "removed", message, self.devices, self.modules)
+        return DocumentLine(self.member, REMOVED, message, self.devices, self.modules)
 
     @property
     def has_content(self) -> bool:

@@ -4,6 +4,8 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+REMOVED = "removed"
+
 
 class DocumentLine(NamedTuple):
     """One document: its path as given, what became of it, why, and what it holds; of a removed one, what it held."""
@@ -28,7 +30,7 @@ class IngestReport(NamedTuple):
 
     @property
     def counts(self) -> dict[str, int]:
-        """Documents by status; ``stored`` includes the recovered ones."""
+        """Documents by status, without those that were removed; ``stored`` includes the recovered ones."""
         counted = Counter(line.status for line in self.documents)
         return {
             "stored": counted["stored"] + counted["recovered"],
@@ -36,18 +38,22 @@ class IngestReport(NamedTuple):
             "recovered": counted["recovered"],
             "skipped": counted["skipped"],
             "failed": counted["failed"],
-            "removed": counted["removed"],
         }
+
+    @property
+    def removed(self) -> int:
+        """Documents that the catalog had and no longer has."""
+        return sum(line.status == REMOVED for line in self.documents)
 
     @property
     def devices(self) -> int:
         """Device elements in the documents that the catalog now holds."""
-        return sum(line.devices for line in self.documents if line.status != "removed")
+        return sum(line.devices for line in self.documents if line.status != REMOVED)
 
     @property
     def modules(self) -> int:
         """Module elements in the documents that the catalog now holds."""
-        return sum(line.modules for line in self.documents if line.status != "removed")
+        return sum(line.modules for line in self.documents if line.status != REMOVED)
 
     def as_json(self) -> dict[str, Any]:
         """The report in the shape of ``esicatalog ingest --format json``."""
@@ -57,5 +63,4 @@ class IngestReport(NamedTuple):
             "modules": self.modules,
             "seconds": round(self.seconds, 3),
             "documents": [line._asdict() for line in self.documents],
-            "is_in_file": self.is_in_file,
         }
