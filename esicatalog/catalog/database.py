@@ -18,7 +18,7 @@ from esicatalog.catalog.turns import take_turn
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
 
-SCHEMA_VERSION = "0008"
+SCHEMA_VERSION = "0009"
 """Revision of the newest migration."""
 
 NEW_CATALOG = "new_catalog.sql"
