@@ -112,8 +112,7 @@ def _signed(data_type: str, otherwise: str) -> str:
         known[{"int": "1", "uint": "0"}.get(base.kind, "NULL")].append(f"'{name}'")
     name = f"upper(trim({data_type}))"
     cases = [f"WHEN {name} IN ({', '.join(names)}) THEN {value}" for value, names in known.items()]
-    # Not LIKE: drivers of PostgreSQL take per cent signs for marks of parameters.
-    with_length = f"WHEN replace(replace({name}, '(', ''), '[', '') <> {name} THEN NULL"
+    with_length = f"WHEN {name} LIKE '%(%' OR {name} LIKE '%[%' THEN NULL"
     return f"CASE {' '.join(cases)} {with_length} ELSE {otherwise} END"
 
 

@@ -83,7 +83,7 @@ def as_listed(slave: ScannedSlave, lists: Sequence[ScannedPdos]) -> ScannedSlave
     bits: dict[str, dict[int, int]] = defaultdict(dict)
     for sync_manager in (item for listed in lists for item in listed.sync_managers):
         for direction, size in _listed_bits(sync_manager).items():
-            bits[direction][sync_manager.number] = (size + 7) // 8 * 8
+            bits[direction][sync_manager.number] = 8 * byte_length(size)
     sizes = {direction: sum(of_direction.values()) for direction, of_direction in bits.items()}
     return msgspec.structs.replace(
         slave,
