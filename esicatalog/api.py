@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from esicatalog.catalog.bus import BusReport
     from esicatalog.catalog.check import CheckResult
+    from esicatalog.catalog.database import DriverQuery
     from esicatalog.catalog.description import DeviceDescription
     from esicatalog.catalog.device_filter import DeviceFilter
     from esicatalog.catalog.identity import IdentityLookup
@@ -52,6 +53,7 @@ class Catalog:
         self._target = target
         self._read_only = read_only
         self._opened: sa.Engine | None = None
+        self._query: DriverQuery | None = None
         self._lookup: IdentityLookup | None = None
         if at_once and not (create and _is_missing_file(target)):
             self._open(create)
@@ -75,6 +77,9 @@ class Catalog:
     def close(self) -> None:
         """Close all connections."""
         self._lookup = None
+        if self._query is not None:
+            self._query.close()
+            self._query = None
         if self._opened is not None:
             self._opened.dispose()
 
@@ -210,13 +215,13 @@ class Catalog:
 
         Raises :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
         """
-        from esicatalog.catalog.database import connection_query
+        from esicatalog.catalog.database import ConnectionQuery
         from esicatalog.catalog.description import read_description
         from esicatalog.catalog.identity import IdentityLookup
 
         wanted = parse_identity(identity) if isinstance(identity, str) else checked(identity)
         with self._connection() as connection:
-            return read_description(connection, IdentityLookup(connection_query(connection)), wanted)
+            return read_description(connection, IdentityLookup(ConnectionQuery(connection)), wanted)
 
     def device_of_row(self, number: int) -> "FoundDevice":
         """The device with a row number of this catalog, as ``device_id`` in its tables says it.
@@ -327,8 +332,8 @@ class Catalog:
         from esicatalog.catalog.identity import IdentityLookup
 
         if self._lookup is None:
-            query = DriverQuery(self._open(create=True), shown_target(self._target))
-            self._lookup = IdentityLookup(query, query.changes)
+            self._query = DriverQuery(self._open(create=True), shown_target(self._target))
+            self._lookup = IdentityLookup(self._query, self._query.changes)
         return self._lookup
 
     @contextlib.contextmanager

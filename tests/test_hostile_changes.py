@@ -4,6 +4,7 @@ import errno
 import io
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -166,10 +167,10 @@ def test_a_fault_of_the_reader_costs_its_document(tmp_path, folder, monkeypatch)
 
     monkeypatch.setattr(Reader, "read_tree", faulty)
     lines = ingest_changed(tmp_path, monkeypatch, lambda: None, jobs=1)
-    assert lines["victim.xml"] == (
-        "failed",
-        "not foreseen by the reader (KeyError); please report it with the document",
-    )
+    status, message = lines["victim.xml"]
+    assert status == "failed"
+    where = r"KeyError in esicatalog/ingest/worker\.py, line [1-9]\d*"
+    assert re.fullmatch(rf"not foreseen by the reader \({where}\); please report it with the document", message)
     assert lines[GOOD] == ("stored", None)
 
 

@@ -1,8 +1,11 @@
 """Who is on this bus: the same answer from Python, from the shell and over HTTP."""
 
 import asyncio
+import gc
 import json
+import os
 import re
+import shutil
 import socket
 import sqlite3
 from contextlib import ExitStack, closing
@@ -374,6 +377,66 @@ def test_identities_have_a_connection_of_their_own(data_db):
             others.enter_context(catalog._connection())
         others.close()
         assert catalog.identify(0x1097, 0x2406) == expected
+
+
+def open_files(folder: Path) -> list[str]:
+    """What this process holds open below a folder."""
+    links = Path("/proc/self/fd").iterdir()
+    names = [str(link.readlink()) for link in links if os.path.lexists(link)]
+    return [name for name in names if name.startswith(f"{folder}/")]
+
+
+@pytest.fixture
+def uncollected():
+    """What is only closed when it is collected stays open."""
+    gc.collect()
+    gc.disable()
+    yield
+    gc.enable()
+
+
+needs_proc = pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="counts descriptors through /proc")
+EXACT_EYOU = (0x1097, 0x2406, 0x8F)
+
+
+@needs_proc
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda catalog: catalog.identify(*EXACT_EYOU),
+        lambda catalog: catalog.identify_scan(read_scan(SLAVES)),
+        lambda catalog: catalog.content_hash(),
+        lambda catalog: catalog.state_hash(),
+        lambda catalog: catalog.device(Identity(*EXACT_EYOU)),
+        lambda catalog: catalog.export_subject(Identity(*EXACT_EYOU)),
+        lambda catalog: catalog.devices(modes=["CSV"]),
+    ],
+)
+def test_a_closed_catalog_holds_no_file_open(data_db, tmp_path, uncollected, ask):
+    db = Path(shutil.copy(data_db, tmp_path / "c.db"))
+    with Catalog.open(db) as catalog:
+        ask(catalog)
+        assert open_files(tmp_path)
+    assert open_files(tmp_path) == []
+    assert catalog.identify(*EXACT_EYOU).match == "exact", "who asks again opens it again"
+    catalog.close()
+    assert open_files(tmp_path) == []
+
+
+@needs_proc
+def test_a_catalog_that_is_refused_is_not_held_open(data_db, tmp_path, uncollected):
+    old, foreign, no_database = (tmp_path / name for name in ("old.db", "foreign.db", "no.db"))
+    shutil.copy(data_db, old)
+    for db, statement in ((old, "UPDATE alembic_version SET version_num = '0001'"), (foreign, "CREATE TABLE t (a)")):
+        with closing(sqlite3.connect(db)) as connection, connection:
+            connection.execute(statement)
+    no_database.write_text("x" * 5000)
+    refusals = []
+    for db in (old, foreign, no_database):
+        with pytest.raises(CatalogError) as told:
+            Catalog.open(db)
+        refusals.append(told)  # with the frames of what was refused
+        assert open_files(tmp_path) == []
 
 
 IMPOSSIBLE = [

@@ -1,10 +1,11 @@
 """Opening, creating and upgrading catalogs. Alembic is imported only when there is something to migrate."""
 
+import contextlib
 import os
 import re
 import sqlite3
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,6 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema, views
 from esicatalog.catalog.full_text import index_devices
-from esicatalog.catalog.identity import Query
 from esicatalog.catalog.lock import only_writer
 from esicatalog.catalog.turns import take_turn
 from esicatalog.errors import CatalogError
@@ -134,15 +134,25 @@ def open_catalog(
     if create and path is not None and not path.exists() and not path.parent.is_dir():
         raise CatalogError(f"{path.parent}: no such folder for the catalog")
     engine, version = _connected(target, create, read_only)
-    try:
+    with _disposed_of_when_refused(engine, target):
         if version is None:
             when_new()
             version = _create(engine)
         if version != SCHEMA_VERSION:
             raise CatalogError(_version_message(shown_target(target), version))
-    except sa.exc.DBAPIError as error:
-        raise database_error(shown_target(target), error) from error
     return engine
+
+
+@contextlib.contextmanager
+def _disposed_of_when_refused(engine: sa.Engine, target: str | os.PathLike[str]) -> Iterator[None]:
+    """Close the connections of an engine that nobody gets; errors of the database become :class:`CatalogError`."""
+    try:
+        yield
+    except BaseException as error:
+        engine.dispose()
+        if isinstance(error, sa.exc.DBAPIError):
+            raise database_error(shown_target(target), error) from error
+        raise
 
 
 def _create(engine: sa.Engine) -> str:
@@ -184,17 +194,16 @@ def _connected(target: str | os.PathLike[str], create: bool, read_only: bool = F
     if not create and path is not None and not path.exists():
         raise CatalogError(f"{path}: no such catalog; make one with: esicatalog ingest PATH --db {path}")
     engine = make_engine(url, read_only)
-    try:
-        with engine.connect() as connection:
-            version = schema_version(connection)
-    except sa.exc.DBAPIError as error:
-        raise database_error(shown_target(target), error) from error
-    except UnicodeDecodeError as error:
-        # SQLite's message about a damaged schema quotes the damage.
-        raise damage_error(shown_target(target), error) from error
-    if version is None and not create:
-        shown = shown_target(target)
-        raise CatalogError(f"{shown}: not a catalog; make one with: esicatalog ingest PATH --db {shown}")
+    with _disposed_of_when_refused(engine, target):
+        try:
+            with engine.connect() as connection:
+                version = schema_version(connection)
+        except UnicodeDecodeError as error:
+            # SQLite's message about a damaged schema quotes the damage.
+            raise damage_error(shown_target(target), error) from error
+        if version is None and not create:
+            shown = shown_target(target)
+            raise CatalogError(f"{shown}: not a catalog; make one with: esicatalog ingest PATH --db {shown}")
     return engine, version
 
 
@@ -268,12 +277,11 @@ def damage_error(target: str, error: Exception) -> CatalogError:
 class DriverQuery:
     """Runs ``?`` statements on the driver itself, on a connection of its own, for one thread at a time.
 
-    The connection stays open until the engine is disposed of, and sees what others commit. The statements raise
+    The connection stays open until :meth:`close`, and sees what others commit. The statements raise
     :class:`CatalogError`.
     """
 
     def __init__(self, engine: sa.Engine, target: str) -> None:
-        # It would go back to the engine's pool, and be given to somebody else, if nobody held it.
         self._connection = engine.connect().execution_options(isolation_level="AUTOCOMMIT")
         driver: Any = self._connection.connection.driver_connection
         dbapi: Any = engine.dialect.loaded_dbapi
@@ -293,21 +301,25 @@ class DriverQuery:
             raise CatalogError(driver_message(self._target, error)) from error
         return found
 
+    def close(self) -> None:
+        """Give the connection back to the engine, which may close it."""
+        self._connection.close()
+
     def changes(self) -> int | None:
         """A number that grows whenever others have committed; None from a server, which has none."""
         return int(self("PRAGMA data_version", ())[0][0]) if self._is_marked else None
 
 
-def connection_query(connection: sa.Connection) -> Query:
+class ConnectionQuery:
     """Runs ``?`` statements within the transaction of a connection."""
-    mark = "?" if connection.dialect.paramstyle == "qmark" else "%s"
 
-    def query(sql: str, values: tuple[Any, ...]) -> list[tuple[Any, ...]]:
-        return [tuple(row) for row in connection.exec_driver_sql(sql.replace("?", mark), values)]
+    def __init__(self, connection: sa.Connection) -> None:
+        self._connection = connection
+        self._mark = "?" if connection.dialect.paramstyle == "qmark" else "%s"
 
-    # Without this reference the pool takes the connection back, gives it to others and closes it some day.
-    query.connection = connection  # type: ignore[attr-defined]
-    return query
+    def __call__(self, sql: str, values: tuple[Any, ...]) -> list[tuple[Any, ...]]:
+        """All rows of a statement."""
+        return [tuple(row) for row in self._connection.exec_driver_sql(sql.replace("?", self._mark), values)]
 
 
 def schema_version(connection: sa.Connection) -> str | None:

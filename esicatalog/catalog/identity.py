@@ -4,7 +4,6 @@ The lookup speaks to the database driver directly: masters, test benches and web
 thousand, and the statements below are all it takes.
 """
 
-import functools
 from collections.abc import Callable, Iterable
 from typing import Any, Generic, NamedTuple, TypeVar
 
@@ -170,8 +169,8 @@ class IdentityLookup:
         """Rows of products: revisions of one are asked for together."""
         self._answers: _Kept[tuple[int, int, int | None], Identification] = _Kept()
         """The slaves of a bus are often the same."""
-        # Signatures are digests of layouts: the words for a pair of them never change.
-        self._difference = functools.lru_cache(4096)(self._layout_difference)
+        self._differences: _Kept[tuple[str | None, str | None, int, int], str] = _Kept()
+        """Signatures are digests of layouts: the words for a pair of them never change."""
 
     def identify(self, vendor_id: int, product_code: int, revision_no: int | None) -> Identification:
         """The descriptions of an identity, preferred first, or the nearest ones; see :func:`rank` for the order."""
@@ -275,14 +274,15 @@ class IdentityLookup:
                 "known: its length is not described"
             )
         nearest = differing[0]
-        words = self._difference(ours.image_signature, nearest.image_signature, ours.id, nearest.id)
+        pair = (ours.image_signature, nearest.image_signature, ours.id, nearest.id)
+        words = self._differences.get(pair, 0, lambda: self._layout_difference(ours.id, nearest.id))
         more = f", whether in {len(unknown)} more is not known" if unknown else ""
         return (
             f"default process image differs in {len(differing)} of {len(rows)} other {what}{more}; "
             f"{name(nearest)} for example: {words}"
         )
 
-    def _layout_difference(self, _: str | None, __: str | None, here: int, there: int) -> str:
+    def _layout_difference(self, here: int, there: int) -> str:
         ours, theirs = self._layout(here), self._layout(there)
         has_modules, also_has = (any(self._query(_HAS_MODULES, (device_id,))) for device_id in (here, there))
         for place in sorted(ours.keys() | theirs.keys()):

@@ -8,6 +8,8 @@ import contextlib
 import os
 import signal
 import sys
+import traceback
+from pathlib import Path
 from typing import IO
 
 import msgspec
@@ -24,6 +26,7 @@ from esicatalog.ingest.unchanged import ReferenceHashes, is_unchanged
 from esicatalog.lint.linter import Linter
 from esicatalog.model.derivation import Deriver
 
+_PACKAGE = Path(__file__).parents[1]
 _MAX_OPENED = 16
 """Containers kept open: neighbours in the order of reading lie in different archives."""
 _NICENESS = 5
@@ -92,7 +95,8 @@ class DocumentWorker:
             )
         except Exception as error:  # a fault of the reader costs its document, not the run
             outcome.status = "failed"
-            outcome.message = f"not foreseen by the reader ({type(error).__name__}); please report it with the document"
+            where = f"{type(error).__name__} in {_place(error)}"
+            outcome.message = f"not foreseen by the reader ({where}); please report it with the document"
         return outcome
 
     def _container(self, task: Task) -> tuple[Container, ReferenceHashes]:
@@ -105,6 +109,13 @@ class DocumentWorker:
         if len(self._opened) > _MAX_OPENED:
             del self._opened[next(iter(self._opened))]
         return opened
+
+
+def _place(error: Exception) -> str:
+    """The last place in this package that an exception came through, for who is told of it."""
+    frames = ((Path(frame.filename), frame.lineno) for frame in traceback.extract_tb(error.__traceback__))
+    *_, (file, line) = (frame for frame in frames if frame[0].is_relative_to(_PACKAGE))
+    return f"{file.relative_to(_PACKAGE.parent).as_posix()}, line {line}"
 
 
 def serve(requests: IO[bytes], answers: IO[bytes]) -> None:
