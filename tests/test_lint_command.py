@@ -3,6 +3,7 @@
 import errno
 import io
 import json
+import os
 import re
 import sqlite3
 import zipfile
@@ -83,6 +84,34 @@ def test_other_files_are_skipped_unless_named(tmp_path):
     assert result.stderr == "0 errors, 0 warnings, 0 infos; documents: 1, skipped as no ESI: 2\n"
     assert [item["rule"] for item in found(tmp_path / "eni.xml")] == ["L02"]
     assert run(tmp_path / "notes.txt").exit_code == 1
+
+
+def test_what_was_never_opened_is_not_called_clean(tmp_path, monkeypatch):
+    """Links that lead outside, pipes and devices: nobody knows what lies behind them."""
+    write(tmp_path, {"outside/a.xml": esi(device(), vendor=BAD_VENDOR), "links/sub/notes.txt": "text"})
+    (tmp_path / "links" / "b.xml").symlink_to(tmp_path / "outside" / "a.xml")
+    (tmp_path / "links" / "c").symlink_to(tmp_path / "outside")
+    (tmp_path / "links" / "d").symlink_to(tmp_path / "links" / "sub")
+    os.mkfifo(tmp_path / "p.xml")
+    monkeypatch.chdir(tmp_path)
+    result = run("links")
+    assert (result.stdout, result.exit_code) == ("", 1)
+    assert result.stderr.splitlines() == [
+        "esicatalog: links/c: symbolic link to a folder; name the folder itself to read it",
+        "esicatalog: links/b.xml: symbolic link that leads outside the folder",
+        "0 errors, 0 warnings, 0 infos; documents: 0, skipped as no ESI: 2",
+    ]
+    for name in ("p.xml", "/dev/null"):
+        result = run(name)
+        assert (result.exit_code, result.stderr.splitlines()[0]) == (1, f"esicatalog: {name}: not a regular file")
+
+
+def test_an_archive_without_files_is_skipped_unless_named(tmp_path):
+    with zipfile.ZipFile(tmp_path / "empty.zip", "w"):
+        pass
+    assert run(tmp_path).exit_code == 0
+    result = run(tmp_path / "empty.zip")
+    assert (result.exit_code, "empty.zip: an archive without files" in result.stderr) == (1, True)
 
 
 def test_what_cannot_be_read_at_all_is_an_error(tmp_path):

@@ -28,6 +28,7 @@ class FilesRun:
 
     def __init__(self, paths: Sequence[str], rules: Sequence[Rule], schema: Path | None) -> None:
         self._paths = paths
+        self._named = {os.path.realpath(path) for path in paths}
         self._rules = rules
         self._linter = Linter(rules)
         self._schema = SchemaFolder(schema) if schema is not None else None
@@ -42,14 +43,13 @@ class FilesRun:
 
     def findings(self) -> Iterator[DocumentFinding]:
         """All findings; those across documents come last."""
-        named = {os.path.realpath(path) for path in self._paths}
         for found in self._found():
             shown = _shown(found.location)
             try:
                 for finding in self._document(found, shown):
                     yield DocumentFinding(shown, finding)
             except NotAnEsiDocument as error:
-                if found.location in named:
+                if found.location in self._named:
                     yield from self._refused(shown, NO_ESI, error)
                 else:
                     self._skipped_count += 1
@@ -71,10 +71,21 @@ class FilesRun:
             for found in _documents(item):
                 if found.problem is None:
                     yield found
-                elif found.problem[0] == "skipped":
+                elif found.problem[0] == "skipped" and self._is_known_to_hold_none(found):
                     self._skipped_count += 1
                 else:
                     self.unreadable.append(f"{_shown(found.location)}: {found.problem[1]}")
+
+    def _is_known_to_hold_none(self, found: FoundDocument) -> bool:
+        """Whether what was skipped holds no documents but those that are checked anyway, and nobody asked for it.
+
+        So it is with an archive without files and a link that leads to a folder inside; what lies behind other links
+        and in what is no regular file nobody looked at.
+        """
+        leads_inside = (
+            Path(os.path.realpath(found.location)).is_relative_to(found.root) and Path(found.location).is_dir()
+        )
+        return found.location not in self._named and (found.is_archive or leads_inside)
 
     def _document(self, found: FoundDocument, shown: str) -> list[Finding]:
         container = self._container(found)
