@@ -209,7 +209,11 @@ def test_select_and_ignore(tmp_path):
         (["--select", "L99", "."], "no lint rule 'L99'"),
         (["--ignore", "x", "."], "no lint rule 'x'"),
         ([], "name files"),
-        ([".", "--db", "catalog.db"], "name files"),
+        ([".", "--db", "catalog.db"], "give only one of files, folders or archives to lint, or a catalog with --db"),
+        ([".", "--db", ""], "give only one of"),
+        (["--db", "catalog.db", "--schema", "."], "--schema validates the documents themselves"),
+        (["--select", "", "."], "--select names no rule"),
+        (["--ignore", ",", "."], "--ignore names no rule"),
         (["nowhere.xml"], "no such file or folder"),
         (["--schema", "nowhere", "."], "no EtherCATInfo.xsd"),
     ],
@@ -220,6 +224,16 @@ def test_wrong_usage_is_one_line(tmp_path, monkeypatch, arguments, words):
     assert result.exit_code == 2
     assert result.stdout == ""
     assert re.fullmatch(rf"esicatalog: .*{re.escape(words)}.*\n", result.stderr)
+
+
+def test_selecting_the_schema_rule_without_schema_tells_what_was_left_out(tmp_path):
+    """The values of booleans and numbers are checked without; nothing else of the schema is."""
+    write(tmp_path, {"a.xml": esi(device())})
+    result = run(tmp_path, "--select", "l03")
+    assert result.stderr.splitlines()[0] == (
+        "esicatalog: L03 looked at booleans and numbers only; for all kinds: --schema DIR"
+    )
+    assert "booleans" not in run(tmp_path).stderr
 
 
 def test_the_list_of_rules():

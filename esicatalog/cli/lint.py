@@ -47,17 +47,22 @@ def command(
     from esicatalog.lint.registry import chosen_rules
     from esicatalog.lint.report import summary
     from esicatalog.lint.rules import ALL_RULES
+    from esicatalog.lint.rules.reading import SCHEMA_RULE
 
-    rules = chosen_rules(ALL_RULES, _ids(select), _ids(ignore))
+    selected = _ids("--select", select)
+    rules = chosen_rules(ALL_RULES, selected, _ids("--ignore", ignore))
     if list_rules:
         _print_rules(rules, output_format)
         return
-    if bool(paths) == bool(db):
-        raise InputError("name files, folders or archives to lint, or a catalog with --db")
-    run = _StoredRun(db, rules) if db else FilesRun(paths, rules, schema)
+    _check_usage(paths, db, schema)
+    run = _StoredRun(db, rules) if db is not None else FilesRun(paths, rules, schema)
     shown = print_findings(run.findings(), rules, output_format)
     for problem in run.unreadable:
         click.echo(f"esicatalog: {problem}", err=True)
+    if schema is None and SCHEMA_RULE in map(str.upper, selected):
+        click.echo(
+            f"esicatalog: {SCHEMA_RULE} looked at booleans and numbers only; for all kinds: --schema DIR", err=True
+        )
     click.echo(summary(shown) + run.counts(), err=True)
     if run.unreadable or any(finding.severity == "E" for finding in shown):
         sys.exit(EXIT_NO)
@@ -84,8 +89,22 @@ def print_findings(items: "Iterable[DocumentFinding]", rules: "Sequence[Rule]", 
     return shown
 
 
-def _ids(options: tuple[str, ...]) -> list[str]:
-    return [name for option in options for name in option.replace(",", " ").split()]
+def _check_usage(paths: tuple[str, ...], db: str | None, schema: Path | None) -> None:
+    what = "files, folders or archives to lint, or a catalog with --db"
+    if paths and db is not None:
+        raise InputError(f"give only one of {what}")
+    if not paths and db is None:
+        raise InputError(f"name {what}")
+    if db is not None and schema is not None:
+        raise InputError("--schema validates the documents themselves, which a catalog does not hold; name them")
+
+
+def _ids(option: str, texts: tuple[str, ...]) -> list[str]:
+    """The ids of rules in the texts of an option. Raises :class:`InputError` where it is given and names none."""
+    ids = [name for text in texts for name in text.replace(",", " ").split()]
+    if texts and not ids:
+        raise InputError(f"{option} names no rule; lint --list prints all rules")
+    return ids
 
 
 def _print_rules(rules: "Sequence[Rule]", output_format: str) -> None:

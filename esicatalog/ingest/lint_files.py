@@ -17,7 +17,7 @@ from esicatalog.lint.library import DeviceFact, facts_of_document, lint_library
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.registry import Rule
 from esicatalog.lint.report import DocumentFinding
-from esicatalog.lint.rules.reading import NO_ESI, REFUSED
+from esicatalog.lint.rules.reading import NO_ESI, REFUSED, SCHEMA_RULE
 from esicatalog.lint.schema import SchemaFolder
 
 Result = TypeVar("Result")
@@ -98,7 +98,7 @@ class FilesRun:
         findings = self._linter.document(
             read, tree, lambda name: resolve_reference(container, found.name, name) is not None
         )
-        if self._schema is not None and any(rule.id == "L03" for rule in self._rules):
+        if self._schema is not None and any(rule.id == SCHEMA_RULE for rule in self._rules):
             violations = self._schema.violations(tree().whole())
             findings = sorted([*findings, *violations], key=lambda finding: finding.line)
         self._facts.extend(facts_of_document(read, shown, self._signature))

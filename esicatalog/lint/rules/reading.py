@@ -7,6 +7,7 @@ from esicatalog.lint.subjects import InfoSubject
 
 REFUSED, NO_ESI = "L01", "L02"
 """Rules for documents of which nothing can be checked."""
+SCHEMA_RULE = "L03"
 
 found_by_reader(
     REFUSED,
@@ -21,7 +22,7 @@ found_by_reader(
     "ETG.2000; EtherCATConfig is an ENI file, the configuration of a master",
 )
 found_by_reader(
-    "L03",
+    SCHEMA_RULE,
     WARNING,
     "Violates the schema (all kinds with --schema; booleans and numbers always).",
     "ETG.2000 EtherCATInfo.xsd, EtherCATBase.xsd, EtherCATModule.xsd, EtherCATDict.xsd, EtherCATDiag.xsd",
