@@ -314,7 +314,8 @@ class Catalog:
         ``<state>`` becomes the first 16 digits of a digest of what that leaves out (:meth:`state_hash`).
 
         Raises :class:`~esicatalog.errors.CatalogError` while an ingest is under way, when the file holds another
-        catalog, and :class:`~esicatalog.errors.InputError` for a file that cannot be written.
+        catalog or is none that nobody writes to, and :class:`~esicatalog.errors.InputError` for a file that cannot be
+        written and for a ``<…>`` that stands for nothing.
         """
         from esicatalog.catalog.snapshot import write_snapshot
 

@@ -88,6 +88,47 @@ def test_the_same_content_again_is_no_error_and_other_content_is(tmp_path, snaps
     assert snapshot.read_bytes() == before
 
 
+def test_a_plain_catalog_is_never_taken_for_the_snapshot(tmp_path, snapshot):
+    """It may change at any time, and a server does not find the counts beside it."""
+    db, copy = tmp_path / "catalog.db", tmp_path / "copy.db"
+    for file in (db, copy):
+        file.write_bytes(snapshot.read_bytes())
+    (tmp_path / "link.db").symlink_to(db)
+    for name in ("catalog.db", "link.db"):
+        result = words("snapshot", "--from", db, "--to", tmp_path / name)
+        assert (result.exit_code, "is the catalog that is to be copied" in result.stderr) == (2, True)
+    result = words("snapshot", "--from", db, "--to", copy)
+    assert (result.exit_code, "is no snapshot: it can be written" in result.stderr) == (2, True)
+    copy.chmod(0o444)
+    result = words("snapshot", "--from", db, "--to", copy)
+    assert (result.exit_code, "is no snapshot: no copy.db.inspect.json is beside it" in result.stderr) == (2, True)
+    assert words("snapshot", "--from", snapshot, "--to", snapshot).exit_code == 2
+    assert words("snapshot", "--from", db, "--to", snapshot).exit_code == 0
+
+
+def test_a_slip_in_a_placeholder_makes_no_file(tmp_path, data_db):
+    result = words("snapshot", "--from", data_db, "--to", tmp_path / "x<hahs>.db")
+    (line,) = result.stderr.splitlines()
+    assert (result.exit_code, "nothing stands for <hahs>; there are <hash> and <state>" in line) == (2, True)
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_ingest_never_changes_a_snapshot(tmp_path, snapshot):
+    """Also one of the superuser, who may write to any file; one of the two signs of a snapshot is enough."""
+    folder = write(tmp_path / "esi", {"a.xml": esi(device())})
+    plain, counted = tmp_path / "plain.db", tmp_path / "counted.db"
+    for file in (plain, counted):
+        file.write_bytes(snapshot.read_bytes())
+    plain.chmod(0o444)
+    inspect_path(counted).write_text("{}")
+    for file, reason in ((snapshot, "is read-only"), (plain, "is read-only"), (counted, "counted.db.inspect.json")):
+        before = file.read_bytes()
+        result = words("ingest", folder, "--db", file)
+        (line,) = result.stderr.splitlines()
+        assert (result.exit_code, reason in line, "never change" in line) == (2, True, True)
+        assert file.read_bytes() == before
+
+
 def test_documents_without_devices_make_it_another_snapshot(tmp_path):
     """An ENI document is skipped and describes no device: the content hash stays what it was."""
     folder = write(tmp_path / "esi", {"a.xml": esi(device())})

@@ -5,7 +5,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from esicatalog.catalog.own_files import LOCK_SUFFIX
+from esicatalog.catalog.own_files import INSPECT_SUFFIX, LOCK_SUFFIX
 from esicatalog.errors import CatalogError
 
 try:
@@ -19,12 +19,17 @@ def only_writer(path: Path | None) -> Iterator[None]:
     """Hold the lock file beside an SQLite catalog; it is gone afterwards, and a killed process leaves it unlocked.
 
     SQLite's own lock ends with every transaction, an ingest has many. None (another database, or memory) locks
-    nothing. Raises :class:`CatalogError` when another process holds it, or nobody can (as on some NFS).
+    nothing. Raises :class:`CatalogError` when another process holds it, or nobody can (as on some NFS), and for a
+    snapshot, which never changes, whoever asks.
     """
-    if path is None or fcntl is None:
+    if path is None:
         yield
         return
     real = Path(os.path.realpath(path))
+    _check_may_change(real, path)
+    if fcntl is None:
+        yield
+        return
     lock = real.with_name(real.name + LOCK_SUFFIX)
     descriptor = _locked(lock, path)
     try:
@@ -32,6 +37,19 @@ def only_writer(path: Path | None) -> Iterator[None]:
     finally:
         lock.unlink(missing_ok=True)
         os.close(descriptor)
+
+
+def is_read_only(file: Path) -> bool:
+    """Whether a file is there and nobody was to write to it; the superuser could all the same."""
+    return file.exists() and not file.stat().st_mode & 0o222
+
+
+def _check_may_change(real: Path, path: Path) -> None:
+    """Raise :class:`CatalogError` for a file that is not to be written, as snapshots are."""
+    counts = real.with_name(real.name + INSPECT_SUFFIX)
+    if is_read_only(real) or counts.exists():
+        reason = "is read-only" if is_read_only(real) else f"{counts.name} beside it says what it holds"
+        raise CatalogError(f"{path}: {reason}, as with snapshots, which never change; name another catalog")
 
 
 def _locked(lock: Path, path: Path) -> int:

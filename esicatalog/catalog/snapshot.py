@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -11,10 +12,11 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import RowBuffer
-from esicatalog.catalog.database import database_error, open_catalog
+from esicatalog.catalog.database import database_error, open_catalog, sqlite_path
 from esicatalog.catalog.full_text import index_devices
-from esicatalog.catalog.inspect_data import inspect_data, inspect_path
+from esicatalog.catalog.inspect_data import inspect_data, inspect_path, read_inspect_data
 from esicatalog.catalog.load import end_load, finish_load, prepare_load
+from esicatalog.catalog.lock import is_read_only
 from esicatalog.catalog.state import CONTENT_HASH, read_state, state_hash
 from esicatalog.catalog.views import FULL_TEXT
 from esicatalog.errors import CatalogError, InputError
@@ -24,6 +26,7 @@ HASH_PLACE = "<hash>"
 STATE_PLACE = "<state>"
 """Stands for the first digits of the digest of what the content hash leaves out."""
 _STATE_DIGITS = 16
+_PLACE = re.compile("<[^<>/]*>")
 _BATCH_ROWS = 10_000
 _READ_ONLY = 0o444
 
@@ -37,7 +40,7 @@ class Snapshot(NamedTuple):
 
 
 def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
-    """Write a snapshot of what a transaction sees; a file that is there stays if it holds the same.
+    """Write a snapshot of what a transaction sees; a snapshot that is there stays if it holds the same.
 
     The file appears under its name only when it is complete and its content hash was verified. Raises
     :class:`CatalogError` and :class:`InputError`.
@@ -51,9 +54,15 @@ def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
     if "://" in name:
         raise InputError(f"{name}: a snapshot is a file; name one, for example catalog-{HASH_PLACE}.db")
     state = state_hash(source)
-    path = Path(name.replace(HASH_PLACE, expected).replace(STATE_PLACE, state[:_STATE_DIGITS]))
+    named = name.replace(HASH_PLACE, expected).replace(STATE_PLACE, state[:_STATE_DIGITS])
+    unknown = _PLACE.search(named)
+    if unknown is not None:
+        raise InputError(f"{name}: nothing stands for {unknown[0]}; there are {HASH_PLACE} and {STATE_PLACE}")
+    path = Path(named)
     if path.exists():
+        _check_is_other_file(path, source)
         _check_same(path, expected, state)
+        _check_is_snapshot(path)
         return Snapshot(path, expected, was_there=True)
     if not path.parent.is_dir():
         raise InputError(f"{path.parent}: no such folder for the snapshot")
@@ -67,6 +76,19 @@ def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
     except OSError as error:
         raise InputError(f"{path}: {error.strerror}; no snapshot was made") from error
     return Snapshot(path, expected, was_there=False)
+
+
+def _check_is_other_file(path: Path, source: sa.Connection) -> None:
+    copied = sqlite_path(source.engine.url)
+    if copied is not None and path.samefile(copied):
+        raise InputError(f"{path}: is the catalog that is to be copied; name another file for the snapshot")
+
+
+def _check_is_snapshot(path: Path) -> None:
+    """Raise :class:`CatalogError` for a file of the same content that is a plain catalog, which may change."""
+    if not is_read_only(path) or read_inspect_data(path) is None:
+        lacking = f"no {inspect_path(path).name} is beside it" if is_read_only(path) else "it can be written"
+        raise CatalogError(f"{path}: holds the same, but is no snapshot: {lacking}; name another file")
 
 
 def _check_same(path: Path, expected: str, state: str) -> None:
