@@ -985,7 +985,10 @@ def test_the_control_byte_decides_the_direction():
         ({"position": -1}, "position -1"),
         ({"name": "1x"}, "cannot begin names"),
         ({"name": "a__b"}, "cannot begin names"),
-        ({"name": "int"}, "cannot begin names"),
+        ({"name": "int"}, "is a word or macro of C"),
+        ({"name": "Class"}, "is a word or macro of C"),
+        ({"name": "a1_"}, "single _ between them"),
+        ({"name": 49 * "a"}, "longer than 48 characters"),
         ({"name": "a;b"}, "cannot begin names"),
     ],
 )

@@ -1,6 +1,7 @@
 """Names of entries: usable in C and Python, unique, independent of order, nothing of the vendor's escapes."""
 
 import keyword
+import re
 import string
 
 import pytest
@@ -8,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from esicatalog.export.c_text import comment_text, wrapped
-from esicatalog.export.names import IDENTIFIER, identifier, unique_names
+from esicatalog.export.names import checked_prefix, identifier, unique_names
 
 
 @pytest.mark.parametrize(
@@ -41,7 +42,7 @@ def test_identifiers(text, name):
 @given(st.text())
 def test_every_text_becomes_an_identifier(text):
     name = identifier(text, "x")
-    assert IDENTIFIER.fullmatch(name)
+    assert re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name)
     assert not keyword.iskeyword(name)
     assert len(name) <= 50
 
@@ -87,3 +88,8 @@ def test_long_lines_are_broken_at_blanks():
     assert all(len(line) <= 60 or line == "x" * 300 for line in lines)
     assert lines[1].startswith("  word")
     assert any(line.startswith(" " * 10 + "text") for line in lines)
+
+
+def test_a_prefix_of_the_users_own_is_taken_in_lower_case():
+    """Capitals inside are no reason to refuse it: nothing is put between its words."""
+    assert [checked_prefix(name) for name in ("leftArm", "X1_2y", "ARM")] == ["leftarm", "x1_2y", "arm"]

@@ -299,7 +299,10 @@ def test_empty_categories_between_others_are_kept():
         (image(end=b"\x32\x00\xff\xff"), "category 50 (TxPDO) at byte 0x80 runs past the end of the image: 131070 "),
         (image((3, b"AB"), end=b"\x0a"), "ends inside the head of the category at byte 0x86"),
         (image((3, b"AB"), end=b"\x0a\x00\x01"), "ends inside the head of the category at byte 0x86"),
-        (b"<?xml version='1.0'?>".ljust(400, b"x"), "category 30840 at byte 0x80 runs past the end"),
+        (b"<?xml version='1.0'?>".ljust(400, b"x"), "no SII image: an XML document"),
+        (b"\xef\xbb\xbf\r\n<EtherCATInfo/>", "no SII image: an XML document"),
+        ("<?xml version='1.0' encoding='utf-16'?><EtherCATInfo/>".encode("utf-16"), "no SII image: an XML document"),
+        (b"Master 0, Slave 0\r\n\tgr\xc3\xbcn\n" * 20, "no SII image: text; name what was read from the EEPROM"),
     ],
 )
 def test_what_is_no_image_ends_in_one_line(data, words):

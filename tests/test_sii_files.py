@@ -106,4 +106,4 @@ def test_read_sii_takes_the_bytes_of_a_file_in_either_form():
     broken = bytes([by_hand.WHOLE[0] ^ 1]) + by_hand.WHOLE[1:]
     assert any("check sum at byte 0xE" in finding for finding in esicatalog.read_sii(broken).findings)
     with pytest.raises(DocumentError, match="its length in bytes is 1;"):
-        esicatalog.read_sii(b"x")
+        esicatalog.read_sii(b"\0")

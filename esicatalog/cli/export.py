@@ -268,7 +268,7 @@ def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: 
 
 
 def _bus_name(name: str | None) -> str:
-    from esicatalog.export.configuration import checked_prefix
+    from esicatalog.export.names import checked_prefix
 
     return checked_prefix(name) if name is not None else "bus"
 

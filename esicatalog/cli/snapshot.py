@@ -19,9 +19,10 @@ def command(source: str, target: str) -> None:
     """Copy a catalog into one read-only SQLite file, for `esicatalog serve --immutable`.
 
     Prints the file, which appears only when it is complete and verified; FILE.inspect.json beside it holds its row
-    counts; an ingest refuses both. A snapshot that holds the same already is left as it is, any other file is not
-    touched: exit code 2. The content hash covers the descriptions and the documents that carry them; <state> tells the documents without devices and the
-    versions that read and derive: name both where a snapshot is taken again and again.
+    counts, and an ingest refuses it. A snapshot that holds the same already is left as it is, any other file is not
+    touched: exit code 2. The content hash covers the descriptions and the documents that carry them; <state> tells the
+    documents without devices and the versions that read and derive: name both where a snapshot is taken again and
+    again.
     """
     from esicatalog.api import Catalog
 

@@ -21,7 +21,7 @@ from esicatalog.export.image_remarks import (
 from esicatalog.export.init_cmds import StartCommand, start_commands
 from esicatalog.export.missing_modules import missing_modules
 from esicatalog.export.mode_commands import mode_remarks
-from esicatalog.export.names import IDENTIFIER, identifier
+from esicatalog.export.names import checked_prefix, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import apply_choice
 from esicatalog.export.pdo_objects import contradiction_remarks, contradictions
@@ -161,13 +161,6 @@ def _too_short(device: Device, cycle_ns: int) -> Iterator[str]:
             f"the device describes {least_ns} ns as its smallest bus cycle, this is made for {cycle_ns} ns: choose a "
             "longer one, or find out what this configuration of the device can do"
         )
-
-
-def checked_prefix(name: str) -> str:
-    """A prefix of the user's own. Raises :class:`InputError` when no identifier can begin so."""
-    if IDENTIFIER.fullmatch(name) is None or "__" in name or identifier(name, "") != name.lower():
-        raise InputError(f"{name!r} cannot begin names: use letters, digits and single _, a letter first")
-    return name.lower()
 
 
 def _check_assigned(choice: Choice, images: Sequence[SmImage]) -> None:

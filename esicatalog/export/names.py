@@ -5,6 +5,8 @@ import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
+from esicatalog.errors import InputError
+
 _MAX_LENGTH = 48
 _RESERVED = (
     # C11, C23 and gcc's gnu modes
@@ -29,7 +31,7 @@ _CAMEL = re.compile(r"(?<=[a-z0-9])(?=[A-Z][a-z])")
 _TRANSLITERATED = str.maketrans(
     {"ß": "ss", "ä": "ae", "ö": "oe", "ü": "ue", "Ä": "Ae", "Ö": "Oe", "Ü": "Ue", "µ": "u", "Ω": "ohm", "°": "deg"}
 )
-IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+_PREFIX = re.compile(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*")
 
 
 def identifier(text: str | None, fallback: str) -> str:
@@ -42,6 +44,20 @@ def identifier(text: str | None, fallback: str) -> str:
     if shortened[0].isdigit():
         shortened = f"n{shortened}"
     return f"{shortened}_" if shortened in _RESERVED_WORDS else shortened
+
+
+def checked_prefix(name: str) -> str:
+    """A prefix of the user's own, in lower case. Raises :class:`InputError` when no identifier can begin so."""
+    prefix = name.lower()
+    refusals = {
+        "use letters, digits and single _ between them, a letter first": _PREFIX.fullmatch(name) is None,
+        f"it is longer than {_MAX_LENGTH} characters": len(name) > _MAX_LENGTH,
+        "it is a word or macro of C, C++ or Python": prefix in _RESERVED_WORDS,
+    }
+    reason = next((words for words, is_so in refusals.items() if is_so), None)
+    if reason is not None:
+        raise InputError(f"{name!r} cannot begin names: {reason}")
+    return prefix
 
 
 def unique_names(candidates: Sequence[Sequence[str]], taken: Iterable[str] = ()) -> list[str]:

@@ -1,5 +1,6 @@
 """From the bytes of an SII image to records. No byte outside the image is looked at, and none is lost."""
 
+import re
 from collections.abc import Callable
 
 import msgspec
@@ -25,6 +26,11 @@ from esicatalog.sii.image import (
 from esicatalog.sii.records import DC_MODE, FMMU, HEADER, PDO, PDO_ENTRY, SYNC_MANAGER, Pdo, SiiString
 from esicatalog.sii.words import category_title
 
+_XML = re.compile(rb"(?:\xef\xbb\xbf)?\s*<[?!A-Za-z]|\xff\xfe<\0|\xfe\xff\0<")
+"""How XML begins in UTF-8 and UTF-16. An image begins with the PDI control word, and there is no such PDI type."""
+_TEXT = re.compile(r"[^\x00-\x08\x0b\x0c\x0e-\x1f\x7f]+")
+"""No control characters but those between lines; every image has many others."""
+
 
 def decode_sii(data: bytes) -> SiiImage:
     """The records of a raw image (:func:`esicatalog.sii.files.image_bytes` gives the one in a file).
@@ -33,8 +39,8 @@ def decode_sii(data: bytes) -> SiiImage:
     ``encode_sii(decode_sii(data)) == data``. What is odd but readable is told in ``findings``, with byte offsets.
     A category whose data do not fit its type is kept as :class:`RawCategory`, with a finding.
 
-    Raises :class:`SiiImageError` when the header is incomplete, all bytes are 0x00 or all are 0xFF, a category runs
-    past the end of the image, or there are more than 512 KiB.
+    Raises :class:`SiiImageError` when the bytes are XML or other text, the header is incomplete, all bytes are 0x00 or
+    all are 0xFF, a category runs past the end of the image, or there are more than 512 KiB.
     """
     _check_is_image(data)
     categories: list[Category] = []
@@ -62,6 +68,10 @@ def decode_sii(data: bytes) -> SiiImage:
 
 
 def _check_is_image(data: bytes) -> None:
+    if _XML.match(data):
+        raise SiiImageError("no SII image: an XML document; name what was read from the EEPROM, raw or Intel HEX")
+    if _is_text(data):
+        raise SiiImageError("no SII image: text; name what was read from the EEPROM, raw or Intel HEX")
     length = f"no SII image: its length in bytes is {len(data)}"
     if len(data) < HEADER.size:
         raise SiiImageError(f"{length}; the header alone takes {HEADER.size}")
@@ -70,6 +80,13 @@ def _check_is_image(data: bytes) -> None:
     for filler in (0x00, 0xFF):
         if data.count(filler) == len(data):
             raise SiiImageError(f"all bytes are 0x{filler:02X}: an empty EEPROM, no SII image")
+
+
+def _is_text(data: bytes) -> bool:
+    try:
+        return _TEXT.fullmatch(data.decode()) is not None
+    except UnicodeDecodeError:
+        return False
 
 
 def _category_at(data: bytes, offset: int) -> tuple[int, bytes]:
