@@ -120,7 +120,7 @@ def test_an_ingest_never_changes_a_snapshot(tmp_path, snapshot):
     for file in (plain, counted):
         file.write_bytes(snapshot.read_bytes())
     plain.chmod(0o444)
-    inspect_path(counted).write_text("{}")
+    inspect_path(counted).write_bytes(inspect_path(snapshot).read_bytes())
     for file, reason in ((snapshot, "is read-only"), (plain, "is read-only"), (counted, "counted.db.inspect.json")):
         before = file.read_bytes()
         result = words("ingest", folder, "--db", file)

@@ -5,7 +5,8 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from esicatalog.catalog.own_files import INSPECT_SUFFIX, LOCK_SUFFIX
+from esicatalog.catalog.inspect_data import inspect_path, read_inspect_data
+from esicatalog.catalog.own_files import LOCK_SUFFIX
 from esicatalog.errors import CatalogError
 
 try:
@@ -45,11 +46,21 @@ def is_read_only(file: Path) -> bool:
 
 
 def _check_may_change(real: Path, path: Path) -> None:
-    """Raise :class:`CatalogError` for a file that is not to be written, as snapshots are."""
-    counts = real.with_name(real.name + INSPECT_SUFFIX)
-    if is_read_only(real) or counts.exists():
-        reason = "is read-only" if is_read_only(real) else f"{counts.name} beside it says what it holds"
-        raise CatalogError(f"{path}: {reason}, as with snapshots, which never change; name another catalog")
+    """Raise :class:`CatalogError` for a file that is not to be written, and for one that its counts describe."""
+    if is_read_only(real):
+        raise CatalogError(f"{path}: is read-only, as snapshots are, which never change; name another catalog")
+    if _has_counts(real):
+        raise CatalogError(
+            f"{path}: {inspect_path(real).name} beside it describes it, as with snapshots, which never change; "
+            "name another catalog"
+        )
+
+
+def _has_counts(real: Path) -> bool:
+    try:
+        return real.exists() and read_inspect_data(real) is not None
+    except CatalogError:
+        return False  # They are of another file, or of another time.
 
 
 def _locked(lock: Path, path: Path) -> int:
