@@ -3,6 +3,7 @@
 import errno
 import json
 import os
+import re
 import shutil
 import sqlite3
 import subprocess
@@ -216,6 +217,30 @@ def test_devices_as_csv(data_db):
     lines = run("devices", "--format", "csv", "--include-hidden", db=data_db).stdout.splitlines()
     assert len(lines) == 7
     assert "0x00001097,0x00002406,0x0000008f,1," in lines[4]
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="no bash")
+@pytest.mark.parametrize(
+    "command", ["lint <(cat {})", "ingest <(cat {})", "diff --esi {} <(cat {})", "export igh --esi <(cat {})"]
+)
+def test_esi_from_a_pipe_is_refused_for_what_it_is(data, tmp_path, command):
+    file = data / "l6n_drive.xml"
+    code, says = piped(f"cd {tmp_path}; {PROGRAM} {command.replace('{}', str(file))}")
+    assert code == 2
+    assert re.fullmatch(r"esicatalog: /dev/fd/[0-9]+: is a pipe; ESI is read from files only\n", says)
+
+
+@pytest.mark.parametrize(
+    "words", [("lint", "-"), ("ingest", "-"), ("diff", "--esi", "-", "-"), ("export", "igh", "--esi", "-")]
+)
+def test_esi_is_not_read_from_standard_input(tmp_path, monkeypatch, words):
+    monkeypatch.chdir(tmp_path)
+    assert one_line_error(run(*words)) == "esicatalog: -: standard input is not read here; give ESI files"
+
+
+def test_standard_input_is_read_once(data_db):
+    result = run("identify", "--slaves", "-", "--pdos", "0=-", db=data_db, stdin="0x1097,0x2406\n")
+    assert "standard input can be read once" in one_line_error(result)
 
 
 def test_mappings_on_the_command_line(data_db):

@@ -197,7 +197,7 @@ def test_what_is_missing_from_a_file_is_told(tmp_path):
         ((), "say what to compare: IDENTITY IDENTITY, or --esi A B"),
         (("1:1",), "say what to compare"),
         (("1:1", "1:2", "1:3"), "say what to compare"),
-        (("1:1", "1:2", "--esi", "a.xml", "a.xml"), "say what to compare"),
+        (("1:1", "1:2", "--esi", "a.xml", "a.xml"), "give only one of IDENTITY IDENTITY, or --esi A B"),
         (("1:x", "1:2"), "product 'x' is not a number"),
         (("--esi", "a.xml", "missing.xml"), "missing.xml: no such file"),
         (("--esi", "a.xml", "text.xml"), "text.xml: no XML document"),

@@ -85,8 +85,11 @@ def command(identities: tuple[Identity, ...], files: tuple[Path, Path] | None, d
     configuration that was made for the first device may not fit the second. Exit code 1 when one counts, or when the
     second file lacks a device of the first.
     """
-    if len(identities) != (0 if files else 2):
-        raise InputError("say what to compare: IDENTITY IDENTITY, or --esi A B")
+    ways = "IDENTITY IDENTITY, or --esi A B"
+    if identities and files:
+        raise InputError(f"give only one of {ways}")
+    if not files and len(identities) != 2:
+        raise InputError(f"say what to compare: {ways}")
     comparison = _of_files(*files) if files else _of_catalog(identities, db)
     if output_format == "json":
         print_json(_as_json(comparison))

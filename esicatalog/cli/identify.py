@@ -73,6 +73,7 @@ def command(
     from esicatalog.api import Catalog
 
     _check_usage(vendor, product, slaves, eni, sii, bool(pdos or sdos))
+    _check_one_reads_stdin([slaves, eni, sii, *(_placed(text)[1] for text in (*pdos, *sdos))])
     scan = _scan(slaves, eni)
     if scan is not None:
         from esicatalog.cli.bus_sheet import bus_lines
@@ -138,6 +139,11 @@ def _check_usage(
         raise InputError("--pdos and --sdos are compared with the slaves of a scan; give --slaves FILE too")
 
 
+def _check_one_reads_stdin(files: "Sequence[Path | None]") -> None:
+    if sum(str(file) == "-" for file in files) > 1:
+        raise InputError("standard input can be read once; give files, or - for one of them only")
+
+
 def _scan(slaves: Path | None, eni: Path | None) -> "Scan | None":
     from esicatalog.scan.front import read_eni, read_scan
 
@@ -199,6 +205,8 @@ def _print_answer(answer: "Identification", image_findings: "Sequence[str]") -> 
         which = f", variant {device.variant}" if len(answer.variants) > 1 else ""
         click.echo(f"\n{device.type}  {device.name or ''}{which}")
         click.echo(f"  {device.vendor or 'vendor without name'}  {device.identity_text}")
+        if device.hidden:
+            click.echo("  hidden: another description of the vendor supersedes it (HideType)")
         for source in variant.sources:
             click.echo(f"  described in {source.member}, line {source.line}")
     for warning in answer.warnings:

@@ -90,6 +90,18 @@ def open_regular(path: str | Path) -> io.FileIO:
     return stream
 
 
+def no_file_reason(path: str | os.PathLike[str]) -> str | None:
+    """Why an ESI file is not taken from what a shell or a user puts in the place of one; None for other names.
+
+    A document names others beside it, and is read again when something is asked of it: a pipe has neither.
+    """
+    try:
+        mode = Path(path).stat().st_mode
+    except OSError:
+        return "standard input is not read here; give ESI files" if os.fspath(path) == "-" else None
+    return "is a pipe; ESI is read from files only" if stat.S_ISFIFO(mode) else None
+
+
 def read_file(path: Path) -> bytes:
     """The bytes of a regular file; raises :class:`BrokenDocument` for anything else, and never waits for a writer.
 

@@ -10,7 +10,7 @@ from lxml import etree
 
 from esicatalog.errors import BrokenDocument, DocumentError, NotAnEsiDocument
 from esicatalog.esi.binding import Record, read_record
-from esicatalog.esi.containers import Container, Folder, resolve_reference
+from esicatalog.esi.containers import Container, Folder, no_file_reason, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.documents import ParsedDocument, parse_as_it_is, parse_document
 from esicatalog.esi.layouts import Layouts
@@ -363,7 +363,8 @@ def read_esi(path: str | Path) -> ReadDocument:
     """
     file = Path(path)
     if not file.is_file():
-        raise BrokenDocument(f"{file}: is a folder; give an ESI file" if file.is_dir() else f"{file}: no such file")
+        reason = "is a folder; give an ESI file" if file.is_dir() else no_file_reason(file) or "no such file"
+        raise BrokenDocument(f"{file}: {reason}")
     folder = Folder(file.parent)
     try:
         return Reader().read(folder.read(file.name), file.name, folder)

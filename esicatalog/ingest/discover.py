@@ -9,7 +9,7 @@ from typing import NamedTuple, TypeVar
 
 from esicatalog.errors import EsiCatalogError, InputError, UnreadableDocument
 from esicatalog.esi import containers
-from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive, is_unreadable
+from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive, is_unreadable, no_file_reason
 
 
 class FoundDocument(NamedTuple):
@@ -65,7 +65,7 @@ def _existing(path: str | os.PathLike[str]) -> Path:
     try:
         return Path(path).resolve(strict=True)
     except (OSError, RuntimeError) as error:
-        raise InputError(f"{os.fspath(path)}: no such file or folder") from error
+        raise InputError(f"{os.fspath(path)}: {no_file_reason(path) or 'no such file or folder'}") from error
 
 
 def _folder(root: Path) -> Iterator[FoundDocument | FoundArchive]:

@@ -93,9 +93,9 @@ def make_plan(
 
     ``own_files`` are the catalog's. Raises :class:`InputError`.
     """
-    given = [os.path.realpath(path) for path in paths]
+    given = list(paths)
     below = _look_below(discover(given, own_files), held)
-    gone = _gone(below, held, given if prune else [], own_files)
+    gone = _gone(below, held, [os.path.realpath(path) for path in given] if prune else [], own_files)
     unchanged, todo = _compared(below.documents, held, hashed or {})
     todo.sort(key=_reading_order)
     return Plan(
