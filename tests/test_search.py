@@ -1,5 +1,7 @@
 """Which devices can do X: every filter against what the documents say."""
 
+import csv
+import io
 import json
 import re
 from pathlib import Path
@@ -449,3 +451,17 @@ def test_people_are_told_a_dozen_of_many_reasons_the_assigned_ones_first(tmp_pat
     assert len(found.evidence) == 21
     assert found.evidence[0] == "0x6002:14, 8 bit, in TxPdo 0x1A01 (default on SM0)"
     assert found.shown_evidence == (*found.evidence[:12], "and 9 more")
+
+
+def test_hidden_revisions_are_marked_where_they_are_listed(tmp_path):
+    """Revision 2 hides revision 1."""
+    db = catalog_of(tmp_path, esi(device() + device("<HideType RevisionNo='#x1'/>", revision="#x2")))
+    first, second = run("devices", "--include-hidden", db=db).stdout.splitlines()[1:]
+    assert first.split() == ["0x00000e5c:0x00000001:0x00000001", "hidden", "T1", "N"]
+    assert second.split() == ["0x00000e5c:0x00000001:0x00000002", "T1", "N"]
+    (only,) = run("devices", db=db).stdout.splitlines()[1:]
+    assert only.split() == second.split()
+    table = csv.DictReader(io.StringIO(run("devices", "--include-hidden", "--format", "csv", db=db).stdout))
+    assert [row["hidden"] for row in table] == ["true", "false"]
+    assert "hidden: another description of the vendor supersedes it" in run("identify", "0xe5c", 1, 1, db=db).stdout
+    assert "hidden" not in run("identify", "0xe5c", 1, 2, db=db).stdout.partition("Others")[0]

@@ -14,10 +14,11 @@ _MEANT_AS_NUMBER = re.compile(r"(?:0x|#).*|[0-9]+", re.IGNORECASE | re.DOTALL)
 
 
 class Parameter(NamedTuple):
-    """A filter as text: the field of :class:`DeviceFilter`, how its text is read, the words it may be."""
+    """A filter as text: the field of :class:`DeviceFilter`, how its text is read, what it asks, what it may be."""
 
     field: str
     parse: Callable[[str], Any]
+    words: str
     repeated: bool = False
     choices: tuple[str, ...] = ()
 
@@ -43,39 +44,44 @@ def parse_vendor(text: str) -> tuple[int | None, str | None]:
 
 
 PARAMETERS: dict[str, Parameter] = {
-    "product": Parameter("product_code", parse_number),
-    "text": Parameter("text", str),
-    "profile": Parameter("profile_no", parse_number),
-    "mode": Parameter("modes", parse_modes, choices=MODES),
-    "strict": Parameter("strict", parse_flag),
-    "sync": Parameter("sync", str, choices=SYNC_SIGNALS),
-    "needs-dc": Parameter("needs_dc", parse_flag),
-    "protocol": Parameter("protocol", str, choices=PROTOCOLS),
-    "complete-access": Parameter("complete_access", parse_flag),
-    "pdo-assign": Parameter("pdo_assign", parse_flag),
-    "pdo-config": Parameter("pdo_config", parse_flag),
-    "bootstrap": Parameter("bootstrap", parse_flag),
-    "no-lrw": Parameter("no_lrw", parse_flag),
-    "identification": Parameter("identification", str, choices=IDENTIFICATIONS),
-    "physics": Parameter("physics", str),
-    "bytes-in": Parameter("bytes_in", parse_bounds),
-    "bytes-out": Parameter("bytes_out", parse_bounds),
-    "min-cycle-ns": Parameter("min_cycle_ns", parse_bounds),
-    "e-bus-ma": Parameter("e_bus_ma", parse_bounds),
-    "axes": Parameter("axes", parse_bounds),
-    "maps": Parameter("maps", parse_object, repeated=True),
-    "not-maps": Parameter("not_maps", parse_object, repeated=True),
-    "bits": Parameter("bits", parse_number),
-    "object": Parameter("objects", parse_object, repeated=True),
-    "like": Parameter("like", parse_identity),
-    "all-variants": Parameter("all_variants", parse_flag),
-    "include-hidden": Parameter("include_hidden", parse_flag),
-    "limit": Parameter("limit", parse_number),
+    "product": Parameter("product_code", parse_number, "Product code."),
+    "text": Parameter("text", str, "Words in vendor, type, name or identity; blank = all devices."),
+    "profile": Parameter("profile_no", parse_number, "Profile number, e.g. 402."),
+    "mode": Parameter("modes", parse_modes, "Runs all these CiA 402 modes.", choices=MODES),
+    "strict": Parameter("strict", parse_flag, "With mode: only the verdict yes, not likely."),
+    "sync": Parameter("sync", str, "Has an OpMode that generates this signal.", choices=SYNC_SIGNALS),
+    "needs-dc": Parameter("needs_dc", parse_flag, "Runs with distributed clocks only."),
+    "protocol": Parameter("protocol", str, "Supports this mailbox protocol.", choices=PROTOCOLS),
+    "complete-access": Parameter("complete_access", parse_flag, "Declares SDO complete access."),
+    "pdo-assign": Parameter("pdo_assign", parse_flag, "Declares that PDOs can be assigned (0x1C12, 0x1C13)."),
+    "pdo-config": Parameter("pdo_config", parse_flag, "Declares that PDO mappings can be changed."),
+    "bootstrap": Parameter("bootstrap", parse_flag, "Has a bootstrap mailbox."),
+    "no-lrw": Parameter("no_lrw", parse_flag, "Cannot handle LRW frames."),
+    "identification": Parameter(
+        "identification", str, "Returns an explicit identification so.", choices=IDENTIFICATIONS
+    ),
+    "physics": Parameter("physics", str, "Ports A to D: Y MII, K E-bus, H fast hot connect, blank unused."),
+    "bytes-in": Parameter("bytes_in", parse_bounds, "Input bytes of the default process image, where they are known."),
+    "bytes-out": Parameter(
+        "bytes_out", parse_bounds, "Output bytes of the default process image, where they are known."
+    ),
+    "min-cycle-ns": Parameter("min_cycle_ns", parse_bounds, "Smallest bus cycle in ns that the file tells."),
+    "e-bus-ma": Parameter("e_bus_ma", parse_bounds, "E-bus current in mA; negative = supplies."),
+    "axes": Parameter("axes", parse_bounds, "Number of CiA 402 axes."),
+    "maps": Parameter("maps", parse_object, "A PDO maps this; may be repeated.", repeated=True),
+    "not-maps": Parameter("not_maps", parse_object, "No PDO maps this.", repeated=True),
+    "bits": Parameter("bits", parse_number, "Length in bits of the entries that maps names."),
+    "object": Parameter("objects", parse_object, "The dictionary has this.", repeated=True),
+    "like": Parameter("like", parse_identity, "Same process-image layout as this device."),
+    "all-variants": Parameter("all_variants", parse_flag, "Also the descriptions that are not preferred."),
+    "include-hidden": Parameter("include_hidden", parse_flag, "Also revisions that their vendor hides (HideType)."),
+    "limit": Parameter("limit", parse_number, "At most so many."),
 }
 """All filters but ``vendor``, which is an id or a part of a name."""
+VENDOR_WORDS = "Vendor id (digits, 0x… or #…), or a part of the vendor's name."
 _VENDOR = "vendor"
 _BY_FIELD = {
-    "vendor_id": Parameter("vendor_id", parse_number),
+    "vendor_id": Parameter("vendor_id", parse_number, "Vendor id."),
     **{parameter.field: parameter for parameter in PARAMETERS.values()},
 }
 _REPEATED = tuple(name for name, parameter in PARAMETERS.items() if parameter.repeated)

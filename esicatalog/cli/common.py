@@ -233,6 +233,8 @@ def table_lines(rows: Iterable[Sequence[str]], head: Sequence[str]) -> list[str]
 def _cell(value: Any) -> str:
     if value is None:
         return ""
+    if isinstance(value, bool):
+        return str(value).lower()
     if isinstance(value, list | tuple):
         return "; ".join(map(str, value))
     return str(value)

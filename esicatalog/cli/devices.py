@@ -1,10 +1,12 @@
 """esicatalog devices"""
 
+from collections.abc import Callable
 from typing import Any
 
 import click
 
 from esicatalog.catalog.device_filter import IDENTIFICATIONS, PROTOCOLS, SYNC_SIGNALS
+from esicatalog.catalog.filter_texts import PARAMETERS, VENDOR_WORDS
 from esicatalog.cli.common import (
     BOUNDS,
     IDENTITY,
@@ -20,50 +22,56 @@ from esicatalog.cli.common import (
 )
 from esicatalog.model.counting import counted
 
-_CSV_COLUMNS = ("vendor_id_hex", "product_code_hex", "revision_no_hex", "variant", "vendor", "type", "name", "evidence")
+_CSV_COLUMNS = (
+    "vendor_id_hex",
+    "product_code_hex",
+    "revision_no_hex",
+    "variant",
+    "vendor",
+    "type",
+    "name",
+    "hidden",
+    "evidence",
+)
+
+
+def _filter(name: str, **attributes: Any) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """The option of a filter."""
+    parameter = PARAMETERS[name]
+    return click.option(f"--{name}", parameter.field, help=parameter.words, multiple=parameter.repeated, **attributes)
 
 
 @click.command("devices", cls=Command)
 @db_option
-@click.option("--vendor", metavar="V", help="Vendor id (digits, 0x… or #…), or a part of the vendor's name.")
-@click.option("--product", "product_code", metavar="P", type=NUMBER, help="Product code.")
-@click.option("--text", metavar="T", help="Words in vendor, type, name or identity; blank = all devices.")
-@click.option("--profile", "profile_no", metavar="N", type=NUMBER, help="Profile number, e.g. 402.")
-@click.option("--mode", "modes", metavar="CSV[,CSP]", type=MODES, default=(), help="Runs all these CiA 402 modes.")
-@click.option("--strict", is_flag=True, help="With --mode: only the verdict yes, not likely.")
-@click.option("--sync", type=click.Choice(SYNC_SIGNALS), help="Has an OpMode that generates this signal.")
-@click.option("--needs-dc", is_flag=True, help="Runs with distributed clocks only.")
-@click.option("--protocol", type=click.Choice(PROTOCOLS), help="Supports this mailbox protocol.")
-@click.option("--complete-access", is_flag=True, help="Declares SDO complete access.")
-@click.option("--pdo-assign", is_flag=True, help="Declares that PDOs can be assigned (0x1C12, 0x1C13).")
-@click.option("--pdo-config", is_flag=True, help="Declares that PDO mappings can be changed.")
-@click.option("--bootstrap", is_flag=True, help="Has a bootstrap mailbox.")
-@click.option("--no-lrw", is_flag=True, help="Cannot handle LRW frames.")
-@click.option("--identification", type=click.Choice(IDENTIFICATIONS), help="Returns an explicit identification so.")
-@click.option("--physics", metavar="YY", help="Ports A to D: Y MII, K E-bus, H fast hot connect, blank unused.")
-@click.option(
-    "--bytes-in",
-    metavar="[<=|>=]N",
-    type=BOUNDS,
-    help="Input bytes of the default process image, where they are known.",
-)
-@click.option(
-    "--bytes-out",
-    metavar="[<=|>=]N",
-    type=BOUNDS,
-    help="Output bytes of the default process image, where they are known.",
-)
-@click.option("--min-cycle-ns", metavar="[<=|>=]N", type=BOUNDS, help="Smallest bus cycle that the file tells.")
-@click.option("--e-bus-ma", metavar="[<=|>=]N", type=BOUNDS, help="E-bus current; negative = supplies.")
-@click.option("--axes", metavar="[<=|>=]N", type=BOUNDS, help="Number of CiA 402 axes.")
-@click.option("--maps", metavar="IDX[:SUB]", multiple=True, type=OBJECT, help="A PDO maps this; may be repeated.")
-@click.option("--not-maps", metavar="IDX[:SUB]", multiple=True, type=OBJECT, help="No PDO maps this.")
-@click.option("--bits", metavar="N", type=NUMBER, help="Length of the entries named by --maps.")
-@click.option("--object", "objects", metavar="IDX[:SUB]", multiple=True, type=OBJECT, help="The dictionary has this.")
-@click.option("--like", metavar="IDENTITY", type=IDENTITY, help="Same process-image layout as this device.")
-@click.option("--all-variants", is_flag=True, help="Also the descriptions that are not preferred.")
-@click.option("--include-hidden", is_flag=True, help="Also revisions that their vendor hides (HideType).")
-@click.option("--limit", metavar="N", type=NUMBER, help="At most so many.")
+@click.option("--vendor", metavar="V", help=VENDOR_WORDS)
+@_filter("product", metavar="P", type=NUMBER)
+@_filter("text", metavar="T")
+@_filter("profile", metavar="N", type=NUMBER)
+@_filter("mode", metavar="CSV[,CSP]", type=MODES, default=())
+@_filter("strict", is_flag=True)
+@_filter("sync", type=click.Choice(SYNC_SIGNALS))
+@_filter("needs-dc", is_flag=True)
+@_filter("protocol", type=click.Choice(PROTOCOLS))
+@_filter("complete-access", is_flag=True)
+@_filter("pdo-assign", is_flag=True)
+@_filter("pdo-config", is_flag=True)
+@_filter("bootstrap", is_flag=True)
+@_filter("no-lrw", is_flag=True)
+@_filter("identification", type=click.Choice(IDENTIFICATIONS))
+@_filter("physics", metavar="YY")
+@_filter("bytes-in", metavar="[<=|>=]N", type=BOUNDS)
+@_filter("bytes-out", metavar="[<=|>=]N", type=BOUNDS)
+@_filter("min-cycle-ns", metavar="[<=|>=]N", type=BOUNDS)
+@_filter("e-bus-ma", metavar="[<=|>=]N", type=BOUNDS)
+@_filter("axes", metavar="[<=|>=]N", type=BOUNDS)
+@_filter("maps", metavar="IDX[:SUB]", type=OBJECT)
+@_filter("not-maps", metavar="IDX[:SUB]", type=OBJECT)
+@_filter("bits", metavar="N", type=NUMBER)
+@_filter("object", metavar="IDX[:SUB]", type=OBJECT)
+@_filter("like", metavar="IDENTITY", type=IDENTITY)
+@_filter("all-variants", is_flag=True)
+@_filter("include-hidden", is_flag=True)
+@_filter("limit", metavar="N", type=NUMBER)
 @format_option("table", "json", "csv")
 @reporting_errors
 def command(db: str, output_format: str, **filters: Any) -> None:
@@ -78,10 +86,19 @@ def command(db: str, output_format: str, **filters: Any) -> None:
     with Catalog.open(db) as catalog:
         found = catalog.devices(**filters)
     if output_format == "table":
-        print_table(
-            [(d.identity_text, d.type or "", d.name or "", "; ".join(d.shown_evidence)) for d in found],
-            ("identity", "type", "name", "evidence"),
-        )
+        # Without the option no hidden one is listed.
+        marks = ("hidden",) if filters["include_hidden"] else ()
+        rows = [
+            (
+                device.identity_text,
+                *(mark if device.hidden else "" for mark in marks),
+                device.type or "",
+                device.name or "",
+                "; ".join(device.shown_evidence),
+            )
+            for device in found
+        ]
+        print_table(rows, ("identity", *("" for _ in marks), "type", "name", "evidence"))
         click.echo(counted(len(found), "device"), err=True)
     else:
         print_rows([device.as_json() for device in found], _CSV_COLUMNS, output_format)
