@@ -8,6 +8,7 @@ import msgspec
 from esicatalog.errors import InputError
 from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX, UINT32_MAX, Bounds, Identity, checked
 from esicatalog.model.cia402 import DRIVE_MODES
+from esicatalog.model.ports import checked_physics
 from esicatalog.model.words import MAILBOX_PROTOCOLS
 
 PROTOCOLS = (*MAILBOX_PROTOCOLS, "fsoe")
@@ -95,6 +96,8 @@ class DeviceFilter(msgspec.Struct, frozen=True, kw_only=True):
             word = getattr(self, name)
             if word is not None:
                 one_of(name, word, allowed)
+        if self.physics is not None:
+            msgspec.structs.force_setattr(self, "physics", checked_physics(self.physics))
         if self.bits is not None and not self.maps:
             raise InputError("bits is the length of the entries named by maps; give maps INDEX[:SUBINDEX] too")
         if self.strict and not self.modes:

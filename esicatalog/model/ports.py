@@ -2,6 +2,10 @@
 
 from typing import NamedTuple
 
+from esicatalog.errors import InputError
+
+_SHOWN = 40
+
 
 class PortKind(NamedTuple):
     """What a letter means."""
@@ -26,6 +30,15 @@ _PORT_KINDS = {
 def port_kind(letter: str) -> PortKind | None:
     """What a letter in Physics means, None for one that no schema has."""
     return _PORT_KINDS.get(letter)
+
+
+def checked_physics(text: str) -> str:
+    """Ports as people write them, in capitals. Raises :class:`InputError` for a letter that no schema has, and none."""
+    physics = text.upper()
+    if not physics.strip() or any(letter not in _PORT_KINDS for letter in physics):
+        letters = ", ".join(f"{letter} {kind.words}" for letter, kind in _PORT_KINDS.items() if letter.strip())
+        raise InputError(f"physics {text[:_SHOWN]!r}: write a letter for each port, e.g. YY: {letters}, blank unused")
+    return physics
 
 
 def has_e_bus(physics: str) -> bool:
