@@ -263,6 +263,39 @@ async def test_openapi_states_the_limit_that_is_taken(data_db):
     assert not any(re.search(pattern, text) for text in ("-1", "4294967296", "0x100000000", "1.5"))
 
 
+@pytest.mark.parametrize("given", ["yy", "YY", "yY  "])
+def test_ports_are_taken_in_small_letters_too(data_db, given):
+    assert types(data_db, physics=given) == [MODULAR, EYOU, L6N, RT118X]
+
+
+@pytest.mark.parametrize("given", ["YX", "", "  ", "1"])
+def test_ports_that_no_schema_has_are_refused(data_db, given):
+    with Catalog.open(data_db) as catalog, pytest.raises(InputError, match=f"physics '{given}': write a letter"):
+        catalog.devices(physics=given)
+
+
+async def test_a_flag_without_value_is_not_ignored(data_db):
+    """Empty is what forms send of what is not asked; a name alone asks."""
+    web = await client(data_db)
+    refused = await web.get("/-/esi/devices.json?needs-dc")
+    assert (refused.status_code, refused.json()["error"]) == (
+        400,
+        "needs-dc has no value; write needs-dc=1 for a flag, else needs-dc=VALUE",
+    )
+    assert len((await web.get("/-/esi/devices.json?needs-dc=")).json()) == 5
+
+
+async def test_openapi_says_what_each_filter_asks(data_db):
+    document = (await (await client(data_db)).get("/-/esi/openapi.json")).json()
+    parameters = {item["name"]: item for item in document["paths"]["/-/esi/devices.json"]["get"]["parameters"]}
+    assert all(item["description"].endswith("Empty = not asked.") for item in parameters.values())
+    assert parameters["min-cycle-ns"]["description"].startswith("Smallest bus cycle in ns")
+    assert "Only together with mode." in parameters["strict"]["description"]
+    assert parameters["limit"]["schema"]["examples"] == ["10"]
+    assert re.search(parameters["physics"]["schema"]["pattern"], "YY K")
+    assert not re.search(parameters["physics"]["schema"]["pattern"], "YX")
+
+
 def test_wrong_filters_are_errors(data_db):
     with Catalog.open(data_db) as catalog:
         for wanted in ({"sync": "sync9"}, {"protocol": "xoe"}, {"bits": 1}):

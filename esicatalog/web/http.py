@@ -3,13 +3,14 @@
 import asyncio
 from collections.abc import Awaitable, Callable, Iterable
 from typing import Any, NamedTuple
+from urllib.parse import unquote_plus
 
 from datasette.utils import add_cors_headers
 from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.results import json_bytes
-from esicatalog.errors import EsiCatalogError, NotFound
+from esicatalog.errors import EsiCatalogError, InputError, NotFound
 from esicatalog.version import __version__
 from esicatalog.web.links import BASE
 from esicatalog.web.state import catalog_for
@@ -19,6 +20,7 @@ MAX_BODY_BYTES = 4 * 1024 * 1024
 MAX_BODY_SECONDS = 60.0
 """A client that sends slower than this gives up its place."""
 
+_SHOWN = 40
 _ERROR_TITLES = {404: "Not found"}
 
 View = Callable[[Any, Any], Awaitable[Response]]
@@ -171,7 +173,14 @@ async def unknown_address(request: Any, datasette: Any) -> Response:
 
 
 def texts_of(request: Any) -> dict[str, list[str]]:
-    """The parameters of an address, as they were sent."""
+    """The parameters of an address, as they were sent.
+
+    Raises :class:`InputError` for a name alone: forms send ``name=`` for what is not asked, ``?needs-dc`` asks.
+    """
+    alone = [part for part in request.query_string.split("&") if part and "=" not in part]
+    if alone:
+        name = unquote_plus(alone[0])[:_SHOWN]
+        raise InputError(f"{name} has no value; write {name}=1 for a flag, else {name}=VALUE")
     return {name: request.args.getlist(name) for name in request.args}
 
 

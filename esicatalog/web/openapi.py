@@ -3,7 +3,15 @@
 from collections.abc import Callable
 from typing import Any
 
-from esicatalog.catalog.filter_texts import FALSE_WORDS, PARAMETERS, SHARPENS, TRUE_WORDS, Parameter, parse_flag
+from esicatalog.catalog.filter_texts import (
+    FALSE_WORDS,
+    PARAMETERS,
+    SHARPENS,
+    TRUE_WORDS,
+    VENDOR_WORDS,
+    Parameter,
+    parse_flag,
+)
 from esicatalog.catalog.results import MATCHES
 from esicatalog.identity import UINT32_MAX, parse_bounds, parse_identity, parse_number, parse_object
 from esicatalog.version import __version__
@@ -65,6 +73,9 @@ _BY_PARSER: dict[Callable[[str], Any], dict[str, Any]] = {
     str: {"type": "string"},
 }
 """Schemas of filters by what reads their text."""
+_PHYSICS = {"type": "string", "pattern": "^( *[YyKkHhBb][YyKkHhBb ]*)?$", "examples": ["YY", "YKY"]}
+_EXAMPLES = {"product": "0x2406", "profile": "402", "bits": "16", "limit": "10"}
+_NOT_ASKED = "Empty = not asked."
 _SCANS = (
     "^vendor,product,revision(\\n0x[0-9a-f]{1,8},0x[0-9a-f]{1,8},(0x[0-9a-f]{1,8})?)+\\n$",
     "^=== Master [0-9]{1,3}, Slave [0-9]{1,5} ===\\n",
@@ -166,22 +177,25 @@ _ERRORS = {
 }
 
 
-def _filter_schema(parameter: Parameter) -> dict[str, Any]:
+def _filter_schema(name: str, parameter: Parameter) -> dict[str, Any]:
     if parameter.choices:
         return {"type": "string", "enum": ["", *parameter.choices]}
-    return _BY_PARSER[parameter.parse]
+    if name == "physics":
+        return _PHYSICS
+    schema = _BY_PARSER[parameter.parse]
+    return {**schema, "examples": [_EXAMPLES[name]]} if name in _EXAMPLES else schema
 
 
 def _filters() -> list[dict[str, Any]]:
-    listed = [{"name": "vendor", "in": "query", "required": False, "schema": _VENDOR}]
+    described = f"{VENDOR_WORDS} {_NOT_ASKED}"
+    listed = [{"name": "vendor", "in": "query", "required": False, "description": described, "schema": _VENDOR}]
     for name, parameter in PARAMETERS.items():
-        schema = _filter_schema(parameter)
+        schema = _filter_schema(name, parameter)
         if parameter.repeated:
             schema = _list(schema)
-        entry = {"name": name, "in": "query", "required": False, "schema": schema}
-        if name in SHARPENS:
-            entry["description"] = f"Only together with {SHARPENS[name]}"
-        listed.append(entry)
+        beside = f"Only together with {SHARPENS[name]}. " if name in SHARPENS else ""
+        words = f"{parameter.words} {beside}{_NOT_ASKED}"
+        listed.append({"name": name, "in": "query", "required": False, "description": words, "schema": schema})
     return listed
 
 
