@@ -70,7 +70,10 @@ def parse_number(text: str, what: str = "number", limit: int = UINT32_MAX) -> in
     """A number written ``0x1097``, ``#x1097`` or ``4247``. Raises :class:`InputError`."""
     match = _NUMBER.fullmatch(text.strip())
     if match is None:
-        raise InputError(f"{what} {text[:_SHOWN]!r} is not a number; write 0x1097, #x1097 or 4247")
+        shown = f"{what} {text[:_SHOWN]!r}"
+        if _NUMBER.fullmatch(text.strip().removeprefix("-")):
+            raise InputError(f"{shown} is negative; give a number from 0 on")
+        raise InputError(f"{shown} is not a number; write 0x1097, #x1097 or 4247")
     digits = (match[1] or match[2]).lstrip("0") or "0"
     value = int(digits, 16 if match[1] else 10) if len(digits) <= _MOST_DIGITS else None
     if value is None or value > limit:

@@ -75,4 +75,6 @@ def main(message: str) -> None:
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit('say what changes: python migrations/new.py "add the column x"')
     main(sys.argv[1])

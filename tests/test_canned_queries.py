@@ -121,7 +121,11 @@ REFUSED = [
     ("revisions_of_a_product", {"vendor": "x", "product": "1"}, "vendor 'x' is not a number"),
     ("revisions_of_a_product", {"vendor": "", "product": "y"}, "product 'y' is not a number"),
     ("devices_of_the_same_layout", {"vendor": "1", "product": "1", "revision": " "}, "revision ' ' is not a number"),
-    ("conflicting_descriptions_of_an_identity", {"revision": "-1"}, "revision '-1' is not a number"),
+    (
+        "conflicting_descriptions_of_an_identity",
+        {"revision": "-1"},
+        "revision '-1' is negative; give a number from 0 on",
+    ),
     ("problems_of_ingest", {"severity": "F"}, "severity 'F': say one of E, W, I"),
     ("find_a_device", {"text": "nothing like it", "include_hidden": "2"}, "'2' is neither 1 nor 0"),
 ]

@@ -238,6 +238,42 @@ def test_esi_is_not_read_from_standard_input(tmp_path, monkeypatch, words):
     assert one_line_error(run(*words)) == "esicatalog: -: standard input is not read here; give ESI files"
 
 
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (("devices", "--limit", "-1"), "esicatalog: --limit '-1' is negative; give a number from 0 on"),
+        (("export", "igh", "1:2", "--cycle-ns", "-1"), "esicatalog: --cycle-ns '-1' is negative"),
+        (
+            ("export", "igh", "1:2", "-o", ""),
+            "esicatalog: -o: the name is empty; give a file, or - for standard output",
+        ),
+    ],
+)
+def test_what_is_wrong_with_a_value_is_said(words, says):
+    assert one_line_error(run(*words)).startswith(says)
+
+
+def test_jobs_are_a_number(data):
+    result = run("ingest", data, "--jobs", "x")
+    assert (result.exit_code, "'x' is not a valid integer (see" in result.stderr) == (2, True)
+
+
+def test_a_dash_is_standard_output(data_db, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    words = ("export", "igh", "0x4321:0xe2")
+    assert run(*words, "-o", "-", db=data_db).stdout == run(*words, db=data_db).stdout != ""
+    assert not list(tmp_path.iterdir())
+
+
+def test_one_device_is_counted_as_one(tmp_path):
+    folder = write(tmp_path / "esi", {"a.xml": esi(device())})
+    assert "; 1 device, 0 modules in " in run("ingest", folder, db=tmp_path / "c.db").stdout
+
+
+def test_sizes_of_sync_managers_have_their_unit(data_db):
+    assert "min bytes  default bytes  max bytes" in run("show", "0x4321:0xe2", db=data_db).stdout
+
+
 def test_standard_input_is_read_once(data_db):
     result = run("identify", "--slaves", "-", "--pdos", "0=-", db=data_db, stdin="0x1097,0x2406\n")
     assert "standard input can be read once" in one_line_error(result)

@@ -157,6 +157,20 @@ def _identity(text: str) -> Identity:
         raise InputError(f"{error}; to find one: esicatalog devices --text {shlex.quote(text)}") from error
 
 
+def _output(text: str) -> str | None:
+    """The file to write, None for standard output."""
+    if not text:
+        raise InputError("the name is empty; give a file, or - for standard output")
+    return None if text == "-" else text
+
+
+class IntegerRange(click.IntRange):
+    """Integers from one to another; what is none is told as such, not as "no valid integer range"."""
+
+    name = "integer"
+
+
+OUTPUT = _Parsed("file", _output)
 NUMBER = _Parsed("number", parse_number, takes_name=True)
 IDENTITY = _Parsed("identity", _identity)
 OBJECT = _Parsed("index[:subindex]", parse_object)

@@ -12,7 +12,7 @@ from typing import Any
 import click
 
 from esicatalog.catalog.own_files import own_files
-from esicatalog.cli.common import IDENTITY, NUMBER, PLUGGED, Group, db_option, read_as, reporting_errors
+from esicatalog.cli.common import IDENTITY, NUMBER, OUTPUT, PLUGGED, Group, db_option, read_as, reporting_errors
 from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subjects_of_vendor
 from esicatalog.errors import InputError
 from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, check_numbers, parse_pdo_choice
@@ -30,7 +30,13 @@ _DEVICE: tuple[Option, ...] = (
     click.argument("identity", type=IDENTITY, required=False),
     db_option,
     click.option("--esi", metavar="FILE", help="Take the device from this ESI file; no catalog is opened."),
-    click.option("-o", "--output", metavar="OUT", help="Write to this file, none that is read, instead of stdout."),
+    click.option(
+        "-o",
+        "--output",
+        metavar="OUT",
+        type=OUTPUT,
+        help="Write to this file, none that is read; - = stdout, as without.",
+    ),
     click.option("--accept-revision", is_flag=True, help="Take the nearest revision when the exact one is missing."),
 )
 _CONTENT: tuple[Option, ...] = (

@@ -11,7 +11,16 @@ from typing import TYPE_CHECKING, NoReturn
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, Command, Terminated, db_option, format_option, print_json, reporting_errors
+from esicatalog.cli.common import (
+    EXIT_NO,
+    Command,
+    IntegerRange,
+    Terminated,
+    db_option,
+    format_option,
+    print_json,
+    reporting_errors,
+)
 
 if TYPE_CHECKING:
     from esicatalog.ingest.report import DocumentLine, IngestReport
@@ -24,7 +33,7 @@ _PLAIN_LINE_SECONDS = 2.0
 @click.command("ingest", cls=Command)
 @click.argument("paths", nargs=-1, required=True, type=click.Path())
 @db_option
-@click.option("--jobs", type=click.IntRange(1), help="Worker processes; 1 = none.  [default: one a core]")
+@click.option("--jobs", type=IntegerRange(1), help="Worker processes; 1 = none.  [default: one a core]")
 @click.option("--prune", is_flag=True, help="Remove what the given folders no longer hold.")
 @click.option("--profile", is_flag=True, help="Say how much processor time each stage took.")
 @format_option("table", "json")
@@ -99,12 +108,14 @@ def _print_summary(report: "IngestReport", db: str) -> None:
         if line.status in _NAMED_STATUSES:
             click.echo(f"{line.status:9}  {line.path}: {line.message}")
     from esicatalog.catalog.database import shown_target
+    from esicatalog.model.counting import counted
 
     counts = report.counts
     click.echo(
         f"{counts['stored']} stored ({counts['recovered']} after recovery), {counts['unchanged']} unchanged, "
         f"{counts['skipped']} skipped, {counts['failed']} failed, {counts['removed']} removed; "
-        f"{report.devices} devices, {report.modules} modules in {report.seconds:.1f} s -> {shown_target(db)}"
+        f"{counted(report.devices, 'device')}, {counted(report.modules, 'module')} in {report.seconds:.1f} s "
+        f"-> {shown_target(db)}"
     )
 
 

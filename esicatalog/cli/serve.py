@@ -9,7 +9,7 @@ from pathlib import Path
 
 import click
 
-from esicatalog.cli.common import Command, db_option, reporting_errors
+from esicatalog.cli.common import Command, IntegerRange, db_option, reporting_errors
 from esicatalog.errors import CatalogError, InputError
 
 _IDLE_SECONDS = 75
@@ -20,7 +20,7 @@ _URI_CHARACTERS = "?#%"
 @click.command("serve", cls=Command)
 @db_option
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen at; 0.0.0.0 = everywhere.")
-@click.option("--port", default=8001, show_default=True, type=click.IntRange(0, 65535), help="Port; 0 = any free one.")
+@click.option("--port", default=8001, show_default=True, type=IntegerRange(0, 65535), help="Port; 0 = any free one.")
 @click.option("--open", "open_browser", is_flag=True, help="Open the device pages in a browser.")
 @click.option("--immutable", is_flag=True, help="Nobody changes the file meanwhile: faster, and it can be downloaded.")
 @reporting_errors

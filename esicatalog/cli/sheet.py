@@ -160,7 +160,19 @@ def _sync_managers(description: DeviceDescription) -> Iterator[str]:
                 _text(sm.enable),
             ]
         )
-    head = ("", "usage", "start", "control", "mode", "direction", "flags", "min", "default", "max", "enable")
+    head = (
+        "",
+        "usage",
+        "start",
+        "control",
+        "mode",
+        "direction",
+        "flags",
+        "min bytes",
+        "default bytes",
+        "max bytes",
+        "enable",
+    )
     yield from _section("Sync managers", head, rows)
 
 
