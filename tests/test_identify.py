@@ -245,11 +245,13 @@ NO_LENGTH = '<RxPdo Sm="0"><Index>#x1600</Index><Entry><Index>#x7000</Index></En
             "<Sm>Outputs</Sm>" + VARIABLE + UNREAD,
             "<Sm>Outputs</Sm>" + VARIABLE + UNREAD.replace(">x1<", ">x2<"),
             "in PDOs of unknown length, or behind them",
+            None,
         ),
         (
             "<Sm>Outputs</Sm>" + VARIABLE + UNREAD,
             "<Sm>Outputs</Sm>" + VARIABLE + UNREAD.replace("<SubIndex>x1</SubIndex>", ""),
             "in PDOs of unknown length, or behind them",
+            None,
         ),
     ],
 )
