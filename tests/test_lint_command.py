@@ -216,7 +216,6 @@ def test_select_and_ignore(tmp_path):
         (["--ignore", ",", "."], "--ignore names no rule"),
         (["nowhere.xml"], "no such file or folder"),
         (["--schema", "nowhere", "."], "no EtherCATInfo.xsd"),
-        (["--db", "catalog.db", "--schema", "."], "name the files instead of --db"),
         (["--list", "--format", "sarif"], "prints text or JSON"),
     ],
 )

@@ -122,7 +122,7 @@ print(json.dumps([report.counts for report in reports]))
     folder = write(tmp_path / "in", {f"{n}.xml": esi(device(product=f"#x{n:X}")) for n in range(1, 4)})
     first, second = told_by(NO_ROOM + code, tmp_path / "c.db", folder)
     assert (first["stored"], second["unchanged"]) == (3, 3)
-    assert told_by(NO_ROOM + HASH, folder) == {}
+    assert told_by(NO_ROOM + HASH, 0, folder) == {}
 
 
 HASH = """

@@ -159,7 +159,7 @@ async def test_a_description_without_revision_is_found_beside_one_with(tmp_path)
             assert catalog.device(found.identity_text).found == found
             assert catalog.device(found.identity).found == found
             response = await web.get(f"/-/esi/{device_path(found)}")
-            assert (response.status_code, f"<h1>{found.type}" in response.text) == (200, True)
+            assert (response.status_code, f"<h1><bdi>{found.type}" in response.text) == (200, True)
             offered = {kind for kind in ("esi", "igh", "sii") if f"/export/{kind}" in response.text}
             assert offered == ({"esi", "igh", "sii"} if found.type == "numbered" else {"esi"})
         assert catalog.device("0xe5c:5").found.type == "numbered"
