@@ -256,16 +256,6 @@ NO_LENGTH = '<RxPdo Sm="0"><Index>#x1600</Index><Entry><Index>#x7000</Index></En
             "in PDOs of unknown length, or behind them",
             None,
         ),
-        (
-            "<Sm>Outputs</Sm>" + VARIABLE + UNREAD,
-            "<Sm>Outputs</Sm>" + VARIABLE + UNREAD.replace(">x1<", ">x2<"),
-            "in PDOs of unknown length, or behind them",
-        ),
-        (
-            "<Sm>Outputs</Sm>" + VARIABLE + UNREAD,
-            "<Sm>Outputs</Sm>" + VARIABLE + UNREAD.replace("<SubIndex>x1</SubIndex>", ""),
-            "in PDOs of unknown length, or behind them",
-        ),
     ],
 )
 def test_layouts_differ_where_no_place_is_known(tmp_path, here, there, words, then):
