@@ -7,7 +7,6 @@ from snippets import device, esi, only_device, pdo, rows
 from test_search import catalog_of
 
 from esicatalog import Catalog
-from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.model.compare_facts import Difference
 from esicatalog.model.compare_image import compare_images
@@ -146,7 +145,7 @@ def test_identify_names_the_difference_that_diff_names_of_real_revisions(corpus_
             (ours, theirs), (modules, others) = reader.devices(pair), map(reader.modules_of, pair)
             if modules or others:
                 continue
-            words = IdentityLookup._layout_difference(lookup, None, None, *pair)
+            words = lookup._layout_difference(*pair)
             wrong.append((contradiction(words, list(compare_images(ours, (), theirs, ()))), pair, words))
     assert len(wrong) > 100
     assert [item for item in wrong if item[0] is not None] == []
