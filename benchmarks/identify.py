@@ -39,10 +39,10 @@ Numbers = tuple[int, int, int]
 
 
 def identities(database: Path) -> list[Numbers]:
-    """Every identity of the catalog once, in any order."""
+    """Every identity of the catalog once, in any order; not vendor 0 and product 0, which are none."""
     with closing(sqlite3.connect(database)) as connection:
         query = "SELECT vendor_id, product_code, revision_no FROM devices WHERE variant = 1"
-        found = [row for row in connection.execute(query) if None not in row]
+        found = [row for row in connection.execute(query) if None not in row and any(row[:2])]
     random.Random(1).shuffle(found)
     return found[:_MOST_ASKED]
 
