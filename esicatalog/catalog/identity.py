@@ -182,7 +182,7 @@ class IdentityLookup:
         vendor_id, product_code, revision_no = query
         if not is_read(vendor_id, product_code):
             # Vendors' templates have this identity too: one of them would be found for whatever was not read.
-            return Identification(*query, "none", "vendor and product 0: identity not read", None, (), ())
+            return Identification(*query, NONE, "vendor and product 0: identity not read", None, (), ())
         rows = self._of_product((vendor_id, product_code), changes)
         if not rows:
             return self._unknown_product(query)
@@ -265,7 +265,8 @@ class IdentityLookup:
         Equal ones that are not described in full may be other ones, too.
         """
         differing = [row for row in rows if row.image_signature != ours.image_signature]
-        unknown = [row for row in rows if not (ours.image_is_known and row.image_is_known) and row not in differing]
+        alike = [row for row in rows if row.image_signature == ours.image_signature]
+        unknown = [row for row in alike if not (ours.image_is_known and row.image_is_known)]
         if not differing and not unknown:
             return None
         if not differing:

@@ -16,12 +16,11 @@ from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.esi.records.common import display_text
 from esicatalog.identity import Identity
-from esicatalog.model.compare import compare_devices, summary_words
+from esicatalog.model.compare import compare_devices, images_are_known, summary_words
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.model.compare_documents import DescribedDevice, described_devices, paired_devices
 from esicatalog.model.compare_facts import ADDED, CHANGED, REMOVED, Difference, excerpts
 from esicatalog.model.counting import counted
-from esicatalog.model.process_data import ProcessData
 
 _TOLD = ("L01", "L60")
 """Findings that bear on a comparison: the document had to be repaired, or a part of it was not found."""
@@ -49,12 +48,6 @@ class _Pair(NamedTuple):
     def counting(self) -> int:
         """How many differences count."""
         return sum(item.counts for item in self.differences)
-
-    @property
-    def images_are_known(self) -> bool:
-        """Whether the default process images of both devices are described in full."""
-        both = (self.left.described, self.right.described)
-        return all(ProcessData(item.device, item.modules).image_is_known for item in both)
 
 
 class _Comparison(NamedTuple):
@@ -179,7 +172,9 @@ def _pair_lines(pair: _Pair) -> Iterator[str]:
 def _summary(comparison: _Comparison) -> str:
     different = [pair for pair in comparison.pairs if pair.differences]
     differences = [item for pair in different for item in pair.differences]
-    words = summary_words(differences, all(pair.images_are_known for pair in different))
+    words = summary_words(
+        differences, all(images_are_known(pair.left.described, pair.right.described) for pair in different)
+    )
     if len(comparison.pairs) == 1 and not comparison.only_left and not comparison.only_right:
         return words
     same = sum(not pair.differences for pair in comparison.pairs)

@@ -13,7 +13,7 @@ from esicatalog.export.cia402_types import Mapped, entry_type
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.naming import EntryNames
 from esicatalog.export.pdo_objects import PdoObject
-from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX
+from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX, one_line
 from esicatalog.model.assignable_pdos import declares_pdo_assign
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, entry_words, has_length, has_object, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage
@@ -48,7 +48,7 @@ class MappedEntry(NamedTuple):
     @property
     def name(self) -> str:
         """What it is called on one line; gaps have no name."""
-        return "" if self.is_gap else _one_line(self.written_name)
+        return "" if self.is_gap else one_line(self.written_name)
 
     @property
     def comment(self) -> str:
@@ -85,7 +85,7 @@ class AssignedPdo(NamedTuple):
     @property
     def name(self) -> str:
         """What it is called on one line."""
-        return _one_line(self.written_name)
+        return one_line(self.written_name)
 
     @property
     def mapping(self) -> PdoObject | None:
@@ -245,7 +245,7 @@ def _assigned_pdo(
     pdo = placed.pdo
     written_name = display_text(pdo.names) or ""
     if pdo.pdo_index is None or not 0 < pdo.pdo_index <= MAX_INDEX:
-        named = f"{placed.direction} {_one_line(written_name) or pdo.ref or 'without name'!r}"
+        named = f"{placed.direction} {one_line(written_name) or pdo.ref or 'without name'!r}"
         unread = unreadable(pdo, "pdo_index")
         why = "has no index; its content is not described, take a newer file"
         if unread is not None:
@@ -264,7 +264,7 @@ def _assigned_pdo(
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:04X}:{subindex:02X}, which is no object")
         entry_name = display_text(item.entry.names) or ""
         first = placed.first_sample(number)
-        mapped = Mapped(first.entry_index or 0, first.subindex or 0, bit_length, _one_line(entry_name))
+        mapped = Mapped(first.entry_index or 0, first.subindex or 0, bit_length, one_line(entry_name))
         found = entry_type(mapped, objects.base_type(first, placed.slot_number), axes)
         if found.remark is not None:
             remarks.append(found.remark)
@@ -290,10 +290,6 @@ def _assigned_pdo(
         is_described(pdo),
         placed.repeat,
     )
-
-
-def _one_line(text: str) -> str:
-    return " ".join(text.split())
 
 
 def _problem(entry: Entry, number: int) -> str | None:

@@ -12,12 +12,11 @@ from typing import NamedTuple
 import msgspec
 
 from esicatalog.model.ports import has_e_bus
-from esicatalog.model.sm_facts import INPUT, OUTPUT, control_facts
+from esicatalog.model.sm_facts import BUFFERED, INPUT, OUTPUT, control_facts
 from esicatalog.model.values import byte_length
 from esicatalog.scan.records import ScannedPdos, ScannedSlave, ScannedSyncManager
 
 _E_BUS = "EBUS"
-_BUFFERED = "buffered"
 
 
 class DeviceAtBus(NamedTuple):
@@ -98,7 +97,7 @@ def _listed_bits(sync_manager: ScannedSyncManager) -> dict[str, int]:
     for pdo in sync_manager.pdos:
         bits[OUTPUT if pdo.is_rx else INPUT] += sum(entry.bit_length for entry in pdo.entries)
     facts = control_facts(sync_manager.control)
-    is_empty = not sync_manager.pdos and not sync_manager.size_bytes and facts.buffer_mode == _BUFFERED
+    is_empty = not sync_manager.pdos and not sync_manager.size_bytes and facts.buffer_mode == BUFFERED
     return {facts.transfer_direction: 0} if is_empty and facts.transfer_direction is not None else bits
 
 

@@ -26,6 +26,7 @@ from esicatalog.model.compare_objects import compare_objects
 from esicatalog.model.compare_pdos import compare_pdos, compare_predefined_assignments
 from esicatalog.model.compare_slots import compare_slots
 from esicatalog.model.counting import counted
+from esicatalog.model.process_data import ProcessData
 
 
 class Comparable(Protocol):
@@ -68,16 +69,20 @@ def compare_devices(left: Comparable, right: Comparable) -> list[Difference]:
     ]
 
 
-def summary_words(differences: Iterable[Difference], images_are_known: bool) -> str:
+def images_are_known(left: Comparable, right: Comparable) -> bool:
+    """Whether the default process images of both devices are described in full."""
+    return all(ProcessData(side.device, side.modules).image_is_known for side in (left, right))
+
+
+def summary_words(differences: Iterable[Difference], are_known: bool) -> str:
     """How many there are and how many count, e.g. ``37 differences, 4 count for a master: 3 PDO, 1 Dc``.
 
-    ``images_are_known`` is whether the default process images of both devices are described in full (see
-    :attr:`~esicatalog.model.process_data.ProcessData.image_is_known`): else nobody knows whether they are the same.
+    ``are_known`` is what :func:`images_are_known` says: else nobody knows whether the images are the same.
     """
     found = list(differences)
     if not found:
         return "no differences"
-    same = "; the default process image is the same" + ("" if images_are_known else " as far as it is described")
+    same = "; the default process image is the same" + ("" if are_known else " as far as it is described")
     image = "" if any(item.area == PROCESS_IMAGE for item in found) else same
     counting = Counter(item.area for item in found if item.counts)
     total = counted(len(found), "difference")

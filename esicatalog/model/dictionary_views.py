@@ -55,14 +55,13 @@ def counting_view(views: Iterable[DictionaryView], index: int) -> DictionaryView
 
     An object that is marked OverwrittenByModule (ESI-FACTS section 12) counts where no other is. None without any.
     """
-    yielding = None
-    for view in views:
-        declared = view.by_index.get(index)
-        if declared is not None and not declared.overwritten_by_module:
-            return view
-        if declared is not None and yielding is None:
-            yielding = view
-    return yielding
+    return next(iter(counting_views(views, index)), None)
+
+
+def counting_views(views: Iterable[DictionaryView], index: int) -> list[DictionaryView]:
+    """All dictionaries of an owner with an object of this index, in the order in which their objects count."""
+    found = [view for view in views if index in view.by_index]
+    return sorted(found, key=lambda view: bool(view.by_index[index].overwritten_by_module))
 
 
 class DictionaryViews:

@@ -21,7 +21,7 @@ from esicatalog.model.cia402 import (
     DriveMode,
 )
 from esicatalog.model.dictionary import ObjectEntry
-from esicatalog.model.dictionary_views import DictionaryView
+from esicatalog.model.dictionary_views import DictionaryView, counting_views
 from esicatalog.model.pdo_facts import has_length, has_object, pdo_yields, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import is_mappable
 from esicatalog.model.process_image import SmImage
@@ -80,9 +80,8 @@ def is_drive(part: Part) -> bool:
 
 def declaring_views(part: Part, index: int) -> list[DictionaryView]:
     """The dictionaries with the object, as far as it counts there; the one whose object counts first."""
-    found = [view for view in part.views if index in view.by_index]
-    counting = [view for view in found if not view.by_index[index].overwritten_by_module]
-    return counting + ([] if index in part.replaced else [view for view in found if view not in counting])
+    found = counting_views(part.views, index)
+    return [v for v in found if not v.by_index[index].overwritten_by_module] if index in part.replaced else found
 
 
 def declaring_view(part: Part, index: int) -> DictionaryView | None:

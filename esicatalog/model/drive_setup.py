@@ -89,7 +89,8 @@ class DriveSetup:
         place = assignment_place(self.device, meant.found.direction, meant.found.pdo)
         if place.sm is None:
             return place.obstacle
-        for rival in sorted(set(self.exclusions.get(pdo.pdo_index, ())).intersection(self._staying(pdo.pdo_index))):
+        rivals = set(self.exclusions.get(pdo.pdo_index, ()))
+        for rival in sorted(rivals.intersection(self._staying(pdo.pdo_index))) if rivals else ():
             return f"cannot be assigned beside 0x{rival:04X}, which is mandatory"
         return None
 

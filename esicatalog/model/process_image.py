@@ -16,7 +16,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.records.slots import ModulePdoGroup
-from esicatalog.esi.unreadable import unreadable
+from esicatalog.esi.unreadable import reason_words
 from esicatalog.identity import MAX_INDEX
 from esicatalog.model.assignable_pdos import AvailablePdo, without_rivals
 from esicatalog.model.counting import counted
@@ -342,13 +342,12 @@ class _ImageBuilder:
         field = _GROUP_PDO_FIELDS[direction]
         index: int | None = getattr(group, field)
         if index is None:
-            unread = unreadable(group, field)
-            why = f" ({unread})" if unread is not None else ""
+            why = reason_words(group, field)
             self._remarks.append(
                 f"ModulePdoGroup {group.name or ''!r} has no {direction} to fill up with{why}: it is not aligned to "
                 f"{counted(group.alignment, 'byte')}"
             )
-            self.is_known = unread is None
+            self.is_known = not why
         elif self._has_room(index, missing):
             gap = Entry(entry_index=0, bit_length=missing)
             filler = Pdo(pdo_index=index, entries=(gap,))

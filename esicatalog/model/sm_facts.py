@@ -12,8 +12,8 @@ INPUT, OUTPUT = SM_DIRECTIONS[0b00], SM_DIRECTIONS[0b01]
 """Transfer directions: the master reads, the master writes."""
 TRANSFER_DIRECTIONS = {"RxPdo": OUTPUT, "TxPdo": INPUT}
 """By the direction of a PDO, which is named from the device's side."""
-_MAILBOX_MODE = SM_MODES[0b10]
-"""One buffer, which one side fills and the other empties in turn."""
+BUFFERED, _MAILBOX_MODE = SM_MODES[0b00], SM_MODES[0b10]
+"""Three buffers of which each side always has one; one buffer, which one side fills and the other empties in turn."""
 
 
 class SmRole(NamedTuple):
@@ -62,9 +62,8 @@ def mailbox_sync_managers(device: Device) -> list[int]:
     named = {pdo.sm for pdo in (*device.rx_pdos, *device.tx_pdos)}
     found = []
     for number, sm in enumerate(device.sync_managers):
-        role = sm_role(sm)
         in_mailbox_mode = sm_facts(sm).buffer_mode == _MAILBOX_MODE and number not in named and not sm.virtual
-        if role.is_mailbox if role is not None else in_mailbox_mode:
+        if is_mailbox(sm) or (sm_role(sm) is None and in_mailbox_mode):
             found.append(number)
     return found
 

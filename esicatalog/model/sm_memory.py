@@ -6,7 +6,7 @@ from typing import NamedTuple
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.model.areas import Area, overlaps
 from esicatalog.model.counting import counted
-from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.sm_facts import BUFFERED, sm_facts
 
 MEMORY_START = 0x1000
 """Registers below are no memory that a SyncManager would buffer three times (0x0F00: digital outputs)."""
@@ -46,7 +46,7 @@ def is_enabled(sync_manager: SyncManager) -> bool:
 
 def buffer_count(sync_manager: SyncManager) -> int:
     """How many times it takes its length: three buffers, or one for a mailbox and where the ControlByte is silent."""
-    return _BUFFERS if sm_facts(sync_manager).buffer_mode == "buffered" else 1
+    return _BUFFERS if sm_facts(sync_manager).buffer_mode == BUFFERED else 1
 
 
 def occupied_area(number: int, sync_manager: SyncManager, byte_size: int | None) -> Area | None:

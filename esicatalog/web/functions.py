@@ -8,7 +8,7 @@ from typing import Any
 from esicatalog.catalog.device_filter import MODES, one_of
 from esicatalog.catalog.filter_texts import parse_flag
 from esicatalog.errors import InputError
-from esicatalog.identity import parse_number, parse_subindex
+from esicatalog.identity import MAX_INDEX, parse_number, parse_subindex
 from esicatalog.model.words import MAILBOX_PROTOCOLS
 
 _LARGEST = 2**63 - 1
@@ -42,7 +42,7 @@ def read_subindex(text: object) -> int | None:
 
 _PARAMETERS: dict[str, Callable[[str], Any]] = {
     **{name: partial(parse_number, what=name) for name in ("vendor", "product", "revision", "profile")},
-    "index": partial(parse_number, what="index", limit=0xFFFF),
+    "index": partial(parse_number, what="index", limit=MAX_INDEX),
     "subindex": parse_subindex,
     "mode": lambda text: one_of("mode", text.strip().upper(), MODES),
     "protocol": lambda text: one_of("protocol", text.strip().lower(), MAILBOX_PROTOCOLS),

@@ -10,9 +10,8 @@ from esicatalog.catalog.description import DeviceDescription
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.errors import EsiCatalogError, NotFound
 from esicatalog.identity import parse_identity
-from esicatalog.model.compare import compare_devices, summary_words
+from esicatalog.model.compare import compare_devices, images_are_known, summary_words
 from esicatalog.model.compare_device import revision_verdict
-from esicatalog.model.process_data import ProcessData
 from esicatalog.parameters import given_texts
 from esicatalog.web.http import Page, status_of, texts_of
 from esicatalog.web.links import BASE, device_path, with_query
@@ -62,8 +61,6 @@ def _compared(left: DeviceDescription, right: DeviceDescription) -> dict[str, An
     return {
         "sides": [{"found": side.found, "path": device_path(side.found)} for side in (left, right)],
         "areas": list(areas.items()),
-        "summary": summary_words(
-            differences, all(ProcessData(side.device, side.modules).image_is_known for side in (left, right))
-        ),
+        "summary": summary_words(differences, images_are_known(left, right)),
         "verdict": revision_verdict(left.device, right.device),
     }
