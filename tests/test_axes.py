@@ -3,6 +3,7 @@
 import pytest
 from snippets import device, esi, only_device
 
+from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import ChannelInfo, Profile
 from esicatalog.model.axes import exchanged_axes, is_commanded_axis, may_be_commanded, may_move
@@ -33,7 +34,7 @@ def test_axes(content, commanded, exchanged):
     found = only_device(esi(device(content)))
     views = DictionaryViews()
     assert [n for n in range(8) if is_commanded_axis(n, found.profiles, found.rx_pdos, ())] == commanded
-    assert list(exchanged_axes(found.profiles, (*found.rx_pdos, *found.tx_pdos), lambda _: None)) == exchanged
+    assert list(exchanged_axes(found, found.profiles, (*found.rx_pdos, *found.tx_pdos), lambda _: None)) == exchanged
     assert not commanded or may_be_commanded(found, views)
     module = Module(profiles=found.profiles, rx_pdos=found.rx_pdos, tx_pdos=found.tx_pdos)
     assert may_move(module) == bool(exchanged)
@@ -41,7 +42,16 @@ def test_axes(content, commanded, exchanged):
 
 def test_both_words_declared_make_an_axis_of_an_export():
     bits = {0x6040: 16, 0x6041: 16, 0x6840: 16, 0x6841: 8, 0x7040: 16}
-    assert list(exchanged_axes((), (), bits.get)) == [0]
+    assert list(exchanged_axes(Device(), (), (), bits.get)) == [0]
+
+
+@pytest.mark.parametrize(("protocols", "exchanged"), [("<SoE/>", []), ("<SoE/><CoE/>", [0, 4]), ("<CoE/>", [0, 4])])
+def test_idns_are_no_words_of_an_axis(protocols, exchanged):
+    """P-0-0064 and P-0-0065 of AX5000 drives, both of 16 bits, are 0x8040 and 0x8041: the words of axis 4."""
+    content = f"{mapping('RxPdo', '#x6040', 16)}<Mailbox>{protocols}</Mailbox>"
+    found = only_device(esi(device(content)))
+    bits = {0x8040: 16, 0x8041: 16}
+    assert list(exchanged_axes(found, found.profiles, found.rx_pdos, bits.get)) == exchanged
 
 
 def test_numbers_of_channels_count_as_those_of_the_profile():

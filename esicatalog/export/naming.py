@@ -38,7 +38,7 @@ def entry_names(
         declared = objects.entry(index, 0)
         return declared.bit_size if declared is not None else None
 
-    axes = tuple(exchanged_axes(profiles, assigned, declared_bits))
+    axes = tuple(exchanged_axes(device, profiles, assigned, declared_bits))
     keys, candidates = [], []
     for image in images:
         for at, placed in enumerate(image.pdos):

@@ -14,7 +14,7 @@ from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import Profile
 from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, MAX_AXES, STATUSWORD
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
-from esicatalog.model.pdo_facts import mapped
+from esicatalog.model.pdo_facts import has_idns, mapped
 from esicatalog.model.profile_facts import has_profile_402, is_motion_terminal
 
 _WORD_BITS = 16
@@ -58,13 +58,19 @@ def may_be_commanded(owner: Device | Module, views: DictionaryViews) -> bool:
 
 
 def exchanged_axes(
-    profiles: Sequence[Profile], assigned: Iterable[Pdo], declared_bits: Callable[[int], int | None]
+    device: Device,
+    profiles: Sequence[Profile],
+    assigned: Iterable[Pdo],
+    declared_bits: Callable[[int], int | None],
 ) -> Iterator[int]:
     """Axes that process data or objects are of: either word is mapped, or both are declared, as words.
 
-    The first also by profile number 402. ``assigned`` are the PDOs of the process image, ``declared_bits`` gives the
-    length of an object that is a single value, None where no dictionary declares it.
+    The first also by profile number 402; none where numbers are IDNs. ``profiles`` are those of the device and of what
+    is plugged, ``assigned`` the PDOs of the process image, ``declared_bits`` gives the length of an object that is a
+    single value, None where no dictionary declares it.
     """
+    if has_idns(device):
+        return
     mapped, by_profile = _mapped_words(assigned), has_profile_402(profiles)
     for control, axis in _CONTROLWORDS.items():
         words = (control, STATUSWORD + axis * AXIS_STEP)

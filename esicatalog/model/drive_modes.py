@@ -23,6 +23,7 @@ from esicatalog.model.drive_evidence import NO, RANKS, YES, ModeEvidence, axis_a
 from esicatalog.model.drive_parts import Part, is_drive, mapping_pdos, marked_objects, yielding
 from esicatalog.model.drive_recipe import mode_recipe
 from esicatalog.model.drive_setup import ConfiguredDrive
+from esicatalog.model.pdo_facts import has_idns
 from esicatalog.model.process_image import SmImage, default_process_image
 from esicatalog.model.profile_facts import is_motion_terminal
 from esicatalog.model.slots import default_modules
@@ -75,10 +76,8 @@ def drive_modes(
     ``views`` knows dictionaries that were looked at before, ``images`` is the default process image where it is known.
     """
     views = views or DictionaryViews()
-    has_idns = device.mailbox is not None and device.mailbox.soe and not device.mailbox.coe
     drives = [module for module in modules if may_be_commanded(module, views)]
-    # What SoE alone numbers are IDNs, whatever they look like: P-0-0040 of AX5000 drives is no controlword 0x8040.
-    if has_idns or (not drives and not may_be_commanded(device, views)):
+    if has_idns(device) or (not drives and not may_be_commanded(device, views)):
         return DriveModes(verdicts=tuple(_other_systems(device, modules, views)))
     there = default_modules(device, modules)
     images = default_process_image(device, modules) if images is None else images

@@ -25,6 +25,14 @@ def pdos_by_direction(owner: Device | Module) -> tuple[tuple[str, tuple[Pdo, ...
     return ("RxPdo", owner.rx_pdos), ("TxPdo", owner.tx_pdos)
 
 
+def has_idns(owner: Device | Module) -> bool:
+    """Whether its PDOs, entries and objects are numbered by IDNs (IEC 61800-7-204), as with SoE and no CoE.
+
+    An IDN says nothing as an index: P-0-0064 of AX5000 drives is 0x8040, and no controlword.
+    """
+    return owner.mailbox is not None and owner.mailbox.soe and not owner.mailbox.coe
+
+
 def is_pdo_mapping(index: int) -> bool:
     """Whether an object describes the content of a PDO."""
     return any(index in indices for indices in PDO_MAPPINGS.values())

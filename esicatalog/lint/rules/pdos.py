@@ -12,6 +12,7 @@ from esicatalog.model.pdo_facts import (
     PDO_FIELDS,
     PDO_MAPPINGS,
     entry_facts,
+    has_idns,
     index_words,
     symmetric_exclusions,
 )
@@ -74,9 +75,8 @@ def index_twice(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
 @rule("L29", WARNING, "ETG.1000.6: PDO mapping objects are 0x1600 to 0x17FF and 0x1A00 to 0x1BFF")
 def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
     """The index of a PDO is no PDO mapping object of its direction."""
-    mailbox = subject.record.mailbox
-    if mailbox is not None and mailbox.soe and not mailbox.coe:
-        return  # the PDOs of a SoE drive are the IDNs of its telegrams
+    if has_idns(subject.record):
+        return  # the IDNs of its telegrams
     for direction, field in PDO_FIELDS.items():
         allowed = PDO_MAPPINGS[direction]
         for position, pdo in enumerate(getattr(subject.record, field)):
