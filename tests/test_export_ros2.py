@@ -5,7 +5,7 @@ import re
 
 import pytest
 import yaml
-from snippets import pdo
+from snippets import dictionary, pdo
 from test_export_compile import configurations
 from test_export_configuration import COE, FACTOR_1, SMS, configured, dc, entry, init_cmd, rx, times
 from test_export_igh import HOSTILE, as_little_endian, l6n
@@ -158,13 +158,57 @@ def test_the_l6n_drive(data):
 def test_what_the_drive_plugin_needs_is_told(data):
     text = " ".join(ros2_slave(l6n(data, pdos=parse_pdo_choice("0x1600,0x1A01"))).replace("#", "").split())
     assert "EcCiA402Drive switches the drive on by itself where it does not know auto_state_transitions" in text
-    assert "holds the actual position only when 0x6061 and 0x6064 are mapped" in text
-    assert "0x6061 and 0x6064" not in ros2_slave(l6n(data))
+    assert "0x6061 is not mapped: without CSP read from there EcCiA402Drive sends 0 as target position" in text
+    assert "0x6061 is not mapped" not in ros2_slave(l6n(data))
     # 0x1601 has the target velocity; what is not mapped, the target position, need not be held.
     velocity = ros2_slave(l6n(data, pdos=parse_pdo_choice("0x1601,0x1A01")))
     assert "0x60ff" in velocity
-    assert "0x6061 and 0x6064" not in velocity
+    assert "0x6061 is not mapped" not in velocity
     assert '<param name="position">5</param>' in ros2_slave(l6n(data, position=5))
+
+
+CONTROL, STATUS = entry("#x6040", 16), entry("#x6041", 16)
+TARGET, ACTUAL = entry("#x607A", 32), entry("#x6064", 32)
+DISPLAY, GAP = entry("#x6061", 8), entry("#x0", 8)
+GAPS, HELD, PROFILED = "there are gaps", "EcCiA402Drive cannot hold the actual position", "the start-up command sets PP"
+
+
+@pytest.mark.parametrize(
+    ("outputs", "inputs", "mode", "told"),
+    [
+        ((CONTROL, TARGET), (STATUS, ACTUAL, DISPLAY), "08", set()),
+        ((CONTROL, TARGET), (STATUS, ACTUAL, DISPLAY), "01", {PROFILED}),
+        ((CONTROL, TARGET), (STATUS, DISPLAY), "08", {HELD}),
+        ((CONTROL, GAP, TARGET), (STATUS, ACTUAL, DISPLAY), "08", {GAPS}),
+        # Of 5 channels 4 are served, so that the last one, after which the drive's state is looked at, never comes.
+        ((CONTROL, TARGET), (STATUS, DISPLAY, GAP), "08", {GAPS, HELD}),
+        # Without controlword there is nothing for EcCiA402Drive to do.
+        ((TARGET, GAP), (STATUS, DISPLAY), "01", set()),
+    ],
+)
+def test_what_the_drive_plugin_makes_of_gaps_and_modes(outputs, inputs, mode, told):
+    command = init_cmd("PS", "#x6060", mode).replace("<SubIndex>1<", "<SubIndex>0<")
+    transmit = rx("#x1A00", *inputs, attributes='Sm="3"').replace("RxPdo", "TxPdo")
+    text = ros2_slave(configured(f"{SMS}{rx('#x1600', *outputs)}{transmit}<Mailbox><CoE>{command}</CoE></Mailbox>"))
+    words = " ".join(text.replace("#", "").split())
+    assert {remark for remark in (GAPS, HELD, PROFILED) if remark in words} == told
+    assert ("auto_state_transitions" in loaded(text)) == (CONTROL in outputs)
+
+
+def test_a_soe_drive_is_none_for_the_drive_plugin():
+    """0x8040 and 0x8041 are IDNs, P-0-0064 and P-0-0065, and no words of axis 4; 0x807A is no target position."""
+    idn = "<Object><Index>#x{}</Index><Name>n</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+    declared = dictionary("", idn.format("8040") + idn.format("8041")).replace("<ProfileNo>402</ProfileNo>", "")
+    outputs = rx("#x18", entry("#x86", 16, "Master control word"), entry("#x807A", 32, "Probe counter", 0, "UDINT"))
+    text = ros2_slave(configured(f"{declared}{SMS}{outputs}<Mailbox><SoE/></Mailbox>"))
+    (found,) = loaded(text)["rpdo"]
+    assert [(c["type"], c["command_interface"]) for c in found["channels"]] == [
+        ("uint16", "master_control_word"),
+        ("uint32", "probe_counter"),
+    ]
+    assert "EcCiA402Drive" not in text
+    assert "auto_state_transitions" not in text
+    assert "Something may move" in text
 
 
 def mode_content(mode: str, *entries: str) -> str:

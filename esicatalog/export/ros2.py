@@ -21,7 +21,15 @@ from esicatalog.export.mode_commands import started_modes
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
-from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, MODES_DISPLAY, MODES_OF_OPERATION, STATUSWORD
+from esicatalog.model.cia402 import (
+    AXIS_STEP,
+    CONTROLWORD,
+    DRIVE_MODES,
+    MODES_DISPLAY,
+    MODES_OF_OPERATION,
+    STATUSWORD,
+)
+from esicatalog.model.drive_evidence import mode_code
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 
 PROGRAM = "ethercat_driver_ros2"
@@ -40,9 +48,7 @@ _INTERFACES = {
 """Names that ros2_control and the controllers of the driver use, by the CiA 402 object of the first axis."""
 _INTERFACES_BY_NAME = {CIA402_NAMES[index]: interface for index, interface in _INTERFACES.items()}
 """The same for drives that have such values elsewhere: motion terminals (profile 5001) and SoE."""
-_TARGET_POSITION = 0x607A
-_HELD_BY = {0x6061, 0x6064}
-"""Mapped, they let the CiA 402 plugin hold the actual position."""
+_TARGET_POSITION, _ACTUAL_POSITION = 0x607A, 0x6064
 _NOT_PLAIN = frozenset(("y", "n", "yes", "no", "on", "off", "true", "false", "null"))
 _SDO_TYPES = {1: "uint8", 2: "uint16", 4: "int32", 8: "int64"}
 """By length; the driver reads values as 32 bit signed integers."""
@@ -88,7 +94,7 @@ def ros2_slave(configuration: Configuration) -> str:
         *found.remarks,
         *_dc_remarks(configuration),
         *left_out(configuration.subject.device, PROGRAM, ()),
-        *_drive_remarks(configuration),
+        *_drive_remarks(configuration, found),
     ]
     lists = [_pdo_list(configuration, found, direction, remarks) for direction in (OUTPUT, INPUT)]
     sdos = [row for command in found.sdos for row in _sdo(command, remarks)]
@@ -98,6 +104,7 @@ def ros2_slave(configuration: Configuration) -> str:
         configuration=configuration,
         heading=[comment_text(line) for line in wrapped(heading)],
         op_mode=comment_text(op_mode_words(configuration)),
+        suits_drive_plugin=_suits_drive_plugin(configuration),
         sdos=sdos,
         lists=[item for item in lists if item.pdos],
         sync_managers=[_sync_manager(sm) for sm in found.sync_managers],
@@ -240,14 +247,42 @@ def _dc_remarks(configuration: Configuration) -> Iterable[str]:
     )
 
 
-def _drive_remarks(configuration: Configuration) -> Iterable[str]:
-    if not configuration.axes:
+def _suits_drive_plugin(configuration: Configuration) -> bool:
+    """Whether the plugin EcCiA402Drive, which knows the first axis only, has something to command."""
+    return 0 in configuration.axes and CONTROLWORD in _mapped(configuration, OUTPUT)
+
+
+def _mapped(configuration: Configuration, direction: str) -> set[int]:
+    """Indices, which is all that EcCiA402Drive knows objects by."""
+    return {entry.entry_index for sm in configuration.images(direction) for entry in sm.entries}
+
+
+def _drive_remarks(configuration: Configuration, found: Listed) -> Iterator[str]:
+    """What EcCiA402Drive makes of it (generic_ec_cia402_drive.cpp)."""
+    if not _suits_drive_plugin(configuration):
         return
     yield "the plugin EcCiA402Drive switches the drive on by itself where it does not know auto_state_transitions"
-    mapped = {entry.entry_index for sm in configuration.images(INPUT) for entry in sm.entries}
-    commanded = {entry.entry_index for sm in configuration.images(OUTPUT) for entry in sm.entries}
-    if _TARGET_POSITION in commanded and _HELD_BY - mapped:
+    if any(entry.is_gap for sm in found.sync_managers for pdo in sm.pdos for entry in pdo.entries):
         yield (
-            "EcCiA402Drive holds the actual position only when 0x6061 and 0x6064 are mapped, and here one of them is "
-            "not: its target position is 0 until one is commanded"
+            "there are gaps (index 0x0000): EcCiA402Drive takes values behind a gap for other objects, and sends wrong "
+            "targets, unless its processData goes by domain_map_, as in newer versions; else use GenericEcSlave"
+        )
+    if _TARGET_POSITION not in _mapped(configuration, OUTPUT):
+        return
+    read, started = _mapped(configuration, INPUT), started_modes(found.sdos).get(MODES_OF_OPERATION)
+    if MODES_DISPLAY not in read:
+        yield (
+            "0x6061 is not mapped: without CSP read from there EcCiA402Drive sends 0 as target position, whatever is "
+            "commanded (older versions: until one is commanded)"
+        )
+        return
+    if _ACTUAL_POSITION not in read:
+        yield (
+            "0x6064 is not mapped: EcCiA402Drive cannot hold the actual position, its target position is 0 until one "
+            "is commanded"
+        )
+    if started is not None and mode_code(started) == DRIVE_MODES["PP"].code:
+        yield (
+            "the start-up command sets PP: EcCiA402Drive sends a commanded position only while 0x6061 reads CSP (some "
+            "versions: or PP; older ones: always), else the last position that it read"
         )
