@@ -5,7 +5,7 @@ import struct
 
 import pytest
 from snippets import device, esi, pdo, read
-from test_export_compile import IGH_15, IGH_16, check_syntax, gcc, igh_output, needs_gcc, output_of
+from test_export_compile import IGH_15, IGH_16, SOEM_2, check_syntax, gcc, igh_output, needs_gcc, output_of
 from test_export_configuration import COE, FACTOR_1, SMS, configured, dc, entry, init_cmd, rx, subject, times
 
 from esicatalog.errors import InputError
@@ -14,6 +14,7 @@ from esicatalog.export.choice import Choice, parse_pdo_choice
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.headings import choice_lines
 from esicatalog.export.igh import igh_bus_header, igh_header
+from esicatalog.export.soem import soem_header
 from esicatalog.export.subject import subjects_of_document
 
 CONFIGURE = """
@@ -530,19 +531,17 @@ def test_equal_types_of_different_devices_on_a_bus(tmp_path):
     check_syntax(tmp_path, [igh_bus_header([first, second])], IGH_16)
 
 
+TYPES_OF_C = [f"{sign}int{bits}_t" for sign in ("u", "") for bits in (8, 16, 32, 64)]
+
+
 @needs_gcc
-def test_the_header_is_also_cpp(data, tmp_path):
-    (tmp_path / "l6n.h").write_text(igh_header(l6n(data, op_mode="DC")))
-    (tmp_path / "unit.cpp").write_text('#include "l6n.h"\n')
-    gcc(
-        "-x",
-        "c++",
-        "-std=c++11",
-        "-Wall",
-        "-Wextra",
-        "-Werror",
-        "-Wno-unused-variable",
-        "-fsyntax-only",
-        *IGH_16,
-        tmp_path / "unit.cpp",
-    )
+@pytest.mark.parametrize(("export", "options"), [(igh_header, IGH_16), (soem_header, SOEM_2)])
+def test_headers_are_also_cpp(data, tmp_path, export, options):
+    """Where members of a C++ class use a type, none of them may be called like it."""
+    named = [entry("#x7000", 8, name, number, "USINT") for number, name in enumerate(TYPES_OF_C, 1)]
+    for number, found in enumerate((l6n(data, op_mode="DC"), configured(SMS + rx("#x1600", *named), name="d"))):
+        (tmp_path / f"h{number}.h").write_text(export(found))
+    unit = tmp_path / "unit.cpp"
+    unit.write_text('#include "h0.h"\n#include "h1.h"\n')
+    flags = ("-x", "c++", "-std=c++11", "-Wall", "-Wextra", "-Werror", "-Wno-unused-variable", "-Wno-unused-function")
+    gcc(*flags, "-fsyntax-only", *options, unit)

@@ -26,6 +26,7 @@ from esicatalog.export.names import checked_prefix, identifier, unique_names
         ("asm", "asm_"),
         ("constexpr", "constexpr_"),
         ("char8_t", "char8_t_"),
+        ("uint8_t", "uint8_t_"),
         ("__auto_type", "auto_type"),
         ("Größe", "groesse"),
         ("µ-step", "u_step"),

@@ -22,6 +22,8 @@ _RESERVED = (
     # Python
     "as assert async await def del elif except finally from global import in is lambda none nonlocal pass raise with "
     "yield "
+    # types that generated structures use: in C++ no member may be called so
+    "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t "
     # macros of C libraries and of gcc's gnu modes
     "errno linux unix i386 stdin stdout stderr major minor"
 )
