@@ -184,3 +184,10 @@ def test_names_are_printed_as_they_are_written_those_of_gaps_too():
     assert "    {0x7000, 0x01, 1}, /* two  blanks */\n    {0x0000, 0x00, 7}, /* Status__ */\n" in text
     assert "/* TxPdo  #x1A00 */" in text
     assert text == cstruct_of_image(described_image(subject))
+
+
+def test_the_order_number_ends_at_63_bytes_too():
+    (subject,) = subjects_of_document(read(esi(device(SMS, type_text="T" * 70))).document, "x.xml")
+    text = cstruct_of_configuration(configure(subject))
+    assert text.startswith(f'/* Master 0, Slave 0, "{"T" * 63}"\n')
+    assert text == cstruct_of_image(described_image(subject))

@@ -84,7 +84,7 @@ def cstruct_of_configuration(configuration: Configuration) -> str:
         )
         for number, described in enumerate(subject.device.sync_managers)
     )
-    order_number, identity = subject.device.type or "", subject.required_codes()
+    order_number, identity = _cut(subject.device.type or ""), subject.required_codes()
     return _text(_Slave(configuration.choice.position, order_number, identity, sync_managers))
 
 
