@@ -122,6 +122,18 @@ def test_a_second_document_in_a_file_is_named_with_its_line(between, line):
     assert f"the document in line {line} and all behind it is left out: make a file of each" in parsed.recovered
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
+@pytest.mark.parametrize(
+    "content",
+    [device(name="a&#xD800;b"), device().replace("Physics", 'Made="&#57343;" Physics'), "&#xDBFF;" + device()],
+)
+def test_half_of_a_surrogate_pair_is_no_character(content, encoding):
+    """XML 1.0 production 2: no surrogates. libxml2's recovery keeps them, and nothing can read the text then."""
+    with pytest.raises(BrokenDocument, match="means no character") as refused:
+        parse_document(esi(content).encode(encoding))
+    assert refused.value.line == 1
+
+
 def test_content_after_the_root_is_recovered_with_its_line():
     content = esi(device(name="kept")) + "\n\n<more/>"
     read_document = read(content)

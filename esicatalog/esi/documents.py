@@ -162,10 +162,22 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
         _check_limits(entry.type, entry.message, entry.line)
     if rest is None:
         raise BrokenDocument(f"not well-formed and nothing could be recovered: {reason}", line)
+    if not _is_text(rest):
+        raise BrokenDocument("a character reference between &#xD800; and &#xDFFF; means no character: remove it", line)
     try:
         return _known(content, rest, f"{reason}; read by recovery{_left_out(content, rest)}", line)
     except NotAnEsiDocument as other:
         raise BrokenDocument(f"not well-formed: {reason}", line) from other
+
+
+def _is_text(root: etree._Element) -> bool:
+    """Whether all that recovery left can be read: libxml2 keeps half of a surrogate pair that a reference names."""
+    try:
+        for element in root.iter():
+            _ = element.text, element.tail, element.items()
+    except UnicodeDecodeError:
+        return False
+    return True
 
 
 def _left_out(content: bytes, root: etree._Element) -> str:

@@ -74,8 +74,8 @@ def ingest(
         raise database_error(str(engine.url.database), error) from error
     except OverflowError as error:  # from the driver, which has many documents at once and does not say which
         raise CatalogError(
-            f"{engine.url.database}: a document brings a number that no database takes; please report it with the "
-            "documents since the last commit, and ingest the others without them"
+            f"{engine.url.database}: a document brings a number or text that no database takes; please report it with "
+            "the documents since the last commit, and ingest the others without them"
         ) from error
     lines.sort(key=lambda line: line.path)
     return IngestReport(lines, time.monotonic() - started, stages.seconds, is_in_file)
