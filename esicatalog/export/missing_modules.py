@@ -33,3 +33,10 @@ def missing_modules(
         + fitting_words(lacking, modules)
     )
     return MissingModules(words, any(any(map(may_move, item.with_pdos)) for item in lacking))
+
+
+def unplugged_remarks(device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]) -> Iterator[str]:
+    """Required slots that are empty and that only modules without PDOs fit, which may differ in what they write."""
+    lacking = [item for item in required_empty_slots(device, modules, plugged) if not item.may_add_pdos]
+    if lacking:
+        yield f"{empty_words(lacking, True)}: choose with --module SLOT=IDENT; {fitting_words(lacking, modules)}"
