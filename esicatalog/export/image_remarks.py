@@ -45,10 +45,12 @@ def assignment_remarks(
 
 
 def own_remarks(images: Iterable[SmImage], are_modules_missing: bool) -> Iterator[str]:
-    """What the images themselves say; that modules are missing says already why a SyncManager has no PDO."""
+    """What the images themselves say; that modules are missing is told for the whole device, and says already why a
+    SyncManager has no PDO.
+    """
     for image in images:
-        known = image.left_open_words if are_modules_missing else None
-        yield from (words for words in image.remarks if words != known)
+        known = (image.missing_modules, image.left_open_words if are_modules_missing else None)
+        yield from (words for words in image.remarks if words not in known)
 
 
 def swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:
