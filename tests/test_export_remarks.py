@@ -133,6 +133,37 @@ def test_of_a_gap_only_the_length_counts():
     assert contradictions(f"{SMS}{gap}<Mailbox><CoE>{mapped}</CoE></Mailbox>") == []
 
 
+ORDERED = dictionary(
+    "<DataType><Name>DT1C12</Name><BitSize>48</BitSize>"
+    + "".join(
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{number}</Name><Type>{kind}</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{16 * number}</BitOffs></SubItem>"
+        for number, kind, bits in ((0, "USINT", 8), (1, "UINT", 16), (2, "UINT", 16))
+    )
+    + "</DataType>",
+    "<Object><Index>#x1C12</Index><Name>O</Name><Type>DT1C12</Type><BitSize>48</BitSize>"
+    "<Info><DefaultData>{}</DefaultData></Info></Object>",
+)
+"""0x1C12 with the data of the whole object."""
+
+
+@pytest.mark.parametrize(
+    ("coe", "data", "is_told"),
+    [
+        ("", "020001160016", True),  # 0x1601 first
+        ("", "020000160116", False),
+        ("", "010001160016", False),  # another set: 0x1601 alone
+        ('PdoAssign="1"', "020001160016", False),  # the master writes the order
+    ],
+)
+def test_a_fixed_assignment_in_another_order_than_the_document(coe, data, is_told):
+    both = AXIS.replace("<RxPdo ><Index>#x1601", '<RxPdo Sm="2"><Index>#x1601')
+    found = configured(f"{ORDERED.format(data)}{SMS}{both}<Mailbox><CoE {coe}/></Mailbox>")
+    assert pdos(found)[2] == [0x1600, 0x1601]
+    words = "SM2 has the PDOs 0x1600, 0x1601 in this order here, 0x1C12 lists 0x1601, 0x1600 by default"
+    assert any(remark.startswith(words) for remark in found.remarks) is is_told
+
+
 KEPT = "the PDOs of SM2 are not the default ones, and the device does not declare PdoAssign"
 LISTING = ("free", times("0")), ("DC", times("#x300") + '<Sm No="2"><Pdo>#x1601</Pdo></Sm>')
 

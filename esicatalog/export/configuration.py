@@ -14,6 +14,7 @@ from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.image_remarks import (
     assignment_remarks,
     memory_remarks,
+    order_remarks,
     own_remarks,
     repeat_remarks,
     swap_remarks,
@@ -122,6 +123,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *op_mode_remarks,
         *chosen.remarks,
         *assignment_remarks(device, plugged, op_mode, default, images),
+        *order_remarks(device, objects, images),
         *own_remarks(images, missing is not None),
         *swap_remarks(images),
         *memory_remarks(device, subject.modules, images),
