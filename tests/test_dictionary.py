@@ -340,6 +340,75 @@ def test_a_misspelt_name_among_matching_ones_goes_by_its_position():
     assert resolved.remarks == ("Info sub-items 'Tow' match no sub-item of the data type; paired by position",)
 
 
+def member(number: int, name: str, type_name: str, bits: int, offset: int, extra: str = "") -> str:
+    return (
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{name}</Name><Type>{type_name}</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{offset}</BitOffs>{extra}</SubItem>"
+    )
+
+
+def whole(data: str, *members: str, bits: int = 64, extra: str = ""):
+    """What the entries of an object are that has DefaultData as a whole: raw text and number of each."""
+    resolved = resolve(record(*members), "DT2000", bits, f"<Info><DefaultData>{data}</DefaultData>{extra}</Info>")
+    return [(entry.default_raw, entry.default_int) for entry in resolved.entries]
+
+
+NONE = (None, None)
+TWO_MAPPED = (member(1, "a", "UDINT", 32, 16), member(2, "b", "INT", 16, 48))
+
+
+def test_data_of_the_whole_object_are_those_of_its_entries():
+    """Two entries; 0x70100101 and -2, little-endian, behind a byte of padding."""
+    assert whole("0200" + "01011070" + "FEFF", *TWO_MAPPED) == [("02", 2), ("01011070", 0x70100101), ("FEFF", -2)]
+
+
+def test_elements_of_an_array_have_their_part_of_the_data_of_the_whole():
+    data = "<Info><DefaultData>0300000001000000020000000300</DefaultData></Info>"
+    resolved = resolve(ARRAY_A, "DT2000", 112, data)
+    assert defaults(resolved) == [3, 0x10000, 0x20000, 0x30000]
+
+
+@pytest.mark.parametrize(
+    ("type_name", "bits", "offset", "expected"),
+    [
+        ("BOOL", 1, 16, ("01", 1)),  # 0xC5 is 1100 0101
+        ("BOOL", 1, 17, ("00", 0)),
+        ("USINT", 3, 18, ("01", 1)),
+        ("UINT", 12, 20, ("3C0A", 0xA3C)),  # 0xA3 behind it
+        ("UINT", 9, 16, ("C501", 0x1C5)),
+        ("INT", 4, 20, NONE),  # how a signed number is cut is not said
+        ("REAL", 32, 17, NONE),
+        ("UNKNOWN", 4, 16, NONE),
+        ("UNKNOWN", 8, 16, ("C5", None)),
+    ],
+)
+def test_bit_fields_of_whole_numbers_have_their_bits_of_the_data(type_name, bits, offset, expected):
+    assert whole("0100C5A300000000", member(1, "a", type_name, bits, offset)) == [("01", 1), expected]
+
+
+@pytest.mark.parametrize(
+    ("data", "members", "bits"),
+    [
+        ("02000101107000", TWO_MAPPED, 64),  # one byte short
+        ("020001011070FEFF00", TWO_MAPPED, 64),
+        ("020001011070FEFX", TWO_MAPPED, 64),
+        ("020001011070", TWO_MAPPED, 48),  # the last entry lies behind the object
+        ("020001011070FEFF", (member(1, "a", "UDINT", 32, 16), member(2, "b", "INT", 16, 32)), 64),  # overlapping
+        ("020001011070FEFF", (member(1, "a", "UDINT", 32, 0),), 64),
+        ("020001011070FEFF", (member(1, "a", "UDINT", 32, -16),), 64),
+    ],
+)
+def test_data_that_do_not_fit_the_object_say_nothing_of_its_entries(data, members, bits):
+    assert set(whole(data, *members, bits=bits)) == {NONE}
+
+
+def test_a_default_of_its_own_counts_more_than_the_data_of_the_whole_object():
+    own = member(1, "a", "UDINT", 32, 16, "<DefaultData>07000000</DefaultData>")
+    assert whole("020001011070FEFF", own, TWO_MAPPED[1])[1:] == [("07000000", 7), ("FEFF", -2)]
+    info_of_b = "<SubItem><Name>b</Name><Info><DefaultData>0900</DefaultData></Info></SubItem>"
+    assert whole("020001011070FEFF", *TWO_MAPPED, extra=info_of_b)[1:] == [("01011070", 0x70100101), ("0900", 9)]
+
+
 def flags(access: str = "", **more: str) -> str:
     head = f"<Access>{access}</Access>" if access else ""
     return f"<Flags>{head}{''.join(f'<{k}>{v}</{k}>' for k, v in more.items())}</Flags>"

@@ -278,6 +278,20 @@ def test_the_export_of_a_vendor_names_the_descriptions_that_it_leaves_out(tmp_pa
     assert run("esi", "0xe5c:3", db=db).stderr == ""
 
 
+def test_cstruct_remarks_on_stderr_what_its_text_cannot_hold(tmp_path):
+    modules = "".join(
+        f'<Module><Type ModuleIdent="{ident}">M</Type><Name>M</Name>{pdo("RxPdo", "#x1600", 8)}</Module>'
+        for ident in (1, 2)
+    )
+    idents = "<ModuleIdent>1</ModuleIdent><ModuleIdent>2</ModuleIdent>"
+    slot = f'<Slots><Slot MinInstances="1" MaxInstances="1">{idents}</Slot></Slots>'
+    write(tmp_path, {"a.xml": esi(device(f"<Sm ControlByte='#x64'>Outputs</Sm>{slot}"), modules)})
+    result = run("cstruct", "--esi", tmp_path / "a.xml")
+    assert "without a module" not in result.stdout
+    (line,) = result.stderr.splitlines()
+    assert line.startswith("esicatalog: slot 0 without a module, though required: PDOs of modules are missing here")
+
+
 def test_other_variants_that_exchange_something_else_are_told(tmp_path):
     """Variant 1 has more entries; the words are those of ``identify``."""
     sms = "<Sm ControlByte='#x64'>Outputs</Sm>"

@@ -16,7 +16,8 @@ from esicatalog.esi.records.document import EsiInfo, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.records.slots import Slot, SlotModuleClass, SlotModuleIdent
-from esicatalog.export.esi import DeviceWithModules, export_esi, export_esi_files
+from esicatalog.export.esi import DeviceWithModules, content_of, export_esi, export_esi_files
+from esicatalog.export.subject import subjects_of_document
 from esicatalog.model.slots import reachable_modules
 
 VENDOR = Vendor(vendor_id=0xE5C, names=(Name(text="Test vendor"),))
@@ -93,6 +94,30 @@ def test_a_group_that_nobody_describes_is_not_invented():
 def test_groups_that_are_their_own_parents_end():
     groups = (group("G", parent="H"), group("H", parent="G"))
     assert info_of(export_esi(VENDOR, groups, [DeviceWithModules(drive())])).groups == groups
+
+
+@pytest.mark.parametrize(
+    ("taken", "is_refused"),
+    [
+        ("<ModuleClass><Class>C</Class><VendorId>#x1234</VendorId></ModuleClass>", True),
+        ("<ModuleIdent>1</ModuleIdent>", False),
+    ],
+)
+def test_a_module_that_is_taken_as_another_vendors_only_is_not_lost_in_silence(tmp_path, taken, is_refused):
+    """Modules of an InfoReference have a vendor of their own; beside the device they would have that of the device."""
+    slots = f'<Slots><Slot MinInstances="0" MaxInstances="1">{taken}</Slot></Slots>'
+    modules = '<Modules><Module><Type ModuleIdent="1" ModuleClass="C">M1</Type><Name>M1</Name></Module></Modules>'
+    referring = esi(device(slots)).replace("<Vendor>", "<InfoReference>m.xml</InfoReference><Vendor>", 1)
+    of_modules = f"<EtherCATModule><Vendor><Id>#x1234</Id><Name>V</Name></Vendor>{modules}</EtherCATModule>"
+    write(tmp_path, {"a.xml": referring, "m.xml": of_modules})
+    (subject,) = subjects_of_document(read_esi(tmp_path / "a.xml").document, "a.xml")
+    assert [item.type for item in subject.modules] == ["M1"]
+    for export in (export_esi, lambda *content: export_esi_files("a.xml", *content)["a.xml"]):
+        if is_refused:
+            with pytest.raises(InputError, match="'T1' cannot be written with its module 'M1'"):
+                export(*content_of([subject]))
+        else:
+            assert info_of(export(*content_of([subject]))).modules == subject.modules
 
 
 def test_devices_share_equal_modules():

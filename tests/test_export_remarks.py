@@ -133,6 +133,37 @@ def test_of_a_gap_only_the_length_counts():
     assert contradictions(f"{SMS}{gap}<Mailbox><CoE>{mapped}</CoE></Mailbox>") == []
 
 
+ORDERED = dictionary(
+    "<DataType><Name>DT1C12</Name><BitSize>48</BitSize>"
+    + "".join(
+        f"<SubItem><SubIdx>{number}</SubIdx><Name>{number}</Name><Type>{kind}</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{16 * number}</BitOffs></SubItem>"
+        for number, kind, bits in ((0, "USINT", 8), (1, "UINT", 16), (2, "UINT", 16))
+    )
+    + "</DataType>",
+    "<Object><Index>#x1C12</Index><Name>O</Name><Type>DT1C12</Type><BitSize>48</BitSize>"
+    "<Info><DefaultData>{}</DefaultData></Info></Object>",
+)
+"""0x1C12 with the data of the whole object."""
+
+
+@pytest.mark.parametrize(
+    ("coe", "data", "is_told"),
+    [
+        ("", "020001160016", True),  # 0x1601 first
+        ("", "020000160116", False),
+        ("", "010001160016", False),  # another set: 0x1601 alone
+        ('PdoAssign="1"', "020001160016", False),  # the master writes the order
+    ],
+)
+def test_a_fixed_assignment_in_another_order_than_the_document(coe, data, is_told):
+    both = AXIS.replace("<RxPdo ><Index>#x1601", '<RxPdo Sm="2"><Index>#x1601')
+    found = configured(f"{ORDERED.format(data)}{SMS}{both}<Mailbox><CoE {coe}/></Mailbox>")
+    assert pdos(found)[2] == [0x1600, 0x1601]
+    words = "SM2 has the PDOs 0x1600, 0x1601 in this order here, 0x1C12 lists 0x1601, 0x1600 by default"
+    assert any(remark.startswith(words) for remark in found.remarks) is is_told
+
+
 KEPT = "the PDOs of SM2 are not the default ones, and the device does not declare PdoAssign"
 LISTING = ("free", times("0")), ("DC", times("#x300") + '<Sm No="2"><Pdo>#x1601</Pdo></Sm>')
 
@@ -211,6 +242,58 @@ def test_missing_modules_say_why_a_sync_manager_with_a_size_has_no_pdo(ident, is
     assert len(found.remarks) == (2 if is_told else 1)
     plugged = configured(content, VALUE_MODULES, modules={0: ModuleChoice(int(ident[2:], 16))})
     assert plugged.remarks == (tuple(sizes) if is_told else ())
+
+
+def test_exports_state_no_size_where_a_required_module_is_missing():
+    """The device has 16 bits of outputs and of inputs; one of its modules is required and adds 8 bits of outputs."""
+    slots = slot(("#x10", "#x30"), 'MinInstances="1" MaxInstances="1"')
+    own = pdo("RxPdo", "#x1700", 16, attributes='Sm="2"') + pdo("TxPdo", "#x1B00", 16, attributes='Sm="3"')
+    modules = VALUE_MODULES + a_module("#x30", pdo("RxPdo", "#x1601", 8, attributes='Sm="2"'))
+    content = f"{SMS}{own}<Slots>{slots}</Slots>"
+    found = configured(content, modules)
+    assert len(found.remarks) == 1 and "slot 0 without a module, though required" in found.remarks[0]
+    igh, soem = igh_header(found), soem_header(found)
+    for text in (igh, soem, pysoem_module(found)):
+        assert "SM2:      at least 2 bytes output: 0x1700" in text
+        assert "SM3:      2 bytes input: 0x1B00" in text
+    assert ("_SM2_BITS" in igh, "_SM3_BITS 16" in igh) == (False, True)
+    assert ("_OUTPUT_BITS" in soem, "_INPUT_BITS 16" in soem) == (False, True)
+    assert '"size of the described outputs"' in soem and '"size of the inputs"' in soem
+    plugged = configured(content, modules, modules={0: ModuleChoice(0x30)})
+    assert "_SM2_BITS 24" in igh_header(plugged) and "_OUTPUT_BITS 24" in soem_header(plugged)
+
+
+def test_a_missing_module_may_bring_all_that_is_exchanged():
+    sms = SMS[: SMS.index("<Sm", SMS.index("MBoxIn"))]
+    slots = slot(("#x10", "#x20"), 'MinInstances="1" MaxInstances="1"')
+    soem = soem_header(configured(f"{sms}<Slots>{slots}</Slots>", VALUE_MODULES))
+    assert ("_OUTPUT_BITS" in soem, "_INPUT_BITS 0" in soem) == (False, True)
+
+
+def a_command(data: str) -> str:
+    return f"<Mailbox><CoE>{command('#x8000', 1, data)}</CoE></Mailbox>"
+
+
+@pytest.mark.parametrize(
+    ("slots", "modules", "choices"),
+    [
+        (
+            '<Slot MinInstances="1" MaxInstances="1"><ModuleIdent Default="1">#x10</ModuleIdent></Slot>',
+            a_module("#x10", a_command("01")) + a_module("#x10", a_command("02")).replace("M#x10", "other"),
+            "0x10/M#x10, 0x10/other",
+        ),
+        (
+            slot(BOTH, 'MinInstances="1" MaxInstances="1"'),
+            a_module("#x10", a_command("01")) + a_module("#x20", a_command("02")),
+            "0x10, 0x20",
+        ),
+    ],
+)
+def test_a_required_slot_for_modules_without_pdos_is_told_where_none_is_chosen(slots, modules, choices):
+    """The modules differ in what they write at start-up, and that counts as much as PDOs do."""
+    (remark,) = configured(f"{SMS}<Slots>{slots}</Slots>", modules).remarks
+    words = "slot 0 without a module, though required: choose with --module SLOT=IDENT; what fits slot 0"
+    assert remark == f"{words}: {choices}"
 
 
 def test_slots_for_modules_without_process_data_lack_nothing():

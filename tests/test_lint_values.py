@@ -163,6 +163,26 @@ def test_l45_stands_at_the_sub_item(tmp_path):
     assert (found["line"], found["path"].rpartition("Object/")[2]) == (2, "Info/SubItem[1]")
 
 
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        ("01000200", None),
+        ("010002", "3 bytes for all subindices together, its BitSize is 4: correct it, or give each subindex its own"),
+    ],
+)
+def test_l45_counts_the_data_of_a_whole_object(tmp_path, data, words):
+    whole = declared("#x2000", "DT1", 32, content=f"<Info><DefaultData>{data}</DefaultData></Info>")
+    found = [item["message"] for item in linted(tmp_path, "L45", device(dictionary(RECORD, whole)))]
+    assert found == ([f"object 0x2000 has DefaultData of {words}"] if words else [])
+
+
+def test_l45_holds_the_data_of_a_whole_object_against_the_limits_of_its_type(tmp_path):
+    limited = RECORD.replace("<BitOffs>16</BitOffs>", "<BitOffs>16</BitOffs><MaxValue>1</MaxValue>")
+    whole = declared("#x2000", "DT1", 32, content="<Info><DefaultData>01000200</DefaultData></Info>")
+    (found,) = linted(tmp_path, "L45", device(dictionary(limited, whole)))
+    assert found["message"] == "0x2000:02 has the default 2, more than its maximum 1: correct it"
+
+
 def test_l46_tells_a_repeated_name_from_an_unknown_one(tmp_path):
     infos = "<Info>" + "".join(GIVEN.format(name, "0100") for name in ("A", "A", "X")) + "</Info>"
     found = linted(tmp_path, "L46", device(dictionary(RECORD, declared("#x2000", "DT1", 32, content=infos))))

@@ -63,6 +63,39 @@ def test_sizes_are_known_where_every_required_slot_has_its_module(slots, expecte
     assert sizes(slots) == expected
 
 
+MAILBOX_ONLY = "<Sm>MBoxOut</Sm><Sm>MBoxIn</Sm>"
+
+
+@pytest.mark.parametrize(
+    ("sms", "content", "idents", "expected"),
+    [
+        (MAILBOX_ONLY, OWN, (1, 2), (None, None)),
+        (MAILBOX_ONLY, "", (1, 2), (None, None)),
+        (MAILBOX_ONLY, "", (1, 3), (None, 0)),  # neither module has inputs
+        (MAILBOX_ONLY, "", (3, 4), (0, 0)),
+        (f"{MAILBOX_ONLY}<Sm>Outputs</Sm>", "", (1, 2), (None, None)),
+        (f"{MAILBOX_ONLY}<Sm>DynamicOutputs</Sm><Sm>DynamicInputs</Sm>", "", (1, 2), (None, None)),
+    ],
+)
+def test_pdos_of_a_missing_module_may_go_to_a_sync_manager_that_nobody_describes(sms, content, idents, expected):
+    """OUT goes to SM2 and INTO to SM3, whether the device describes these or not."""
+    content = f"{sms}{content}<Slots>{slot(REQUIRED, *idents)}</Slots>"
+    info = read(esi(device(content), MODULES)).document.infos[0]
+    facts = derive(info.devices[0], reachable_modules(info.devices[0], info.modules)).facts
+    assert (facts.output_bytes, facts.input_bytes) == expected
+
+
+def test_a_sync_manager_that_only_a_missing_module_names_has_an_image():
+    content = f"{MAILBOX_ONLY}<Slots>{slot(REQUIRED, 1, 2)}</Slots>"
+    info = read(esi(device(content), MODULES)).document.infos[0]
+    images = default_process_image(info.devices[0], info.modules)
+    words = "slot 0 without a module, though required: PDOs of modules are missing; what fits slot 0: 0x1, 0x2"
+    assert [(image.sm, image.transfer_direction, image.size_words, image.remarks) for image in images] == [
+        (2, "output", "unknown length", (words,)),
+        (3, "input", "unknown length", (words,)),
+    ]
+
+
 def test_a_class_of_modules_is_no_preset():
     """One described module belongs to the class; other documents, of other vendors even, may describe more."""
     slots = f"<Slot {REQUIRED}><ModuleClass><Class>C</Class></ModuleClass></Slot>"

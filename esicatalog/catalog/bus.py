@@ -230,7 +230,8 @@ def _identified(listed: _Listed, fit: _Fit, report: SlaveReport, records: Record
 
 def _missing_modules(device: Device, modules: Sequence[Module]) -> tuple[str, ...]:
     """Why lengths are not known where modules have to be chosen first."""
-    return tuple(dict.fromkeys(missing_pdos(device, modules, default_modules(device, modules)).values()))
+    missing = missing_pdos(device, modules, default_modules(device, modules))
+    return tuple(dict.fromkeys(pdos.words for pdos in missing.values()))
 
 
 def _fitting(

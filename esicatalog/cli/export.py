@@ -152,13 +152,16 @@ def igh(inputs: Inputs, scan: str | None) -> str:
 def cstruct(inputs: Inputs, sii: str | None) -> bytes:
     """What ``ethercat cstruct`` of IgH EtherLab prints for the device.
 
-    Its literal EC_WD_DISABLE switches output watchdogs off; the header of ``export igh`` is the one to use.
+    Its literal EC_WD_DISABLE switches output watchdogs off; the header of ``export igh`` is the one to use. What other
+    exports remark goes to stderr.
     """
     from esicatalog.export.cstruct import cstruct_of_configuration, cstruct_of_image
     from esicatalog.sii.files import read_sii
 
     if sii is None:
-        return cstruct_of_configuration(inputs.configuration()).encode()
+        configuration = inputs.configuration()
+        inputs.notes.extend(words for words in configuration.remarks if words not in inputs.notes)
+        return cstruct_of_configuration(configuration).encode()
     inputs.check_no_device("--sii")
     check_numbers(inputs.choice)
     if inputs.choice != Choice(position=inputs.choice.position):

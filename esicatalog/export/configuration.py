@@ -14,12 +14,13 @@ from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.image_remarks import (
     assignment_remarks,
     memory_remarks,
+    order_remarks,
     own_remarks,
     repeat_remarks,
     swap_remarks,
 )
 from esicatalog.export.init_cmds import StartCommand, start_commands
-from esicatalog.export.missing_modules import missing_modules
+from esicatalog.export.missing_modules import missing_modules, unplugged_remarks
 from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.names import checked_prefix, identifier
 from esicatalog.export.naming import entry_names
@@ -30,7 +31,8 @@ from esicatalog.export.subject import Subject
 from esicatalog.export.unread_remarks import unread_remarks
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
-from esicatalog.model.process_image import SmImage, process_image
+from esicatalog.model.process_image import SmImage, process_image, without_modules
+from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sync import op_mode_at
 from esicatalog.model.sync_parameters import min_cycle_ns, sync_parameters
@@ -63,6 +65,8 @@ class Configuration(NamedTuple):
     is missing."""
     missing_modules: str | None
     """Which slots lack modules without which the process data are not known, in words."""
+    lacking: frozenset[str]
+    """Transfer directions in which required modules bring more than is configured here."""
     remarks: tuple[str, ...]
     copy_remarks: tuple[str, ...]
     """Remarks for targets with which an application can write every copy of an output that is mapped again."""
@@ -101,6 +105,8 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     chosen = apply_choice(device, plugged, choice.pdos, objects, default)
     is_default = chosen.assignment is None
     images = default if is_default else process_image(chosen.device, chosen.plugged, op_mode, chosen.assignment)
+    lacking = missing_pdos(device, subject.modules, plugged)
+    images = without_modules(images, lacking)
     for image in images:
         if image.overflow is not None:
             raise InputError(f"SM{image.sm}: {image.overflow}")
@@ -112,10 +118,12 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     remarks = [
         *((subject.ambiguity,) if subject.ambiguity is not None else ()),
         *((missing.words,) if missing is not None else ()),
+        *unplugged_remarks(device, subject.modules, plugged),
         *unread_remarks(chosen.device, chosen.plugged, op_mode, images),
         *op_mode_remarks,
         *chosen.remarks,
         *assignment_remarks(device, plugged, op_mode, default, images),
+        *order_remarks(device, objects, images),
         *own_remarks(images, missing is not None),
         *swap_remarks(images),
         *memory_remarks(device, subject.modules, images),
@@ -144,6 +152,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         names.axes,
         names.is_drive or (missing is not None and missing.may_move),
         missing.words if missing is not None else None,
+        frozenset(lacking),
         tuple(dict.fromkeys(remarks)),
         tuple(repeat_remarks(images)),
     )

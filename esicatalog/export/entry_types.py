@@ -63,13 +63,14 @@ class ObjectTable:
 
     def entry(self, index: int, subindex: int) -> ObjectEntry | None:
         """The resolved entry of an object, None when no dictionary declares it."""
-        return self._entries(index).get(subindex)
+        return self.entries(index).get(subindex)
 
     def highest_subindex(self, index: int) -> int | None:
         """The last subindex of an object, None when no dictionary declares it."""
-        return max(self._entries(index), default=None)
+        return max(self.entries(index), default=None)
 
-    def _entries(self, index: int) -> EntriesBySubindex:
+    def entries(self, index: int) -> EntriesBySubindex:
+        """The resolved entries of an object by subindex, none when no dictionary declares it."""
         own = counting_view(self._own, index)
         if own is None or own.by_index[index].overwritten_by_module:
             own = counting_view(self._brought, index) or own

@@ -20,7 +20,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.write import write_esi
 from esicatalog.export.subject import Subject
-from esicatalog.model.slots import reachable_modules
+from esicatalog.model.slots import ModuleVendor, accepts, reachable_modules
 
 
 class DeviceWithModules(NamedTuple):
@@ -52,7 +52,8 @@ def export_esi(vendor: Vendor, groups: Iterable[Group], devices: Iterable[Device
     """One EtherCATInfo document of devices, their modules and the groups they name, everything inline.
 
     ``groups`` may hold more than is needed; the first of a type counts. Raises :class:`InputError` when devices
-    plug different modules under one ModuleIdent or ModuleClass and so cannot share a document.
+    plug different modules under one ModuleIdent or ModuleClass and so cannot share a document, and for a module that a
+    slot takes as another vendor's only.
     """
     documents = _documents(devices)
     if len(documents) > 1:
@@ -72,7 +73,8 @@ def export_esi_files(
     The first file is ``name``; devices that cannot share it follow in ``…-2.xml`` and so on. A profile that names a
     DictionaryFile or a single DiagFile gets that file under the vendor's own path. It is written inline instead where
     the path leads outside of the folder, or means the file of another device with other content, and where several
-    DiagFiles share the texts (records do not tell which text came from which).
+    DiagFiles share the texts (records do not tell which text came from which). Raises :class:`InputError` for a module
+    that a slot takes as another vendor's only.
     """
     documents, known_groups = _documents(devices), tuple(groups)
     names = [name, *(_numbered(name, number) for number in range(2, len(documents) + 1))]
@@ -128,7 +130,20 @@ def _documents(devices: Iterable[DeviceWithModules]) -> list[_Document]:
     return documents
 
 
+def _check_vendors(vendor: Vendor, document: _Document) -> None:
+    """Raise :class:`InputError` for a module that no slot would reach: all here become those of the one vendor."""
+    of_vendor = ModuleVendor(vendor.vendor_id, vendor.vendor_id)
+    for device in document.devices:
+        for module in reachable_modules(device, document.modules.values()):
+            if not any(accepts(slot, module, of_vendor) for slot in device.slots):
+                raise InputError(
+                    f"device {device.type!r} cannot be written with its module {module.type!r}: its slots take the "
+                    f"ModuleClass {module.module_class!r} of another vendor only, and a document has one vendor"
+                )
+
+
 def _info(vendor: Vendor, groups: tuple[Group, ...], document: _Document, beside: "_FilesBeside | None") -> EsiInfo:
+    _check_vendors(vendor, document)
     return EsiInfo(
         vendor=vendor,
         groups=_groups_of(document.devices, groups),

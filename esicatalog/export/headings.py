@@ -57,8 +57,9 @@ def choice_lines(configuration: Configuration) -> Iterator[str]:
     for sm in configuration.sync_managers:
         if sm.pdos:
             indices = ", ".join(f"0x{pdo.pdo_index:04X}" for pdo in sm.pdos)
+            least = "at least " if sm.direction in configuration.lacking else ""
             what = (
-                f"{counted(sm.byte_size, 'byte')} {sm.direction}"
+                f"{least}{counted(sm.byte_size, 'byte')} {sm.direction}"
                 if sm.is_described
                 else f"{sm.direction} of unknown length"
             )

@@ -104,7 +104,7 @@ def device_code(configuration: Configuration) -> DeviceCode:
         tuple(_entry_rows(assigned)),
         tuple(_pdo_rows(prefix, assigned)),
         tuple(_sync_rows(prefix, configuration.sync_managers)),
-        tuple(_sizes(configuration.sync_managers)),
+        tuple(_sizes(configuration)),
         registrations,
         tuple(_members(registrations)),
         tuple(
@@ -172,9 +172,10 @@ def _sm_words(sm: SmConfiguration) -> str:
     return f"{words}, ControlByte 0x{control:02X}: watchdog trigger {watchdog}"
 
 
-def _sizes(sync_managers: Iterable[SmConfiguration]) -> Iterator[ImageSize]:
-    for sm in sync_managers:
-        if sm.is_described:
+def _sizes(configuration: Configuration) -> Iterator[ImageSize]:
+    """Lengths that are those of the device: not where PDOs of required modules are missing."""
+    for sm in configuration.sync_managers:
+        if sm.is_described and sm.direction not in configuration.lacking:
             lengths = [sum(entry.bit_length for entry in pdo.entries) for pdo in sm.pdos]
             yield ImageSize(sm.number, sm.bit_size, sm.byte_size, " + ".join(map(str, lengths)))
 

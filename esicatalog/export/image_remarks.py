@@ -7,8 +7,10 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
+from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
-from esicatalog.model.pdo_facts import PDO_MAPPINGS
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, index_words
+from esicatalog.model.pdo_mapping import assigned_by_dictionary
 from esicatalog.model.process_image import SmImage, default_process_image, process_image
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import OUTPUT, is_mailbox
@@ -44,11 +46,32 @@ def assignment_remarks(
         )
 
 
-def own_remarks(images: Iterable[SmImage], are_modules_missing: bool) -> Iterator[str]:
-    """What the images themselves say; that modules are missing says already why a SyncManager has no PDO."""
+def order_remarks(device: Device, objects: ObjectTable, images: Iterable[SmImage]) -> Iterator[str]:
+    """Fixed assignments whose object lists the same PDOs in another order than the document (rule L65).
+
+    PDOs lie in the order of the assignment object (ETG.1000.6), and nothing tells which of the two is the device's:
+    defaults of these objects are often those of another product. With PdoAssign the master writes the order.
+    """
+    if declares_pdo_assign(device):
+        return
     for image in images:
-        known = image.left_open_words if are_modules_missing else None
-        yield from (words for words in image.remarks if words != known)
+        index = PDO_ASSIGNMENTS.start + image.sm
+        listed, assigned = assigned_by_dictionary(objects.entries(index)), list(dict.fromkeys(_indices(image)))
+        if listed is not None and listed != assigned and set(listed) == set(assigned):
+            here, there = (", ".join(map(index_words, indices)) for indices in (assigned, listed))
+            yield (
+                f"SM{image.sm} has the PDOs {here} in this order here, 0x{index:04X} lists {there} by default, and the "
+                "device does not declare PdoAssign: read it on the device; in another order no offset here is right"
+            )
+
+
+def own_remarks(images: Iterable[SmImage], are_modules_missing: bool) -> Iterator[str]:
+    """What the images themselves say; that modules are missing is told for the whole device, and says already why a
+    SyncManager has no PDO.
+    """
+    for image in images:
+        known = (image.missing_modules, image.left_open_words if are_modules_missing else None)
+        yield from (words for words in image.remarks if words not in known)
 
 
 def swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:

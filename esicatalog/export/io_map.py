@@ -44,7 +44,7 @@ class IoMap(NamedTuple):
 
 def io_map(configuration: Configuration, direction: str) -> IoMap:
     """The image of one direction; without members when nothing is exchanged."""
-    entries, byte_size, bit_size, is_described = [], 0, 0, True
+    entries, byte_size, bit_size, is_described = [], 0, 0, direction not in configuration.lacking
     images = [sm for sm in configuration.sync_managers if sm.direction == direction and (sm.pdos or sm.is_left_open)]
     has_pdos = any(sm.pdos for sm in images)
     remarks = []

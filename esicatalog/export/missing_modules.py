@@ -1,6 +1,6 @@
-"""Slots whose modules would bring process data, and that have none (ESI-FACTS sections 12 and 18)."""
+"""Slots that need a module and have none, with what is missing for it (ESI-FACTS sections 12 and 18)."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
@@ -24,7 +24,7 @@ def missing_modules(
 
     Only modules with PDOs count. That optional slots are empty beside plugged ones is a configuration like any other.
     """
-    required = required_empty_slots(device, modules, plugged)
+    required = [item for item in required_empty_slots(device, modules, plugged) if item.may_add_pdos]
     lacking = required or ([] if plugged else empty_slots(device, modules, plugged))
     if not lacking:
         return None
@@ -33,3 +33,10 @@ def missing_modules(
         + fitting_words(lacking, modules)
     )
     return MissingModules(words, any(any(map(may_move, item.with_pdos)) for item in lacking))
+
+
+def unplugged_remarks(device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]) -> Iterator[str]:
+    """Required slots that are empty and that only modules without PDOs fit, which may differ in what they write."""
+    lacking = [item for item in required_empty_slots(device, modules, plugged) if not item.may_add_pdos]
+    if lacking:
+        yield f"{empty_words(lacking, True)}: choose with --module SLOT=IDENT; {fitting_words(lacking, modules)}"

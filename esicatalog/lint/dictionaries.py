@@ -57,7 +57,7 @@ class ObjectValues:
         self._are_harmless = (
             not infos and _is_harmless(declared, declared.bit_size)
             if of_type is None
-            else of_type.are_silent and self._infos_are_harmless()
+            else of_type.are_silent and not declared.default_data and self._infos_are_harmless()
         )
 
     @property

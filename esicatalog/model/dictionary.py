@@ -1,21 +1,25 @@
 """Resolved object dictionary: every object with its subindices, types, access and values.
 
 Rules of ESI-FACTS sections 6 and 7: subindices come from the data type; arrays are written in two idioms; declared
-values are paired by position in arrays and by name in records; six flags are inherited as ETG.2000 figure 37 says.
+values are paired by position in arrays and by name in records, or cut out of the data of the whole object; six flags
+are inherited as ETG.2000 figure 37 says.
 """
 
 from collections.abc import Iterable, Mapping
 from operator import attrgetter
 from typing import Annotated, NamedTuple
 
+import msgspec
+
 from esicatalog.esi.binding import Doc, Record
+from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dictionary import DataType, DeclaredValues, EnumInfo, Flags, InfoSubItem, Object, SubItem
 from esicatalog.model.access import access_word, normalised_pdo_mapping
-from esicatalog.model.base_types import BaseType, base_type
+from esicatalog.model.base_types import BASE_TYPES, BaseType, base_type
 from esicatalog.model.members import Member, MemberMemo, Members
 from esicatalog.model.memo import IdentityMemo, identities
-from esicatalog.model.values import Value, decode_data, decode_string, decode_value
+from esicatalog.model.values import Value, byte_length, decode_data, decode_string, decode_value
 
 _MAX_MADE = 50_000
 _MAX_OBJECTS = 10_000
@@ -165,6 +169,8 @@ class ObjectType:
         infos, flags = declared.info_sub_items, declared.flags
         key = (id(self), identities(infos), id(flags))
         made = self._memo.objects.get(key, (self, infos, flags), self._composite, members, infos, flags)
+        if declared.default_data:
+            made = made._replace(entries=_with_parts(made.entries, declared))
         return ResolvedObject(declared, OBJECT_CODES["ARRAY" if members.is_array else "RECORD"], *made)
 
     def _resolve_single(self, declared: Object) -> ResolvedObject:
@@ -202,6 +208,53 @@ def _single_values(declared: Object, remarks: list[str]) -> DeclaredValues:
         return declared
     remarks.append("Info has a sub-item, but the data type has none; its values are taken for the object")
     return declared.info_sub_items[0]
+
+
+def _with_parts(entries: tuple[ObjectEntry, ...], declared: Object) -> tuple[ObjectEntry, ...]:
+    """The entries with their part of DefaultData of the whole object, where they have no default of their own.
+
+    These data are the complete-access image (ESI-FACTS section 6.1). They say nothing where they have another length
+    than the object, or where the places of entries overlap or leave them.
+    """
+    data = decode_hex_binary(declared.default_data)
+    if data is None or declared.bit_size is None or len(data) != byte_length(declared.bit_size):
+        return entries
+    places = sorted(place for place in map(_place, entries) if place is not None)
+    ends = [0, *(end for _, end in places)]
+    if any(start < end for (start, _), end in zip(places, ends, strict=False)) or ends[-1] > 8 * len(data):
+        return entries
+    return tuple(_with_part(entry, data) if entry.default_raw is None else entry for entry in entries)
+
+
+def _place(entry: ObjectEntry) -> tuple[int, int] | None:
+    """The bits of an entry in the complete-access image: the first one, and the one behind the last."""
+    if entry.bit_offset is None or entry.bit_size is None or entry.bit_size <= 0:
+        return None
+    return entry.bit_offset, entry.bit_offset + entry.bit_size
+
+
+def _with_part(entry: ObjectEntry, data: bytes) -> ObjectEntry:
+    """An entry with the bytes that are its own; with its bits where it is a bit field of a whole number."""
+    place = _place(entry)
+    if place is None:
+        return entry
+    start, end = place
+    size, base = end - start, BASE_TYPES.get(entry.base_type or "")
+    part = data[start // 8 : byte_length(end)]
+    if start % 8 or end % 8:
+        if base is None or not base.integral or base.signed:
+            return entry
+        bits = int.from_bytes(part, "little") >> start % 8 & (1 << size) - 1
+        part = bits.to_bytes(byte_length(size), "little")
+    value = decode_data(part.hex().upper(), base, size)
+    return msgspec.structs.replace(
+        entry,
+        default_raw=value.raw,
+        default_kind=value.kind,
+        default_int=value.number,
+        default_real=value.real,
+        default_text=value.text,
+    )
 
 
 class _Traits(NamedTuple):

@@ -1,4 +1,6 @@
-"""Which entries a PDO can be given: what a master may change and what the dictionary lets into it."""
+"""What the dictionary says of PDOs: which entries they can be given by a master, and which of them are assigned."""
+
+from collections.abc import Mapping
 
 from esicatalog.esi.records.mailbox import Mailbox
 from esicatalog.esi.records.pdo import Pdo
@@ -23,3 +25,17 @@ def mapping_obstacle(mailbox: Mailbox | None, pdo: Pdo) -> str | None:
 def is_mappable(declared: ObjectEntry, direction: str) -> bool:
     """Whether a dictionary lets an object into PDOs of a direction: PdoMapping names it, and its size is known."""
     return bool(declared.bit_size) and MAPPABLE_IN[direction] in (declared.pdo_mapping or "")
+
+
+def assigned_by_dictionary(entries: Mapping[int, ObjectEntry]) -> list[int] | None:
+    """The PDOs that an assignment object lists by default, each once, in the order of the process image.
+
+    ``entries`` are its own by subindex. None where it has no defaults (ETG.1000.6, 0x1C10 and following).
+    """
+    count = entries[0].default_int if 0 in entries else None
+    listed = [
+        entry.default_int
+        for subindex, entry in sorted(entries.items())
+        if subindex and entry.default_int and (count is None or subindex <= count)
+    ]
+    return list(dict.fromkeys(listed)) if listed or count == 0 else None

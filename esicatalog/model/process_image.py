@@ -29,7 +29,7 @@ from esicatalog.model.pdo_facts import (
     pdos_by_direction,
     symmetric_exclusions,
 )
-from esicatalog.model.required_slots import missing_pdos
+from esicatalog.model.required_slots import MissingPdos, missing_pdos
 from esicatalog.model.slots import PluggedModule, default_modules
 from esicatalog.model.sm_facts import transfer_direction
 from esicatalog.model.sync import default_op_mode
@@ -134,17 +134,33 @@ def default_process_image(device: Device, modules: Sequence[Module] = ()) -> lis
 def whole_process_image(device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]) -> list[SmImage]:
     """As :func:`plugged_process_image`; where a required slot is still empty, its length is not known.
 
-    ``modules`` are all of the device.
+    A SyncManager that only PDOs of the missing modules name has an image, too. ``modules`` are all of the device.
     """
     images = plugged_process_image(device, plugged)
     missing = missing_pdos(device, modules, plugged)
-    return [_without_modules(image, missing.get(image.transfer_direction)) for image in images] if missing else images
+    if not missing:
+        return images
+    present = {image.sm for image in images}
+    images += [
+        _without_pdos(device, number, direction) for direction, pdos in missing.items() for number in pdos.sms - present
+    ]
+    images.sort(key=lambda image: image.sm)
+    return without_modules(images, missing)
 
 
-def _without_modules(image: SmImage, missing: str | None) -> SmImage:
-    if missing is None:
-        return image
-    return image._replace(remarks=(*image.remarks, missing), has_known_size=False, missing_modules=missing)
+def without_modules(images: Iterable[SmImage], missing: Mapping[str, MissingPdos]) -> list[SmImage]:
+    """The same images where such PDOs are missing of modules, by transfer direction: their length is not known."""
+    return [
+        image._replace(remarks=(*image.remarks, pdos.words), has_known_size=False, missing_modules=pdos.words)
+        if (pdos := missing.get(image.transfer_direction)) is not None
+        else image
+        for image in images
+    ]
+
+
+def _without_pdos(device: Device, number: int, direction: str) -> SmImage:
+    usage = device.sync_managers[number].usage if 0 <= number < len(device.sync_managers) else None
+    return SmImage(number, usage, direction, (), 0, ())
 
 
 def plugged_process_image(device: Device, plugged: Sequence[PluggedModule]) -> list[SmImage]:

@@ -20,20 +20,36 @@ _MOST_NUMBERS = 4
 
 
 class EmptySlots(NamedTuple):
-    """Slots of one Slot element that have no module, and the modules with PDOs that fit them.
-
-    There is none of these where no module that fits is described at all.
-    """
+    """Slots of one Slot element that have no module, and the described modules that fit them."""
 
     slot: Slot
     numbers: tuple[int, ...]
-    with_pdos: tuple[Module, ...]
+    fitting: tuple[Module, ...]
+
+    @property
+    def with_pdos(self) -> tuple[Module, ...]:
+        """Those of the modules that have PDOs."""
+        return tuple(module for module in self.fitting if module.rx_pdos or module.tx_pdos)
+
+    @property
+    def may_add_pdos(self) -> bool:
+        """Whether a module there may bring PDOs: one that fits does, or none that fits is described."""
+        return bool(self.with_pdos) or not self.fitting
+
+
+class MissingPdos(NamedTuple):
+    """What required modules that are not there would add in one direction."""
+
+    words: str
+    """Which slots are empty, and what fits."""
+    sms: frozenset[int]
+    """SyncManagers that PDOs of the modules that fit name."""
 
 
 def required_empty_slots(
     device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]
 ) -> list[EmptySlots]:
-    """The slots that need a module and have none, unless only modules without PDOs fit."""
+    """The slots that need a module and have none."""
     return list(_empty(device, modules, plugged, required_instances))
 
 
@@ -52,10 +68,7 @@ def _empty(
     taken = {item.slot_number for item in plugged}
     for slot, numbers in slot_runs(device):
         if empty := tuple(number for number in numbers[: instances(slot)] if number not in taken):
-            fitting = [module for module in modules if accepts(slot, module)]
-            with_pdos = tuple(module for module in fitting if module.rx_pdos or module.tx_pdos)
-            if with_pdos or not fitting:
-                yield EmptySlots(slot, empty, with_pdos)
+            yield EmptySlots(slot, empty, tuple(module for module in modules if accepts(slot, module)))
 
 
 def empty_words(empty: Sequence[EmptySlots], are_required: bool) -> str:
@@ -72,18 +85,31 @@ def fitting_words(empty: Sequence[EmptySlots], modules: Sequence[Module]) -> str
     return f"what fits slot {first.numbers[0]}: {fitting_choices(first.slot, modules)}"
 
 
-def missing_pdos(device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]) -> dict[str, str]:
-    """Which required slots are empty whose module adds PDOs, in words, by the transfer direction of these PDOs.
+def missing_pdos(device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]) -> dict[str, MissingPdos]:
+    """Which PDOs required slots lack whose modules are not there, by the transfer direction of these PDOs.
 
     A module that is not described may have PDOs of either direction.
     """
-    empty = required_empty_slots(device, modules, plugged)
     adding: dict[str, list[EmptySlots]] = defaultdict(list)
-    for item in empty:
-        described = {direction for module in item.with_pdos for direction, pdos in pdos_by_direction(module) if pdos}
-        for direction in described or TRANSFER_DIRECTIONS:
+    sms: dict[str, set[int]] = defaultdict(set)
+    for item in required_empty_slots(device, modules, plugged):
+        if not item.may_add_pdos:
+            continue
+        pdos = [
+            (direction, pdo)
+            for module in item.with_pdos
+            for direction, found in pdos_by_direction(module)
+            for pdo in found
+        ]
+        for direction in dict.fromkeys(direction for direction, _ in pdos) or TRANSFER_DIRECTIONS:
             adding[TRANSFER_DIRECTIONS[direction]].append(item)
+        for direction, pdo in pdos:
+            if pdo.sm is not None and not pdo.virtual:
+                sms[TRANSFER_DIRECTIONS[direction]].add(pdo.sm)
     return {
-        direction: f"{empty_words(items, True)}: PDOs of modules are missing; {fitting_words(items, modules)}"
+        direction: MissingPdos(
+            f"{empty_words(items, True)}: PDOs of modules are missing; {fitting_words(items, modules)}",
+            frozenset(sms[direction]),
+        )
         for direction, items in adding.items()
     }

@@ -16,6 +16,7 @@ from esicatalog.model.pdo_facts import (
     index_words,
     symmetric_exclusions,
 )
+from esicatalog.model.pdo_mapping import assigned_by_dictionary
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
@@ -324,14 +325,9 @@ def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
         entries = subject.own.entries(PDO_ASSIGNMENTS.start + image.sm)
         if not entries:
             continue
-        count = entries[0].default_int if 0 in entries else None
-        defaults = _each_once(
-            entry.default_int
-            for subindex, entry in sorted(entries.items())
-            if subindex and entry.default_int and (count is None or subindex <= count)
-        )
-        assigned = _each_once(placed.pdo.pdo_index for placed in image.pdos)
-        if (defaults or count == 0) and defaults != assigned:
+        defaults = assigned_by_dictionary(entries)
+        assigned = list(dict.fromkeys(placed.pdo.pdo_index for placed in image.pdos))
+        if defaults is not None and defaults != assigned:
             mode = listing.get(image.sm)
             what = f"the OpMode {mode.name!r}" if mode is not None else f"Sm={image.sm}"
             is_order = set(defaults) == set(assigned)
@@ -342,10 +338,6 @@ def assignment_object(subject: DeviceSubject) -> Iterator[Found]:
                 + ": which of them counts depends on the master",
                 subject.object_place(PDO_ASSIGNMENTS.start + image.sm),
             )
-
-
-def _each_once(indices: Iterable[int | None]) -> list[int | None]:
-    return list(dict.fromkeys(indices))
 
 
 def _indices(indices: Iterable[int | None], in_order: bool) -> str:

@@ -28,6 +28,21 @@ def default_value(subject: ObjectValues) -> Iterator[Found]:
             found.append((entry, f"{_words(subject, entry)} {problem}"))
     if found:
         yield Found(f"{listed([words for _, words in found])}: correct it", _place(subject, found[0][0]))
+    if (problem := _whole_problem(subject)) is not None:
+        yield Found(f"object {index_words(subject.declared.object_index)} {problem}")
+
+
+def _whole_problem(subject: ObjectValues) -> str | None:
+    """Data of an object with subindices, which are its complete-access image, in another length than that has."""
+    data, size = decode_hex_binary(subject.declared.default_data), subject.declared.bit_size
+    if data is None or size is None or len(data) == byte_length(size):
+        return None
+    if subject.resolved.object_code == OBJECT_CODES["VAR"]:
+        return None
+    return (
+        f"has DefaultData of {counted(len(data), 'byte')} for all subindices together, its BitSize is "
+        f"{byte_length(size)}: correct it, or give each subindex its own"
+    )
 
 
 def _place(subject: ObjectValues, entry: ObjectEntry) -> Place:
