@@ -12,7 +12,9 @@ from esicatalog.model.pdo_facts import (
     PDO_FIELDS,
     PDO_MAPPINGS,
     entry_facts,
+    has_object,
     index_words,
+    places_words,
     symmetric_exclusions,
 )
 from esicatalog.model.process_data import ProcessData
@@ -249,16 +251,26 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
 
 @rule("L33", ERROR, "ETG.2000 Entry/BitLen: required")
 def entry_without_length(pdo: Pdo) -> Iterator[Found]:
-    """An entry has no BitLen, or none above 0."""
+    """An entry has no BitLen, or one below 0 (objects in no bits: W)."""
+    empty = []
     for number, entry in enumerate(pdo.entries):
         length = entry.bit_length
-        if is_absent(entry, "bit_length") if length is None else length <= 0:
+        if is_absent(entry, "bit_length") if length is None else length < 0:
             words = "no BitLen" if length is None else f"BitLen {length}"
             yield Found(
                 f"entry {number + 1} of PDO {index_words(pdo.pdo_index)} has {words}: "
                 "nothing tells where the next entries lie",
                 ("entries", number),
             )
+        elif length == 0 and entry.entry_index and has_object(entry):
+            empty.append((number, (entry.entry_index, entry.subindex or 0)))
+    if empty:
+        yield Found(
+            f"PDO {index_words(pdo.pdo_index)} maps {listed(places_words(place for _, place in empty))} with BitLen 0: "
+            "no value is exchanged there, and some masters refuse such entries; give the length if a value is meant",
+            ("entries", empty[0][0], "bit_length"),
+            WARNING,
+        )
 
 
 @rule("L34", INFORMATION, "ETG.2000 Entry: index 0 is a gap, only its BitLen counts")
