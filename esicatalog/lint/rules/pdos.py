@@ -3,7 +3,7 @@
 from collections.abc import Container, Iterable, Iterator, Sequence
 
 from esicatalog.esi.records.dc import OpMode
-from esicatalog.esi.records.pdo import Exclude, Pdo
+from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import DeclaredPdo, DeviceSubject, ModuleSubject, ProcessSubject, is_absent
 from esicatalog.model.counting import counted
@@ -12,6 +12,7 @@ from esicatalog.model.pdo_facts import (
     PDO_FIELDS,
     PDO_MAPPINGS,
     entry_facts,
+    entry_words,
     has_object,
     index_words,
     places_words,
@@ -21,6 +22,8 @@ from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
 from esicatalog.sii.records import MAX_ENTRY_BITS
+
+_MAPPING_OBJECTS = frozenset(index for indices in PDO_MAPPINGS.values() for index in indices)
 
 
 def _words(direction: str, index: int | None) -> str:
@@ -75,7 +78,7 @@ def index_twice(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
 
 @rule("L29", WARNING, "ETG.1000.6: PDO mapping objects are 0x1600 to 0x17FF and 0x1A00 to 0x1BFF")
 def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
-    """The index of a PDO is no PDO mapping object of its direction."""
+    """The index of a PDO is no PDO mapping object of its direction, or that of an entry is one."""
     mailbox = subject.record.mailbox
     if mailbox is not None and mailbox.soe and not mailbox.coe:
         return  # the PDOs of a SoE drive are the IDNs of its telegrams
@@ -89,6 +92,22 @@ def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
                     f"{direction} are 0x{allowed.start:04X} to 0x{allowed.stop - 1:04X}",
                     (field, position, "pdo_index"),
                 )
+            mapped = [number for number, entry in enumerate(pdo.entries) if entry.entry_index in _MAPPING_OBJECTS]
+            if mapped and index in _MAPPING_OBJECTS:
+                yield Found(
+                    f"{_words(direction, index)} maps {_mapping_objects([pdo.entries[number] for number in mapped])}",
+                    (field, position, "entries", mapped[0], "entry_index"),
+                )
+
+
+def _mapping_objects(entries: Sequence[Entry]) -> str:
+    """What is wrong with entries that map such objects: digits without #x are decimal, and were meant as hex."""
+    decimal = [text for entry in entries if (text := (entry.spelling or {}).get("entry_index", "")).isdecimal()]
+    advice = "map the objects that hold the values"
+    if decimal:
+        meant = dict.fromkeys(f"#x{text}" for text in decimal)
+        advice = f"digits without #x are decimal, probably meant: {listed([*meant])}"
+    return f"{listed([entry_words(entry) for entry in entries])}: objects of this range describe PDOs; {advice}"
 
 
 @rule("L30", WARNING, "ETG.2000 Exclude: meant for both sides; a tool that reads one side only offers the pair")
