@@ -243,7 +243,8 @@ def test_of_two_pdos_of_one_index_that_are_alike_either_is_meant():
 
 UNUSABLE = [
     ("<BitLen>{}</BitLen>", "", "without a usable BitLen"),
-    ("<BitLen>{}</BitLen>", "<BitLen>0</BitLen>", "without a usable BitLen"),
+    ("<BitLen>{}</BitLen>", "<BitLen>-8</BitLen>", "without a usable BitLen"),
+    ("<BitLen>{}</BitLen>", "<BitLen>0</BitLen>", "in an entry of 0 bits"),
     ("<SubIndex>0</SubIndex>", "<SubIndex>0h</SubIndex>", "without a usable SubIndex"),
 ]
 

@@ -103,7 +103,7 @@ def test_pdos_that_the_device_does_not_allow(text, message):
     assert "\n" not in str(raised.value)
 
 
-@pytest.mark.parametrize("length", ["", "<BitLen>0</BitLen>", "<BitLen>-8</BitLen>", "<BitLen>32bit</BitLen>"])
+@pytest.mark.parametrize("length", ["", "<BitLen>-8</BitLen>", "<BitLen>32bit</BitLen>"])
 def test_an_entry_without_a_length_is_refused_where_it_is_mapped(length):
     """Rule L33: BitLen is required; without it nothing tells where the entries behind it lie."""
     unknown = f"<Entry><Index>#x6064</Index><SubIndex>0</SubIndex>{length}</Entry>"
@@ -139,6 +139,32 @@ def test_a_gap_of_no_bits_moves_nothing_and_one_without_a_length_is_refused():
     assert [item.bit_offset for item in image.entries] == [0, 16]
     with pytest.raises(InputError, match="PDO 0x1600 maps a gap without a usable BitLen"):
         configured(around(""))
+
+
+EMPTY = (
+    SMS
+    + rx(
+        "#x1600",
+        entry("#x7000", 16, "first", 1),
+        entry("#x7000", 0, "none", 2),
+        entry("#x7000", 0, "none", 3),
+        entry("#x7000", 0, "last", 0x10),
+        entry("#x7000", 8, "last", 0x11),
+    )
+    + COE
+)
+"""Entries of no bits as IO-Link modules have them: subindices of one area of data, which the first covers."""
+
+
+def test_an_entry_of_no_bits_stands_in_the_mapping_and_has_no_value():
+    found = configured(EMPTY)
+    (image,) = found.images(OUTPUT)
+    assert [(item.place, item.identifier, item.bit_offset) for item in image.entries] == [
+        ("0x7000:01", "first", 0),
+        ("0x7000:11", "last", 16),
+    ]
+    assert (image.bit_size, image.is_described, found.remarks) == (24, True, ())
+    assert image.pdos[0].mapping.values == (0x7000_0110, 0x7000_0200, 0x7000_0300, 0x7000_1000, 0x7000_1108)
 
 
 def test_a_mandatory_pdo_is_assigned_too_and_cannot_be_excluded():

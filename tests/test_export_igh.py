@@ -6,7 +6,7 @@ import struct
 import pytest
 from snippets import device, esi, pdo, read
 from test_export_compile import IGH_15, IGH_16, SOEM_2, check_syntax, gcc, igh_output, needs_gcc, output_of
-from test_export_configuration import COE, FACTOR_1, SMS, configured, dc, entry, init_cmd, rx, subject, times
+from test_export_configuration import COE, EMPTY, FACTOR_1, SMS, configured, dc, entry, init_cmd, rx, subject, times
 
 from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
@@ -220,6 +220,23 @@ def test_entries_that_repeat_are_registered_by_place(tmp_path):
     lines = igh_output(tmp_path, header_of(content), main)
     assert [line for line in lines if line.startswith("entry")] == ["entry 0x7000:01 byte 0 bit 0"]
     assert lines[-2:] == ["repeated 0", "0 2.0 3"]
+
+
+@needs_gcc
+def test_an_entry_of_no_bits_is_mapped_and_not_registered(tmp_path):
+    """The master takes it as it is (ecrt_slave_config_pdo_mapping_add), and finds the mapping of the device equal."""
+    lines = igh_output(tmp_path, header_of(EMPTY), f"{CONFIGURE}\n{REGISTER}")
+    assert [line for line in lines if line.startswith("entry")] == [
+        "entry 0x7000:01 byte 0 bit 0",
+        "entry 0x7000:11 byte 2 bit 0",
+    ]
+    assert "{0x7000, 0x02, 0}, /* none */" in header_of(EMPTY)
+
+
+def test_an_entry_behind_one_of_no_bits_with_its_index_is_registered_by_place():
+    """The master's search by index ends at the first."""
+    text = header_of(SMS + rx("#x1600", entry("#x7000", 0, "none", 1), entry("#x6041", 16), entry("#x7000", 8, "v", 1)))
+    assert "ecrt_slave_config_reg_pdo_entry_pos(sc, 2, 0, 2," in text
 
 
 @needs_gcc

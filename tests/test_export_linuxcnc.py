@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import pytest
 from snippets import pdo
 from test_export_compile import configurations
-from test_export_configuration import COE, FACTOR_1, SMS, configured, dc, entry, init_cmd, rx, times
+from test_export_configuration import COE, EMPTY, FACTOR_1, SMS, configured, dc, entry, init_cmd, rx, times
 from test_export_igh import HOSTILE, l6n
 
 from esicatalog.errors import InputError
@@ -176,6 +176,18 @@ def test_types_of_pins():
 
 def remarks_of(content: str) -> str:
     return " ".join(linuxcnc_configuration(configured(content)).split())
+
+
+LEFT_OUT = (
+    "PDO 0x1600 maps 0x7000:02 to :03, 0x7000:10 in no bits, which LinuxCNC-Ethercat cannot handle: left out, and no "
+    "other entry moves"
+)
+
+
+def test_an_entry_of_no_bits_is_left_out():
+    """The parser refuses bitLen="0" (parsePdoEntryAttrs)."""
+    assert pins_of(slave_of(EMPTY)) == [("first", "u32", "16"), ("last", "u32", "8")]
+    assert LEFT_OUT in remarks_of(EMPTY)
 
 
 def test_what_older_versions_make_of_a_type_is_told():

@@ -7,7 +7,7 @@ import pytest
 import yaml
 from snippets import dictionary, pdo
 from test_export_compile import configurations
-from test_export_configuration import COE, FACTOR_1, SMS, configured, dc, entry, init_cmd, rx, times
+from test_export_configuration import COE, EMPTY, FACTOR_1, SMS, configured, dc, entry, init_cmd, rx, times
 from test_export_igh import HOSTILE, as_little_endian, l6n
 
 from esicatalog.errors import InputError
@@ -281,6 +281,14 @@ def test_a_pdo_that_is_known_to_be_empty_has_no_channels():
     reserved = '<TxPdo Fixed="1" Sm="3"><Index>#x1A02</Index><Name>Reserved</Name></TxPdo>'
     found = slave_of(SMS + pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"') + reserved)
     assert [(item["index"], len(item["channels"])) for item in found["tpdo"]] == [(0x1A00, 1), (0x1A02, 0)]
+
+
+def test_an_entry_of_no_bits_is_left_out():
+    """The driver reads and writes a byte for every channel, also for a bit0 (ec_pdo_channel_manager.cpp)."""
+    assert list(channels_of(EMPTY)) == [0x7000]
+    found = slave_of(EMPTY)
+    assert [item["sub_index"] for item in found["rpdo"][0]["channels"]] == [1, 0x11]
+    assert written(found, {"first": 0x1234, "last": 5}) == as_little_endian((0x1234, 16), (5, 8))
 
 
 def test_outputs_lie_where_the_driver_writes_them():

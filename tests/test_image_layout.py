@@ -33,6 +33,7 @@ SAME = {
     "a gap in one or two": (SMS + rx(A, GAP_7, B), SMS + rx(A, (0, "1"), (0, "6"), B)),
     "a gap across PDOs": (SMS + rx(A, GAP_7) + rx(B, index="#x1601"), SMS + rx(A) + rx(GAP_7, B, index="#x1601")),
     "a gap of no bits": (SMS + rx(A, B), SMS + rx(A, (0, "0"), B)),
+    "an object in no bits": (SMS + rx(A, B), SMS + rx(A, (3, "0"), B)),
     "a gap in two behind what has no length": (
         SMS + rx((3, ""), A, GAP_7, B),
         SMS + rx((3, ""), A, (0, "3"), (0, "0"), (0, "4"), B),
@@ -58,6 +59,7 @@ OTHER = {
     "a PDO that is listed and not described or none": (SMS + LISTED.format("#x1602"), SMS),
     "a SubIndex that cannot be read or none": (SMS + rx(("x1", "8")), SMS + rx((0, "8")).replace(">0<", ">#x7000<", 1)),
     "which SubIndex cannot be read": (SMS + rx(("x1", "8")), SMS + rx(("x2", "8"))),
+    "an entry behind an object in no bits": (SMS + rx(A, (3, "0"), B), SMS + rx(A, (3, "0"), (4, "8"))),
     "variable content or none": (SMS + VARIABLE.format("#x1600"), SMS),
     "what lies behind an entry without length": (SMS + rx(A, (3, ""), B), SMS + rx(A, (3, ""), (4, "8"))),
     "which PDO has an entry without length": (SMS + rx(A, (3, "")), SMS + rx(A, (3, ""), index="#x1601")),

@@ -41,6 +41,19 @@ def test_another_mapping_is_told_entry_by_entry():
     assert pdos(text) == ["RxPDO 0x1600: maps 1 entry; described with 2"]
 
 
+def test_an_entry_of_no_bits_is_described_like_any_other():
+    content = SMS + pdo("RxPdo", "#x1600", 16, 0, 8, attributes='Sm="2"')
+    for bits, found in (
+        (0, []),
+        (8, ["RxPDO 0x1600, entry 2: maps 0x7000:02 (8 bit); described is 0x7000:02 (0 bit)"]),
+    ):
+        text = "".join(
+            f'    PDO entry 0x7000:{n:02X}, {length} bit, ""\n' for n, length in ((1, 16), (2, bits), (3, 8))
+        )
+        (slave,) = read_pdos(f'{HEAD}  RxPDO 0x1600 "R"\n{text}').slaves
+        assert compare_scanned_pdos(only_device(esi(device(content))), (), slave) == found
+
+
 def test_what_the_description_leaves_open_is_no_difference():
     """The second entry has no BitLen, PDO 0x1601 variable content, the empty list of 0x1602 is Fixed."""
     lengths = ((1, "<BitLen>16</BitLen>"), (2, ""))

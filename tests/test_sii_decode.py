@@ -48,7 +48,7 @@ def test_header(whole):
     assert (header.vendor_id, header.product_code) == (0x79A, 0xDEADBEEF)
     assert (header.revision_no, header.serial_no) == (0x10002, 42)
     assert header.pdi_control == 0x0380
-    assert header.pdi_type == "on-chip bus"
+    assert header.pdi_type == "on-chip bus (Microchip LAN925x: SPI)"
     assert header.esc_configuration == EscConfiguration.DEVICE_EMULATION | EscConfiguration.ENHANCED_LINK_DETECTION
     assert (header.pdi_configuration, header.pdi_configuration_2) == (0x6E00, 0x0100)
     assert header.sync_impulse_length_10ns == 100

@@ -2,6 +2,7 @@
 
 import json
 
+import pytest
 from sii import by_hand
 from sii.by_hand import image
 
@@ -22,7 +23,7 @@ def test_the_sheet_says_what_the_image_says():
         "Statusword",
         "vendor 0x0000079a (1946)",
         "product 0xdeadbeef (3735928559)",
-        "PDI control 0x0380 on-chip bus",
+        "PDI control 0x0380 on-chip bus (Microchip LAN925x: SPI)",
         "ESC configuration device emulation, enhanced link detection",
         "SYNC pulse 1000 ns",
         "alias 1234",
@@ -53,6 +54,24 @@ def test_the_sheet_says_what_the_image_says():
         assert line in lines
     assert "Findings" not in lines
     assert any(line.endswith(", right") for line in lines if line.startswith("check sum"))
+
+
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        (0x01, "4 digital inputs"),
+        (0x02, "4 digital outputs"),
+        (0x03, "2 digital inputs, 2 outputs"),
+        (0x06, "oversampling I/O"),
+        (0x0C, "16/64 bit multiplexed asynchronous microcontroller"),
+        (0x15, "SPI master"),
+        (0x82, "SPI, direct mapped (Microchip LAN9255)"),
+        (0x16, "unknown type"),
+    ],
+)
+def test_the_type_of_the_pdi_in_words(code, words):
+    """Register 0x0140, section II of the ESC data sheet; from 0x80 on the LAN9255 of Microchip."""
+    assert f"PDI control 0x03{code:02X} {words}" in sheet(bytes((code,)) + by_hand.WHOLE[1:])
 
 
 def test_findings_come_last():

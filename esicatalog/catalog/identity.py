@@ -39,14 +39,14 @@ _SUBINDEX = "e.subindex, CASE WHEN e.subindex IS NULL THEN e.spelling END"
 _LAYOUT = (
     f"SELECT p.image_sm, e.image_bit_offset, e.entry_index, {_SUBINDEX}, e.bit_length FROM pdos p "
     "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND e.image_bit_offset IS NOT NULL "
-    "AND (e.entry_index IS NULL OR e.entry_index <> 0)"
+    "AND (e.entry_index IS NULL OR e.entry_index <> 0) AND (e.bit_length IS NULL OR e.bit_length <> 0)"
 )
-"""What :func:`~esicatalog.model.image_layout.entries_with_place` gives: padding is no place of its own."""
+"""What :func:`~esicatalog.model.image_layout.entries_with_place` gives."""
 _WITHOUT_PLACE = (
     f"SELECT p.image_sm, p.pdo_index, e.entry_index, e.bit_length, {_SUBINDEX} FROM pdos p "
     "LEFT JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND p.image_sm IS NOT NULL "
-    "AND (e.image_bit_offset IS NULL OR e.bit_length IS NULL OR e.bit_length < 0 OR e.bit_length = 0 "
-    "AND e.entry_index <> 0) AND (e.pdo_id IS NOT NULL OR p.fixed IS NOT TRUE OR p.ref IS NOT NULL) "
+    "AND (e.image_bit_offset IS NULL OR e.bit_length IS NULL OR e.bit_length < 0) "
+    "AND (e.pdo_id IS NOT NULL OR p.fixed IS NOT TRUE OR p.ref IS NOT NULL) "
     "ORDER BY p.image_sm, p.direction, p.position, e.position"
 )
 """Assigned PDOs of variable content, entries without a usable BitLen, and what lies behind either."""

@@ -186,11 +186,12 @@ def _registrations(configuration: Configuration) -> Iterator[Registration]:
         for pdo_position, pdo in enumerate(sm.pdos):
             row = 0
             for entry in pdo.entries:
-                if not entry.is_gap:
-                    place = (entry.entry_index, entry.subindex)
+                place = (entry.entry_index, entry.subindex)
+                if entry.carries_value:
                     inside_byte = not on_byte(entry) or entry.bit_length < 8
                     yield Registration(entry, inside_byte, sm.number, pdo_position, row, place in known)
-                    known.add(place)
+                # One of no bits too: the master takes the first that it finds.
+                known.add(place)
                 row += sum(1 for _ in pieces(entry.bit_length))
 
 

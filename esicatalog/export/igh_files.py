@@ -13,6 +13,7 @@ from esicatalog.export.igh_limits import check_limits, lrw_remarks, master_writt
 from esicatalog.export.image_remarks import MAP_ONCE, mapped_again
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
+from esicatalog.model.pdo_facts import places_words
 from esicatalog.model.sm_facts import OUTPUT
 from esicatalog.model.start_up import BEFORE_SAFE_OP
 
@@ -50,8 +51,9 @@ def listed(configuration: Configuration, program: str) -> Listed:
         configuration.subject.device, f"see whether {program} has domains for outputs and for inputs in its version"
     )
     remarks += _unreached(configuration, program, [entry for sm, entry in repeated if sm.direction == OUTPUT])
+    remarks += _left_out_entries(configuration, program)
     return Listed(
-        tuple(sm for sm in configuration.sync_managers if sm.is_described or sm.is_mailbox),
+        tuple(_without_empty(sm) for sm in configuration.sync_managers if sm.is_described or sm.is_mailbox),
         tuple(command for command in configuration.commands if _why_left_out(command, written) is None),
         frozenset(entry.identifier for _, entry in repeated),
         tuple(dict.fromkeys(remarks)),
@@ -63,6 +65,23 @@ def _left_out_sync_managers(configuration: Configuration) -> Iterator[str]:
     for sm in configuration.sync_managers:
         if sm.pdos and not sm.is_described:
             yield f"SM{sm.number} is left out: the entries of its PDOs are not described"
+
+
+def _without_empty(sm: SmConfiguration) -> SmConfiguration:
+    """Without entries of no bits: the one program refuses them, the other reads and writes the byte at their place."""
+    pdos = (pdo._replace(entries=tuple(entry for entry in pdo.entries if entry.bit_length)) for pdo in sm.pdos)
+    return sm._replace(pdos=tuple(pdos))
+
+
+def _left_out_entries(configuration: Configuration, program: str) -> Iterator[str]:
+    for pdo in (pdo for sm in configuration.sync_managers if sm.is_described for pdo in sm.pdos):
+        empty = [(entry.entry_index, entry.subindex) for entry in pdo.entries if not entry.bit_length]
+        if empty:
+            yield (
+                f"PDO 0x{pdo.pdo_index:04X} maps {', '.join(places_words(empty))} in no bits, which {program} cannot "
+                "handle: left out, and no other entry moves; IgH finds another mapping in the device then, and writes "
+                "this one or warns that it cannot"
+            )
 
 
 def _left_out_commands(configuration: Configuration, program: str, written: Container[StartCommand]) -> Iterator[str]:

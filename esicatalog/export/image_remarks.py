@@ -9,7 +9,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, index_words
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, carries_value, index_words
 from esicatalog.model.pdo_mapping import assigned_by_dictionary
 from esicatalog.model.process_image import SmImage, default_process_image, process_image
 from esicatalog.model.slots import PluggedModule
@@ -104,13 +104,13 @@ def repeat_remarks(images: Iterable[SmImage]) -> Iterator[str]:
     Samples are no copies, nor are IDNs of SoE, which has PDOs of other indices: one of each drive of the device.
     """
     found = mapped_again(
-        (entry.entry_index, entry.subindex or 0, display_text(entry.names) or "")
+        (entry.entry_index or 0, entry.subindex or 0, display_text(entry.names) or "")
         for image in images
         if image.transfer_direction == OUTPUT
         for placed in image.pdos
         if placed.pdo.pdo_index in PDO_MAPPINGS["RxPdo"]
         for entry in placed.pdo.entries
-        if entry.entry_index and entry.bit_length
+        if carries_value(entry)
     )
     return (f"{words}: every copy is sent, so write all of them, or {MAP_ONCE}" for words in found.values())
 

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.model.cia402 import AXIS_STEP, MODE_BY_CODE, MODES_OF_OPERATION, MODES_OF_OPERATION_OF_AXES
 from esicatalog.model.drive_evidence import mode_code, module_names, other_named_modes, written_mode
+from esicatalog.model.pdo_facts import carries_value
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import ExpandedModule
 from esicatalog.model.start_up import after_start, start_command
@@ -31,7 +32,7 @@ def mode_remarks(
         for image in images
         for placed in image.pdos
         for item in placed.entries
-        if placed.direction == "RxPdo" and not item.entry.subindex
+        if placed.direction == "RxPdo" and not item.entry.subindex and carries_value(item.entry)
     }
     for index, data in started_modes(commands).items():
         if index in mapped:

@@ -11,6 +11,7 @@ from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.names import identifier, unique_names
 from esicatalog.model.axes import exchanged_axes
 from esicatalog.model.cia402 import AXIS_STEP
+from esicatalog.model.pdo_facts import carries_value
 from esicatalog.model.process_image import PlacedPdo, SmImage
 from esicatalog.model.profile_facts import is_motion_terminal
 from esicatalog.model.slots import ExpandedModule
@@ -20,7 +21,7 @@ _BIT_POSITION = "_bit_position"
 
 
 class EntryNames(NamedTuple):
-    """Identifiers by SyncManager, PDO in it and entry in that; gaps have none."""
+    """Identifiers by SyncManager, PDO in it and entry in that; what carries no value has none."""
 
     identifiers: dict[tuple[int, int, int], str]
     axes: tuple[int, ...]
@@ -43,10 +44,10 @@ def entry_names(
     for image in images:
         for at, placed in enumerate(image.pdos):
             for number, item in enumerate(placed.entries):
-                if item.entry.entry_index:
+                if carries_value(item.entry):
                     keys.append((image.sm, at, number))
                     candidates.append(
-                        _candidates(placed, placed.first_sample(number), item.entry.entry_index, axes, objects)
+                        _candidates(placed, placed.first_sample(number), item.entry.entry_index or 0, axes, objects)
                     )
     is_drive = bool(axes) or is_motion_terminal(profiles)
     is_drive = is_drive or (device.mailbox is not None and device.mailbox.soe)

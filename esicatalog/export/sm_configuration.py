@@ -25,7 +25,7 @@ _MAX_MAPPED_BITS = 255
 
 
 class MappedEntry(NamedTuple):
-    """An entry of the process image. Index 0 is a gap."""
+    """An entry of the process image. Index 0 is a gap; one of no bits stands in the mapping and has no value."""
 
     entry_index: int
     subindex: int
@@ -35,7 +35,7 @@ class MappedEntry(NamedTuple):
     written_name: str
     """As the vendor wrote it, empty when there is none; gaps may have one too."""
     identifier: str
-    """Unique in the device; empty for a gap."""
+    """Unique in the device; empty without a value."""
     value: ValueType
     is_placed: bool = True
     """Whether ``bit_offset`` is known; behind a PDO without described entries nothing tells the place."""
@@ -44,6 +44,11 @@ class MappedEntry(NamedTuple):
     def is_gap(self) -> bool:
         """Whether only its length counts."""
         return self.entry_index == 0
+
+    @property
+    def carries_value(self) -> bool:
+        """Whether something is read or written in it."""
+        return self.bit_length > 0 and not self.is_gap
 
     @property
     def name(self) -> str:
@@ -142,7 +147,7 @@ class SmConfiguration(NamedTuple):
     @property
     def entries(self) -> Iterator[MappedEntry]:
         """All entries that carry a value, in order."""
-        return (entry for pdo in self.pdos for entry in pdo.entries if not entry.is_gap)
+        return (entry for pdo in self.pdos for entry in pdo.entries if entry.carries_value)
 
 
 def pdo_objects(sync_managers: Iterable[SmConfiguration]) -> Iterator[PdoObject]:
@@ -258,7 +263,7 @@ def _assigned_pdo(
                 f"PDO 0x{pdo.pdo_index:04X} {problem}; correct the file, or choose other PDOs or entries (--pdo)"
             )
         index, subindex, bit_length = item.entry.entry_index or 0, item.entry.subindex or 0, item.entry.bit_length or 0
-        if not bit_length:
+        if not (index or bit_length):
             continue
         if not 0 <= index <= MAX_INDEX or not 0 <= subindex <= MAX_SUBINDEX:
             raise InputError(f"PDO 0x{pdo.pdo_index:04X} maps 0x{index:04X}:{subindex:02X}, which is no object")

@@ -211,10 +211,12 @@ def mapping_pdo(index: int, pdos: Iterable[Pdo]) -> Pdo | None:
 
 
 def unusable_entry(pdo: Pdo, objects: Container[int | None]) -> str | None:
-    """What makes exports refuse the entries of a PDO for some objects, as the end of a sentence; else None."""
+    """Why nothing can be sent in the entries of a PDO for some objects, as the end of a sentence; else None."""
     for entry in pdo.entries:
         if entry.entry_index in objects and not (has_object(entry) and has_length(entry)):
             return f"without a usable {'BitLen' if has_object(entry) else 'SubIndex'}"
+        if entry.entry_index in objects and not entry.bit_length:
+            return "in an entry of 0 bits"
     return None
 
 

@@ -38,12 +38,12 @@ def image_layout(image: SmImage) -> ImageLayout | None:
 
 
 def entries_with_place(image: SmImage) -> list[tuple[int, Entry]]:
-    """The entries whose bit offset is known, behind it; padding is no place of its own."""
+    """The entries whose bit offset is known, behind it; padding and what has no bits is no place of its own."""
     return [
         (placed.bit_offset, placed.entry)
         for pdo in image.pdos
         for placed in pdo.entries
-        if placed.bit_offset is not None and not entry_facts(placed.entry).is_padding
+        if placed.bit_offset is not None and not entry_facts(placed.entry).is_padding and placed.entry.bit_length != 0
     ]
 
 

@@ -114,8 +114,13 @@ def subindex_words(subindex: int | str | None) -> str:
 
 
 def has_length(entry: Entry) -> bool:
-    """Whether an entry says how many bits it takes; none is a number only for a gap, as real files have it."""
-    return entry.bit_length is not None and (entry.bit_length > 0 or (entry.bit_length == 0 and not entry.entry_index))
+    """Whether an entry says how many bits it takes, be it none: BitLen has no minimum in the schema (ETG.2000)."""
+    return entry.bit_length is not None and entry.bit_length >= 0
+
+
+def carries_value(entry: Entry) -> bool:
+    """Whether an object is exchanged in an entry: one of no bits stands in the mapping, and nothing is read there."""
+    return bool(entry.entry_index) and (entry.bit_length or 0) > 0
 
 
 def has_object(entry: Entry) -> bool:
@@ -131,6 +136,20 @@ def entry_words(entry: Entry) -> str:
     if entry.entry_index is None:
         return "unknown"
     return f"{index_words(entry.entry_index)}:{f'{entry.subindex or 0:02X}' if has_object(entry) else '?'}"
+
+
+def places_words(places: Iterable[tuple[int, int]]) -> list[str]:
+    """Indices and subindices, each run of subindices as one: ``0x7000:02 to :0F``."""
+    runs: list[tuple[int, int, int]] = []
+    for index, subindex in places:
+        if runs and (index, subindex - 1) == (runs[-1][0], runs[-1][2]):
+            runs[-1] = (index, runs[-1][1], subindex)
+        else:
+            runs.append((index, subindex, subindex))
+    return [
+        f"{index_words(index)}:{first:02X}" + (f" to :{last:02X}" if last > first else "")
+        for index, first, last in runs
+    ]
 
 
 def pdo_yields(pdo: Pdo, of_modules: Container[int | None]) -> bool:

@@ -3,7 +3,7 @@
 from collections.abc import Container, Iterable, Iterator, Sequence
 
 from esicatalog.esi.records.dc import OpMode
-from esicatalog.esi.records.pdo import Exclude, Pdo
+from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import DeclaredPdo, DeviceSubject, ModuleSubject, ProcessSubject, is_absent
 from esicatalog.model.counting import counted
@@ -12,8 +12,11 @@ from esicatalog.model.pdo_facts import (
     PDO_FIELDS,
     PDO_MAPPINGS,
     entry_facts,
+    entry_words,
     has_idns,
+    has_object,
     index_words,
+    places_words,
     symmetric_exclusions,
 )
 from esicatalog.model.pdo_mapping import assigned_by_dictionary
@@ -21,6 +24,8 @@ from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
 from esicatalog.sii.records import MAX_ENTRY_BITS
+
+_MAPPING_OBJECTS = frozenset(index for indices in PDO_MAPPINGS.values() for index in indices)
 
 
 def _words(direction: str, index: int | None) -> str:
@@ -75,7 +80,7 @@ def index_twice(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
 
 @rule("L29", WARNING, "ETG.1000.6: PDO mapping objects are 0x1600 to 0x17FF and 0x1A00 to 0x1BFF")
 def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
-    """The index of a PDO is no PDO mapping object of its direction."""
+    """The index of a PDO is no PDO mapping object of its direction, or that of an entry is one."""
     if has_idns(subject.record):
         return  # the IDNs of its telegrams
     for direction, field in PDO_FIELDS.items():
@@ -88,6 +93,22 @@ def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
                     f"{direction} are 0x{allowed.start:04X} to 0x{allowed.stop - 1:04X}",
                     (field, position, "pdo_index"),
                 )
+            mapped = [number for number, entry in enumerate(pdo.entries) if entry.entry_index in _MAPPING_OBJECTS]
+            if mapped and index in _MAPPING_OBJECTS:
+                yield Found(
+                    f"{_words(direction, index)} maps {_mapping_objects([pdo.entries[number] for number in mapped])}",
+                    (field, position, "entries", mapped[0], "entry_index"),
+                )
+
+
+def _mapping_objects(entries: Sequence[Entry]) -> str:
+    """What is wrong with entries that map such objects: digits without #x are decimal, and were meant as hex."""
+    decimal = [text for entry in entries if (text := (entry.spelling or {}).get("entry_index", "")).isdecimal()]
+    advice = "map the objects that hold the values"
+    if decimal:
+        meant = dict.fromkeys(f"#x{text}" for text in decimal)
+        advice = f"digits without #x are decimal, probably meant: {listed([*meant])}"
+    return f"{listed([entry_words(entry) for entry in entries])}: objects of this range describe PDOs; {advice}"
 
 
 @rule("L30", WARNING, "ETG.2000 Exclude: meant for both sides; a tool that reads one side only offers the pair")
@@ -250,16 +271,26 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
 
 @rule("L33", ERROR, "ETG.2000 Entry/BitLen: required")
 def entry_without_length(pdo: Pdo) -> Iterator[Found]:
-    """An entry has no BitLen, or none above 0."""
+    """An entry has no BitLen, or one below 0 (objects in no bits: W)."""
+    empty = []
     for number, entry in enumerate(pdo.entries):
         length = entry.bit_length
-        if is_absent(entry, "bit_length") if length is None else length <= 0:
+        if is_absent(entry, "bit_length") if length is None else length < 0:
             words = "no BitLen" if length is None else f"BitLen {length}"
             yield Found(
                 f"entry {number + 1} of PDO {index_words(pdo.pdo_index)} has {words}: "
                 "nothing tells where the next entries lie",
                 ("entries", number),
             )
+        elif length == 0 and entry.entry_index and has_object(entry):
+            empty.append((number, (entry.entry_index, entry.subindex or 0)))
+    if empty:
+        yield Found(
+            f"PDO {index_words(pdo.pdo_index)} maps {listed(places_words(place for _, place in empty))} with BitLen 0: "
+            "no value is exchanged there, and some masters refuse such entries; give the length if a value is meant",
+            ("entries", empty[0][0], "bit_length"),
+            WARNING,
+        )
 
 
 @rule("L34", INFORMATION, "ETG.2000 Entry: index 0 is a gap, only its BitLen counts")
