@@ -20,20 +20,19 @@ _MOST_NUMBERS = 4
 
 
 class EmptySlots(NamedTuple):
-    """Slots of one Slot element that have no module, and the modules with PDOs that fit them.
-
-    There is none of these where no module that fits is described at all.
-    """
+    """Slots of one Slot element that have no module, and the modules with PDOs that fit them."""
 
     slot: Slot
     numbers: tuple[int, ...]
     with_pdos: tuple[Module, ...]
+    are_all_described: bool
+    """Whether there is a module for each ModuleIdent, and one at all; a module that is not may have PDOs."""
 
 
 def required_empty_slots(
     device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]
 ) -> list[EmptySlots]:
-    """The slots that need a module and have none, unless only modules without PDOs fit."""
+    """The slots that need a module and have none, unless all that fit are described and have no PDOs."""
     return list(_empty(device, modules, plugged, required_instances))
 
 
@@ -54,8 +53,10 @@ def _empty(
         if empty := tuple(number for number in numbers[: instances(slot)] if number not in taken):
             fitting = [module for module in modules if accepts(slot, module)]
             with_pdos = tuple(module for module in fitting if module.rx_pdos or module.tx_pdos)
-            if with_pdos or not fitting:
-                yield EmptySlots(slot, empty, with_pdos)
+            idents = {module.module_ident for module in fitting}
+            are_all_described = bool(fitting) and all(item.module_ident in idents for item in slot.module_idents)
+            if with_pdos or not are_all_described:
+                yield EmptySlots(slot, empty, with_pdos, are_all_described)
 
 
 def empty_words(empty: Sequence[EmptySlots], are_required: bool) -> str:
@@ -81,7 +82,7 @@ def missing_pdos(device: Device, modules: Sequence[Module], plugged: Sequence[Pl
     adding: dict[str, list[EmptySlots]] = defaultdict(list)
     for item in empty:
         described = {direction for module in item.with_pdos for direction, pdos in pdos_by_direction(module) if pdos}
-        for direction in described or TRANSFER_DIRECTIONS:
+        for direction in described if item.are_all_described else TRANSFER_DIRECTIONS:
             adding[TRANSFER_DIRECTIONS[direction]].append(item)
     return {
         direction: f"{empty_words(items, True)}: PDOs of modules are missing; {fitting_words(items, modules)}"
