@@ -916,6 +916,30 @@ def test_lists_of_no_slave_or_of_several_are_refused(data_db, tmp_path, slaves, 
     assert words in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("slaves", "lists", "place"),
+    [
+        (SLAVES, LIST.format(0) + LIST.format(1), "0="),
+        (SLAVES, LIST.format(1) + LIST.format(1), ""),
+        (SLAVES[: SLAVES.index("=== Master 0, Slave 1")], LIST.format(0).partition("\n")[2] * 2, ""),
+        ("vendor,product\n1,1\n", LIST.format(0) + LIST.format(0).replace("Master 0", "Master 1"), ""),
+    ],
+)
+def test_two_lists_of_one_slave_are_refused(data_db, tmp_path, slaves, lists, place):
+    """Whichever is taken, it may be that of another slave."""
+    done = compared(data_db, tmp_path, slaves, lists, place)
+    assert (done.exit_code, done.stdout) == (2, "")
+    line = max(number for number, text in enumerate(lists.splitlines(), 1) if text.startswith("SM1"))
+    slave = 1 if "Slave 1" in lists and not place else 0
+    assert f"pdos.txt, line {line}: another list of slave {slave}; " in done.stderr
+
+
+def test_a_position_against_the_heading_is_told(data_db, tmp_path):
+    done = compared(data_db, tmp_path, SLAVES, LIST.format(1), "0=")
+    assert [bool(item["slave"]["differences"]) for item in json.loads(done.stdout)] == [True, False, False]
+    assert done.stderr.endswith("pdos.txt, line 2: the heading before it names slave 1\n")
+
+
 def test_a_list_beside_a_scan_of_two_masters_names_its_own(data_db, tmp_path):
     unnamed = compared(data_db, tmp_path, OF_TWO_MASTERS, LIST.format(0).partition("\n")[2], "0=")
     assert unnamed.exit_code == 2

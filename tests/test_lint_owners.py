@@ -84,15 +84,21 @@ def test_l55_sees_objects_that_move_to_one_of_the_device(tmp_path, own, count):
 
 
 def test_l53_is_no_error_where_a_document_of_modules_is_missing(tmp_path):
-    """The module may be in it."""
+    """The module may be in it; one that was recovered may have lost it."""
     text = esi(device(SYNC_MANAGERS + slots(1)))
     write(tmp_path, {"a.xml": text})
     assert [item["severity"] for item in findings(tmp_path) if item["rule"] == "L53"] == ["E"]
     reference = "<InfoReference>modules.xml</InfoReference>"
     write(tmp_path, {"a.xml": text.replace("<Vendor>", f"{reference}<Vendor>", 1)})
-    (found,) = [item for item in findings(tmp_path) if item["rule"] == "L53"]
-    assert found["severity"] == "W"
-    assert found["message"].endswith("which no module at hand has, but 'modules.xml' is missing")
+    whole = f"<EtherCATModule><Modules>{module('', ident='#x11')}</Modules></EtherCATModule>"
+    for content in (None, "", "<EtherCATConfig/>", whole.replace("</Modules>", "")):
+        if content is not None:
+            write(tmp_path, {"modules.xml": content})
+        (found,) = [item for item in findings(tmp_path) if item["rule"] == "L53"]
+        assert found["severity"] == "W"
+        assert found["message"].endswith("which no module at hand has, but 'modules.xml' is missing or broken")
+    write(tmp_path, {"modules.xml": whole})
+    assert [item["severity"] for item in findings(tmp_path) if item["rule"] == "L53"] == ["E"]
 
 
 @pytest.mark.parametrize(
@@ -208,8 +214,10 @@ def test_what_missing_modules_may_have_is_not_missed(tmp_path, rule_id, content)
     text = esi(device(content + SYNC_MANAGERS + assigned + slots(1)))
     missing = text.replace("<Vendor>", "<InfoReference>modules.xml</InfoReference><Vendor>", 1)
     write(tmp_path, {"a.xml": text, "b.xml": missing, "c.xml": missing.replace(slots(1), "")})
-    told = [Path(item["file"]).name for item in findings(tmp_path) if item["rule"] == rule_id]
-    assert told == ["a.xml", "c.xml"]
+    for name in ("other.xml", "modules.xml"):
+        write(tmp_path, {name: "<EtherCATModule><Modules>"})
+        told = [Path(item["file"]).name for item in findings(tmp_path) if item["rule"] == rule_id]
+        assert told == ["a.xml", "c.xml"]
 
 
 def test_l53_tells_an_unknown_preset_of_missing_modules_once(tmp_path):

@@ -97,6 +97,22 @@ def test_l19_and_l21_know_the_dynamic_roles(tmp_path, rule_id, role, control, co
     assert len(linted(tmp_path, rule_id, device(sm))) == count
 
 
+@pytest.mark.parametrize(
+    ("pdos", "advice"),
+    [
+        ("TxPdo", " and TxPdos, which run as its bits 3:2 say: the role must be Inputs"),
+        ("RxPdo", ": its bits 3:2 must be 01 (the master writes)"),
+        ("RxPdo TxPdo", ": its bits 3:2 must be 01 (the master writes)"),
+        ("", ": its bits 3:2 must be 01 (the master writes)"),
+    ],
+)
+def test_l19_knows_from_pdos_which_of_the_two_is_wrong(tmp_path, pdos, advice):
+    content = '<Sm StartAddress="#x1000" ControlByte="#x20">Outputs</Sm>'
+    content += "".join(pdo(tag, "#x1A00", 8, attributes='Sm="0"') for tag in pdos.split())
+    (found,) = linted(tmp_path, "L19", device(content))
+    assert found["message"] == "SM 0 Outputs has the ControlByte 0x20" + advice
+
+
 ASSIGNED_0X1600 = dictionary(
     "<DataType><Name>DT1C12</Name><BitSize>32</BitSize>"
     "<SubItem><SubIdx>0</SubIdx><Name>N</Name><Type>USINT</Type><BitSize>8</BitSize><BitOffs>0</BitOffs></SubItem>"

@@ -361,6 +361,15 @@ def test_a_list_for_no_sync_manager_is_told():
     assert image.remarks == ("the OpMode's list of PDO 0x1600 names no SyncManager (No): it is ignored",)
 
 
+def test_several_lists_for_a_sync_manager_are_one():
+    """Nothing says that a later one takes the place of the first: 16 and 2 times 8 bits."""
+    lists = '<Sm No="2"><Pdo>#x1600</Pdo></Sm><Sm No="2"><Pdo OSFac="2">#x1601</Pdo></Sm>'
+    described = pdo("RxPdo", "#x1600", 16) + pdo("RxPdo", "#x1601", 8)
+    image = images(f"{described}<Dc>{op_mode(lists)}</Dc>")[2]
+    assert (indices(image), image.bit_size) == ([0x1600, 0x1601], 32)
+    assert image.remarks == ("the OpMode has several lists of PDOs for SM2: they are read as one",)
+
+
 def test_a_full_sync_manager():
     image = images(pdo("RxPdo", "#x1600", 16, attributes='Sm="2" OSFac="32767"'))[2]
     assert (image.byte_size, image.overflow) == (65534, None)

@@ -51,6 +51,10 @@ def sizes(slots: str, own: str = OWN) -> tuple[int | None, int | None]:
         (slot(REQUIRED, 1, 3), (None, 2)),  # neither module has inputs
         (slot(REQUIRED, 3, 4), (2, 2)),  # neither has PDOs
         (slot(REQUIRED, 9), (None, None)),  # no module 9 is described
+        (slot(REQUIRED, 3, 9), (None, None)),
+        (slot(REQUIRED, 1, 9), (None, None)),  # 9 may have inputs, too
+        (slot(REQUIRED, 3, 9, preset=9), (None, None)),
+        (slot(REQUIRED, 3, 9, preset=3), (2, 2)),
         (slot(OPTIONAL, 9, preset=9), (None, None)),  # nor here, where it is there unless another is chosen
         (slot(OPTIONAL, 1, 2), (2, 2)),  # empty is a configuration
         (slot(REQUIRED, 1, 2, preset=2), (3, 6)),

@@ -178,11 +178,10 @@ def bus_reports(
     """Identify all slaves of a scan; unknown ones stay in the list.
 
     ``pdos`` and ``dictionaries`` of the same bus are compared with the descriptions. Raises :class:`InputError` when
-    one of them does not say to which of several slaves it belongs, or belongs to none.
+    one of them does not say to which of several slaves it belongs, or belongs to none, or when two belong to one.
     """
-    lists: list[ScannedPdos | ScannedDictionary] = [*pdos, *dictionaries]
-    for item in lists:
-        _check_place(item, scan)
+    _check_places(pdos, scan)
+    _check_places(dictionaries, scan)
     # Slaves of a bus are often alike: each description is read once.
     read = functools.cache(records)
     buses: dict[int, list[_Listed]] = defaultdict(list)
@@ -315,19 +314,33 @@ def _compared(
     return _Compared((*of_pdos, *told), None not in of_objects)
 
 
-def _check_place(item: ScannedPdos | ScannedDictionary, scan: Scan) -> None:
-    """Raise :class:`InputError` unless the list belongs to exactly one slave."""
+def _check_places(lists: Sequence[ScannedPdos | ScannedDictionary], scan: Scan) -> None:
+    """Raise :class:`InputError` unless each list belongs to one slave, and to each belongs one at most."""
+    taken = set()
+    for item in lists:
+        slave = _slave_of(item, scan)
+        if id(slave) in taken:
+            raise InputError(
+                f"{item.origin}, line {item.line}: another list of slave {slave.position}; give one of it, and files "
+                "of several slaves without POSITION=: their headings name them"
+            )
+        taken.add(id(slave))
+
+
+def _slave_of(item: ScannedPdos | ScannedDictionary, scan: Scan) -> ScannedSlave:
+    """The slave to which a list belongs. Raises :class:`InputError` where it is none or several."""
     if len(scan.slaves) > 1 and item.position is None:
         raise InputError(f"{item.origin} does not name its slave; write POSITION=FILE")
-    found = sum(_belongs(item, slave) for slave in scan.slaves)
+    found = [slave for slave in scan.slaves if _belongs(item, slave)]
     if not found:
         of_master = f" of master {item.master}" if item.master is not None else ""
         raise InputError(f"{item.origin} is of slave {item.position}{of_master}, which the scan has not")
-    if found > 1:
+    if len(found) > 1:
         raise InputError(
             f"{item.origin} fits slave {item.position} of several buses; put the heading of its master "
             f"before it (=== Master N, Slave {item.position} ===), or give the scan of one bus"
         )
+    return found[0]
 
 
 def _belongs(item: ScannedPdos | ScannedDictionary, slave: ScannedSlave) -> bool:

@@ -27,9 +27,9 @@ if TYPE_CHECKING:
 
     from esicatalog.api import Catalog
     from esicatalog.catalog.results import Identification
-    from esicatalog.scan.records import Scan, ScanFinding
+    from esicatalog.scan.records import Scan, ScanFinding, ScannedDictionary, ScannedPdos
 
-Seen = TypeVar("Seen", bound=msgspec.Struct, covariant=True)
+Seen = TypeVar("Seen", bound="ScannedPdos | ScannedDictionary", covariant=True)
 
 _FILE = click.Path(path_type=Path, allow_dash=True)
 
@@ -176,6 +176,11 @@ def _seen(
         printed, origin = read_text_as(path, read), f"{option} {text}"
         found += [msgspec.structs.replace(item, origin=origin, **place) for item in printed.slaves]
         told += [f"{origin}, line {finding.line}: {finding.message}" for finding in printed.findings]
+        told += [
+            f"{origin}, line {item.line}: the heading before it names slave {item.position}"
+            for item in printed.slaves
+            if item.position not in (None, place.get("position", item.position))
+        ]
     return found
 
 

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping
+from functools import cached_property
 from itertools import accumulate, pairwise
 from typing import NamedTuple
 
@@ -41,13 +42,18 @@ class Lines:
 
     def _count(self, tag: str, tree: "etree._ElementTree") -> Mapping[etree._Element, int]:
         """Lines of all elements of a tag; none where the bytes do not show as many of them as there are."""
-        found = re.finditer(_START_TAG.replace(b"TAG", re.escape(tag.encode())), self._content, re.DOTALL)
-        ends = [match.end() for match in found if match["found"]]
+        found = re.finditer(b"<" + re.escape(tag.encode()) + _REST_OF_START_TAG, self._plain)
+        ends = [match.end() for match in found]
         alike = list(tree.iter(tag))
         if len(ends) != len(alike):
             return {}
-        counts = accumulate(self._content.count(self._line_end, before, end) for before, end in pairwise([0, *ends]))
+        counts = accumulate(self._plain.count(self._line_end, before, end) for before, end in pairwise([0, *ends]))
         return {element: count + 1 for element, count in zip(alike, counts, strict=True)}
+
+    @cached_property
+    def _plain(self) -> bytes:
+        """The bytes without what could hold the text of a start tag, of which the ends of lines stay."""
+        return _SECTION.sub(lambda found: self._line_end * found[0].count(self._line_end), self._content)
 
 
 class Located(NamedTuple):
@@ -64,10 +70,7 @@ class Located(NamedTuple):
         return line and self.lines_before + line
 
 
-_START_TAG = (
-    rb"""<(?:!--.*?(?:-->|\Z)|!\[CDATA\[.*?(?:\]\]>|\Z)|\?.*?(?:\?>|\Z)"""
-    rb"""|(?P<found>TAG(?=[\s/>])(?:"[^"]*"|'[^']*'|[^>"'])*+>))"""
-)
-"""What could hold the text of a start tag goes by as a whole. The common ``<`` stands before the alternatives: so the
-search jumps from one to the next, ten times as fast. What is not closed goes to the end, so that nothing is looked
-through twice."""
+_SECTION = re.compile(rb"<(?:!--.*?(?:-->|\Z)|!\[CDATA\[.*?(?:\]\]>|\Z)|\?.*?(?:\?>|\Z))", re.DOTALL)
+"""A comment, CDATA section or instruction; one that is not closed goes to the end: nothing is looked through twice."""
+_REST_OF_START_TAG = rb"""(?=[\s/>])(?:"[^"]*"|'[^']*'|[^>"'])*+>"""
+"""Behind its name, which stands first: so the search jumps from one to the next."""

@@ -169,8 +169,8 @@ class Reader:
 
     def external(
         self, kind: str, container: Container, member: str, content: bytes, sha256: str
-    ) -> tuple[Any, tuple[Reference, ...]]:
-        """Dictionary, diagnosis texts or modules of a referenced document, and what it refers to itself.
+    ) -> tuple[Any, Document]:
+        """Dictionary, diagnosis texts or modules of a referenced document, and the document.
 
         Raises :class:`DocumentError`.
         """
@@ -188,7 +188,7 @@ class Reader:
         }[kind]
         if held is None:
             raise NotAnEsiDocument(f"its root {document.root} does not fit {kind}")
-        return held, document.references
+        return held, document
 
     def _read_pulled(self, kind: str, container: Container, member: str, content: bytes, sha256: str) -> ReadDocument:
         """Read a document that others refer to, and keep it: it is asked for again, as itself too.
@@ -327,19 +327,20 @@ class _Puller:
         if key in self._pulled:
             return self._pulled[key]
         member = resolve_reference(self._container, self._member, text)
-        held, sha256, problem = None, None, "was not found beside the document"
-        further: tuple[Reference, ...] = ()
+        held, document, sha256, problem = None, None, None, "was not found beside the document"
         if member is not None:
             try:
                 content = self._container.read(member)
                 sha256 = sha256_hex(content)
-                held, further = self._reader.external(kind, self._container, member, content, sha256)
+                held, document = self._reader.external(kind, self._container, member, content, sha256)
             except DocumentError as error:
                 problem = f"cannot be used: {error}"
         if held is None:
             self._notes.find(element, "L60", "W", f"{kind} {text!r} {problem}")
-        self._references.append(Reference(kind=kind, text=text, location=member, sha256=sha256))
+        is_whole = document is not None and document.recovered is None
+        self._references.append(Reference(kind=kind, text=text, location=member, sha256=sha256, is_whole=is_whole))
         # When one of these changes, what this document says does too.
+        further = document.references if document is not None else ()
         self._references += [msgspec.structs.replace(item, text=_seen_past(text, item.text)) for item in further]
         self._pulled[key] = held
         return held

@@ -17,6 +17,7 @@ import re
 import secrets
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
+from functools import cached_property
 from typing import Any
 
 import msgspec
@@ -104,7 +105,7 @@ class Cut:
         self._marks: list[_Marked] = []
         self._met = 0
         self._learned: list[Part] = []
-        self._alone: dict[bytes, Located] = {}
+        self._alone: dict[bytes, tuple[etree._Element, Lines]] = {}
         self._unclosed: set[_Kind] = set()
         """Kinds of which a start tag without an end tag was met: looking for more might take forever."""
         pieces: list[_Piece] = []
@@ -305,11 +306,15 @@ class Cut:
         words = run[number].words
         alone = self._alone.get(words)
         if alone is None:
-            alone = self._alone[words] = Located(self._parsed(words), Lines(words), 0)
-        return alone._replace(lines_before=self._lines_before(element, number))
+            alone = self._alone[words] = (self._parsed(words), Lines(words))
+        return Located(*alone, self._lines_before(element, number))
 
     def _parsed(self, words: bytes) -> etree._Element:
-        return etree.fromstring(words, make_parser(encoding=self._encoding.decode() or None))
+        return etree.fromstring(words, self._parser)
+
+    @cached_property
+    def _parser(self) -> etree.XMLParser:
+        return make_parser(encoding=self._encoding.decode() or None)
 
     def _lines_before(self, element: etree._Element, number: int) -> int:
         return (element.sourceline or 1) - 1 + sum([part.line_count for part in self._run(element)[:number]])

@@ -1,6 +1,7 @@
 """The elements of a document that was read: asked for what records do not carry, lines and the order of children."""
 
 from bisect import bisect_right
+from collections.abc import Iterator
 from itertools import accumulate
 
 from lxml import etree
@@ -8,9 +9,9 @@ from lxml import etree
 from esicatalog.esi.lines import Lines, Located
 from esicatalog.esi.repeats import MARK, Cut
 
-_Family = tuple[list[etree._Element], list[int] | None]
-"""The elements at a path below another and, if something was cut out there, the number of the first that each of them
-stands for, with the number of all behind."""
+_Family = tuple[list[etree._Element], list[int]]
+"""The elements at a path below another, and the number of the first that each of them stands for, with the number of
+all behind: those that were cut out are many in one."""
 
 
 class DocumentTree:
@@ -32,21 +33,22 @@ class DocumentTree:
 
     def element(self, around: Located, path: str, number: int) -> Located | None:
         """Element ``number`` from 0 at a path below another; one that was cut out stands alone."""
-        elements, firsts = self._families.get((around.element, path)) or self._family(around.element, path)
-        if self.cut is None or firsts is None:
-            return Located(elements[number], around.lines, around.lines_before) if number < len(elements) else None
-        if number >= firsts[-1]:
+        if number == 0:  # mostly, and then nothing needs to be counted
+            element = next(_at(around.element, path), None)
+        else:
+            elements, firsts = self._families.get((around.element, path)) or self._family(around.element, path)
+            at = bisect_right(firsts, number) - 1
+            element, number = elements[at] if at < len(elements) else None, number - firsts[at]
+        if element is None:
             return None
-        at = bisect_right(firsts, number) - 1
-        alone = self.cut.standing_alone(elements[at], number - firsts[at])
-        return alone or Located(elements[at], around.lines, around.lines_before)
+        alone = self.cut.standing_alone(element, number) if self.cut is not None and element.get(MARK) else None
+        return alone or Located(element, around.lines, around.lines_before)
 
     def _family(self, inside: etree._Element, path: str) -> _Family:
-        elements = inside.findall(path) if "/" in path else list(inside.iterchildren(path))
-        firsts = None
-        if self.cut is not None and any(element.get(MARK) for element in elements):
-            firsts = list(accumulate(map(self.cut.count, elements), initial=0))
-        family = self._families[inside, path] = (elements, firsts)
+        elements = list(_at(inside, path))
+        cut = self.cut
+        counts = [cut.count(element) if cut is not None and element.get(MARK) else 1 for element in elements]
+        family = self._families[inside, path] = (elements, list(accumulate(counts, initial=0)))
         return family
 
     def whole(self) -> etree._Element:
@@ -54,3 +56,7 @@ class DocumentTree:
         if self.cut is not None:
             self.cut.unfold(self.root)
         return self.root
+
+
+def _at(inside: etree._Element, path: str) -> Iterator[etree._Element]:
+    return inside.iterfind(path) if "/" in path else inside.iterchildren(path)

@@ -106,7 +106,7 @@ class Linter:
             hits += _below(("dictionary",), self._dictionary(document.dictionary))
         references = document.references
         external = {reference.text for reference in references if reference.sha256 is not None}
-        missing = [item.text for item in references if item.sha256 is None and item.kind == "InfoReference"]
+        missing = [item.text for item in references if not item.is_whole and item.kind == "InfoReference"]
         for number, (info, offer) in enumerate(zip(document.infos, module_offers(document), strict=True)):
             found = self._info(info, offer, external, missing, find_file)
             hits += _below(("infos", number), found)

@@ -141,7 +141,7 @@ class DeviceSubject(Owner):
         self.device = device
         self.modules = modules
         self.missing = missing if device.slots else ()
-        """Documents that an InfoReference names and that were not found: they may have further modules for it."""
+        """Documents that an InfoReference names and that were not read as a whole: they may have further modules."""
         self.derivation = derivation
 
     @property

@@ -50,7 +50,7 @@ def assigned_pdos(
     """The PDOs of each SyncManager that PDOs name, a list has or whose role has a default, in ascending order."""
     chosen = assignment or {}
     candidates, problems = _candidates(device, plugged)
-    problems = [*problems, *_lists_of_nobody(op_mode)]
+    problems = [*problems, *_list_problems(op_mode)]
     lists = _lists(op_mode)
     by_choice = {index for indices in chosen.values() for index in indices}
     by_mode = {number: [index for index in items if index not in by_choice] for number, items in lists.items()}
@@ -120,17 +120,23 @@ def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> AvailablePd
 
 def _lists(op_mode: OpMode | None) -> dict[int, dict[int, int | None]]:
     """The PDOs of an OpMode with the oversampling factors that it gives them, by SyncManager."""
-    return {
-        item.no: {pdo.pdo_index: pdo.os_fac for pdo in item.pdos if pdo.pdo_index is not None}
-        for item in (op_mode.sm_assignments if op_mode is not None else ())
-        if item.no is not None and item.pdos
-    }
-
-
-def _lists_of_nobody(op_mode: OpMode | None) -> Iterator[str]:
-    """What an OpMode lists for no SyncManager."""
+    lists: dict[int, dict[int, int | None]] = {}
     for item in op_mode.sm_assignments if op_mode is not None else ():
-        if item.no is None and item.pdos:
+        if item.no is not None and item.pdos:
+            of_sm = lists.setdefault(item.no, {})
+            of_sm |= {pdo.pdo_index: pdo.os_fac for pdo in item.pdos if pdo.pdo_index is not None}
+    return lists
+
+
+def _list_problems(op_mode: OpMode | None) -> Iterator[str]:
+    """What an OpMode lists for no SyncManager, or in several lists for one."""
+    numbers = set()
+    for item in (item for item in (op_mode.sm_assignments if op_mode is not None else ()) if item.pdos):
+        if item.no in numbers:
+            yield f"the OpMode has several lists of PDOs for SM{item.no}: they are read as one"
+        elif item.no is not None:
+            numbers.add(item.no)
+        else:
             indices = ", ".join(index_words(pdo.pdo_index) for pdo in item.pdos)
             yield f"the OpMode's list of PDO {indices} names no SyncManager (No): it is ignored"
 

@@ -32,9 +32,15 @@ class EmptySlots(NamedTuple):
         return tuple(module for module in self.fitting if module.rx_pdos or module.tx_pdos)
 
     @property
+    def are_all_described(self) -> bool:
+        """Whether there is a module for each ModuleIdent, and one at all; a module that is not may have PDOs."""
+        idents = {module.module_ident for module in self.fitting}
+        return bool(self.fitting) and all(item.module_ident in idents for item in self.slot.module_idents)
+
+    @property
     def may_add_pdos(self) -> bool:
-        """Whether a module there may bring PDOs: one that fits does, or none that fits is described."""
-        return bool(self.with_pdos) or not self.fitting
+        """Whether a module there may bring PDOs."""
+        return bool(self.with_pdos) or not self.are_all_described
 
 
 class MissingPdos(NamedTuple):
@@ -101,7 +107,8 @@ def missing_pdos(device: Device, modules: Sequence[Module], plugged: Sequence[Pl
             for direction, found in pdos_by_direction(module)
             for pdo in found
         ]
-        for direction in dict.fromkeys(direction for direction, _ in pdos) or TRANSFER_DIRECTIONS:
+        described = dict.fromkeys(direction for direction, _ in pdos)
+        for direction in described if item.are_all_described else TRANSFER_DIRECTIONS:
             adding[TRANSFER_DIRECTIONS[direction]].append(item)
         for direction, pdo in pdos:
             if pdo.sm is not None and not pdo.virtual:

@@ -99,6 +99,8 @@ class Reference(Record):
     location: str | None = None
     """Where it was found, relative to the folder or archive; None when it was not."""
     sha256: str | None = None
+    is_whole: bool = False
+    """Whether it was read, and nothing of it had to be recovered; else it may say more than is known of it."""
 
 
 class Document(Record):

@@ -6,12 +6,22 @@ from esicatalog.esi.records.device import SyncManager
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, ProcessSubject, is_absent
 from esicatalog.model.counting import counted
-from esicatalog.model.sm_facts import SM_ROLES, SmRole, mailbox_sync_managers, sm_facts, sm_role
+from esicatalog.model.sm_facts import (
+    INPUT,
+    OUTPUT,
+    SM_ROLES,
+    TRANSFER_DIRECTIONS,
+    SmRole,
+    mailbox_sync_managers,
+    sm_facts,
+    sm_role,
+)
 from esicatalog.model.sm_memory import memory_overlaps, size_conflict
 
 _MAILBOXES = [usage for usage, role in SM_ROLES.items() if role.is_mailbox]
 _IN_EEPROM = [usage for usage, role in SM_ROLES.items() if not role.is_dynamic]
-_DIRECTION_BITS = {"output": "01 (the master writes)", "input": "00 (the master reads)"}
+_ROLES = {"RxPdo": "Outputs", "TxPdo": "Inputs"}
+_DIRECTION_BITS = {OUTPUT: "01 (the master writes)", INPUT: "00 (the master reads)"}
 
 
 def _with_roles(subject: ProcessSubject) -> Iterator[tuple[int, SyncManager, SmRole]]:
@@ -47,12 +57,16 @@ def mailbox_without_sync_managers(subject: DeviceSubject) -> Iterator[Found]:
 def direction_against_role(subject: ProcessSubject) -> Iterator[Found]:
     """The direction in the ControlByte contradicts the role of the SyncManager."""
     for number, sm, role in _with_roles(subject):
-        if sm.control_byte is not None and sm_facts(sm).transfer_direction != role.transfer_direction:
-            yield Found(
-                f"SM {number} {sm.usage} has the ControlByte 0x{sm.control_byte:02X}: "
-                f"its bits 3:2 must be {_DIRECTION_BITS[role.transfer_direction]}",
-                ("sync_managers", number),
-            )
+        controlled = sm_facts(sm).transfer_direction
+        if sm.control_byte is not None and controlled != role.transfer_direction:
+            words = f"SM {number} {sm.usage} has the ControlByte 0x{sm.control_byte:02X}"
+            assigned = {placed.direction for placed in subject.pdos if placed.pdo.sm == number}
+            if {TRANSFER_DIRECTIONS[direction] for direction in assigned} == {controlled}:
+                direction = assigned.pop()
+                advice = f" and {direction}s, which run as its bits 3:2 say: the role must be {_ROLES[direction]}"
+            else:
+                advice = f": its bits 3:2 must be {_DIRECTION_BITS[role.transfer_direction]}"
+            yield Found(words + advice, ("sync_managers", number))
 
 
 @rule("L20", WARNING, "ESC register 0x0804 + 8n, bits 1:0: 10 mailbox (one buffer), 00 three buffers")
