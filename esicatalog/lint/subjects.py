@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from esicatalog.esi.binding import Record
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import EsiInfo
-from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.lint.registry import Place
@@ -112,7 +112,7 @@ class Owner:
     @property
     def coe_init_cmds(self) -> tuple[InitCmd, ...]:
         """Its CoE start-up commands."""
-        return self.record.mailbox.coe_init_cmds if self.record.mailbox is not None else ()
+        return coe_init_cmds(self.record.mailbox)
 
     def object_place(self, index: int) -> Place:
         """Where an object of its own dictionaries stands; the owner itself when it stands in another document."""

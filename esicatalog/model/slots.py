@@ -13,7 +13,7 @@ import msgspec
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Object
-from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.records.profile import Profile
@@ -205,7 +205,7 @@ def _indices(module: Module) -> list[int]:
 
 def _object_places(module: Module) -> list[tuple[int | None, Entry | InitCmd | Object]]:
     """Where objects are declared, mapped or written by InitCmds, each with its index."""
-    commands = module.mailbox.coe_init_cmds if module.mailbox is not None else ()
+    commands = coe_init_cmds(module.mailbox)
     found: list[tuple[int | None, Entry | InitCmd | Object]] = [(command.object_index, command) for command in commands]
     found += [(entry.entry_index, entry) for pdo in (*module.rx_pdos, *module.tx_pdos) for entry in pdo.entries]
     for profile in module.profiles:

@@ -12,7 +12,7 @@ from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.esi.records.mailbox import InitCmd, Mailbox, init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
 from esicatalog.export.sii_remarks import image_remarks
@@ -31,7 +31,6 @@ from esicatalog.model.slots import fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals, is_superseded
 from esicatalog.model.words import (
-    INIT_CMD_PROTOCOLS,
     clock_words,
     coe_details,
     fsoe_words,
@@ -304,8 +303,6 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
 
 
 def _commands(mailbox: Mailbox | None) -> list[dict[str, Any]]:
-    if mailbox is None:
-        return []
     return [
         {
             "protocol": protocol,
@@ -314,8 +311,7 @@ def _commands(mailbox: Mailbox | None) -> list[dict[str, Any]]:
             "value": _value(cmd),
             "cmd": cmd,
         }
-        for protocol in INIT_CMD_PROTOCOLS
-        for cmd in getattr(mailbox, f"{protocol.lower()}_init_cmds")
+        for protocol, cmd in init_cmds(mailbox)
     ]
 
 
