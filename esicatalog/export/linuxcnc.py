@@ -143,9 +143,7 @@ def linuxcnc_configuration(configuration: Configuration) -> str:
     dc = _dc(configuration, clocks) if clocks is not None else None
     if clocks is not None and (note := off_beat(clocks, configuration.cycle_ns)):
         remarks.append(note)
-    heading = list(
-        heading_lines(configuration._replace(remarks=tuple(dict.fromkeys(remarks))), f"{PROGRAM} configuration")
-    )
+    heading = list(heading_lines(configuration, f"{PROGRAM} configuration", list(dict.fromkeys(remarks))))
     if any("--" in line for line in heading):
         heading += ["", _APART]
     return render(

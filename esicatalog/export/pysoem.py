@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from esicatalog.export.c_access import byte_count
-from esicatalog.export.c_text import comment_text, wrapped
+from esicatalog.export.c_text import comment_lines, comment_text
 from esicatalog.export.clocks import Condition, Notation
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines, op_mode_words
@@ -90,12 +90,12 @@ def pysoem_module(configuration: Configuration) -> str:
         for command in configuration.commands
         if command.protocol == "SoE"
     ]
-    heading = heading_lines(configuration._replace(remarks=tuple(remarks)), "pysoem configuration")
+    heading = heading_lines(configuration, "pysoem configuration", remarks)
     images = [_image_class(layout) for layout in maps]
     return render(
         "pysoem.py.j2",
         configuration=configuration,
-        heading=[comment_text(line) for line in wrapped(heading)],
+        heading=comment_lines(heading),
         images=images,
         setup=[_sent(command) for command in hook_commands(configuration)],
         later=by_transition(later_commands(configuration), _sent),

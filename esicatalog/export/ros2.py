@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from esicatalog.errors import InputError
 from esicatalog.export.c_access import on_byte
-from esicatalog.export.c_text import comment_text, wrapped
+from esicatalog.export.c_text import comment_lines, comment_text
 from esicatalog.export.cia402_names import CIA402_NAMES
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import left_out
@@ -92,11 +92,11 @@ def ros2_slave(configuration: Configuration) -> str:
     ]
     lists = [_pdo_list(configuration, found, direction, remarks) for direction in (OUTPUT, INPUT)]
     sdos = [row for command in found.sdos for row in _sdo(command, remarks)]
-    heading = heading_lines(configuration._replace(remarks=tuple(remarks)), f"{PROGRAM} slave configuration")
+    heading = heading_lines(configuration, f"{PROGRAM} slave configuration", remarks)
     return render(
         "ros2.yaml.j2",
         configuration=configuration,
-        heading=[comment_text(line) for line in wrapped(heading)],
+        heading=comment_lines(heading),
         op_mode=comment_text(op_mode_words(configuration)),
         sdos=sdos,
         lists=[item for item in lists if item.pdos],
