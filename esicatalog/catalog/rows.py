@@ -209,7 +209,7 @@ class RowMaker:
 
     def _info(self, section: int, info: EsiInfo, offer: ModuleOffer, read: ReadDocument) -> None:
         document = read.document
-        vendor_id = info.vendor.vendor_id if info.vendor is not None else None
+        vendor_id = info.vendor_id
         keys = {id(module): self._module(module, vendor_id) for module in info.modules}
         vendor_ids = dict(zip(map(id, offer.modules), [vendor.of_module for vendor in offer.vendors], strict=True))
         for position, module in enumerate(info.modules):
@@ -331,7 +331,7 @@ def _section(info: EsiInfo) -> Section:
         image_row(item.image_data) for item in (info.vendor, *info.groups) if item is not None and item.image_data
     ]
     return Section(
-        vendor_id=info.vendor.vendor_id if info.vendor is not None else None,
+        vendor_id=info.vendor_id,
         schema_version=info.schema_version,
         info_references=list(info.info_references),
         vendor=codec(Vendor).encode(info.vendor) if info.vendor is not None else None,

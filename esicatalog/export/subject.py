@@ -10,7 +10,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Document, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import NO_REVISION, Identity
-from esicatalog.model.module_offer import module_offers
+from esicatalog.model.module_offer import offered_devices
 from esicatalog.model.revisions import latest_revision
 
 
@@ -91,17 +91,13 @@ def subject_of_description(
 
 def subjects_of_document(document: Document, file_name: str) -> list[Subject]:
     """The devices of one ESI document whose vendor has an id, in document order."""
-    found = []
-    for info, lines, offer in zip(document.infos, document.device_lines, module_offers(document), strict=True):
-        vendor_id = info.vendor.vendor_id if info.vendor is not None else None
-        vendor = display_text(info.vendor.names) if info.vendor is not None else None
-        for device, line in zip(info.devices, lines, strict=True):
-            if vendor_id is None:
-                continue
-            modules = tuple(offer.reachable(device))
-            subject = _subject(vendor_id, vendor, device, modules, (f"{file_name}, line {line}",))
-            found.append(subject.of_document(info.vendor, info.groups))
-    return found
+    return [
+        _subject(info.vendor_id, info.vendor_name, device, modules, (f"{file_name}, line {line}",)).of_document(
+            info.vendor, info.groups
+        )
+        for info, device, modules, line in offered_devices(document)
+        if info.vendor_id is not None
+    ]
 
 
 def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_name: str) -> Subject:
