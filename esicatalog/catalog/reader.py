@@ -103,7 +103,7 @@ class RecordReader:
     def _read_dictionaries(self, dictionary_ids: list[int]) -> Iterator[tuple[int, Dictionary]]:
         table, links, types = schema.dictionaries, schema.dictionary_objects.c, schema.type_set_data_types.c
         own = codec(Dictionary)
-        columns = [table.c[column.name] for column in own.stored_columns]
+        columns = own.stored(table.c)
         query = sa.select(table.c.id, table.c.type_set_id, *columns).where(table.c.id.in_(dictionary_ids))
         rows = self._connection.execute(query).all()
         type_set_ids = _missing((row.type_set_id for row in rows), self._type_sets)
@@ -138,7 +138,7 @@ class RecordReader:
     def _plain(self, record_type: type[Record], numbers: Sequence[int]) -> dict[int, Any]:
         """Records of a table that is not owned by devices, with the rows that hang on them."""
         own, table = codec(record_type), schema.metadata.tables[_TABLES[record_type]]
-        columns = [table.c[column.name] for column in own.stored_columns]
+        columns = own.stored(table.c)
         found = {}
         for part in chunks(numbers, _MOST_NUMBERS):
             children: dict[str, dict[int, list[Any]]] = {}
@@ -154,7 +154,7 @@ class RecordReader:
     def _child_records(self, child: Child, parent: str, numbers: list[int]) -> dict[int, list[Any]]:
         own, table = codec(TABLE_RECORDS[child.table]), schema.metadata.tables[child.table]
         owner = table.c[parent_column(parent)]
-        columns = [table.c[column.name] for column in own.stored_columns]
+        columns = own.stored(table.c)
         found: dict[int, list[Any]] = defaultdict(list)
         query = sa.select(owner, *columns).where(owner.in_(numbers)).order_by(owner, table.c.position)
         for number, *values in self._connection.execute(query):
@@ -182,7 +182,7 @@ class _OwnerBatch:
         self._load_extensions()
         unmapped = self._unmapped()
         own = codec(self._record_type)
-        columns = [table.c[column.name] for column in own.stored_columns]
+        columns = own.stored(table.c)
         rows = self._connection.execute(sa.select(table.c.id, *columns).where(table.c.id.in_(self._ids))).all()
         self._load_images(own, [row[1:] for row in rows])
         found = {}
@@ -201,7 +201,7 @@ class _OwnerBatch:
 
     def _fetch(self, child: Child, parent: str) -> dict[Any, list[tuple[int, tuple[Any, ...]]]]:
         table, own = schema.metadata.tables[child.table], codec(TABLE_RECORDS[child.table])
-        columns = [table.c[column.name] for column in own.stored_columns]
+        columns = own.stored(table.c)
         extra = [table.c.dictionary_id, table.c.diagnostics_id] if child.table == "profiles" else []
         discriminator = table.c[child.discriminator[0]] if child.discriminator is not None else sa.literal(None)
         if child.under_parent:

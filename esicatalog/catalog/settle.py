@@ -52,7 +52,7 @@ def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> set[int]
     spellings: dict[int, Counter[tuple[int | None, str]]] = defaultdict(Counter)
     images: dict[int, set[str]] = defaultdict(set)
     vendor_codec = codec(Vendor)
-    columns = [source_vendors.c[column.name] for column in vendor_codec.stored_columns]
+    columns = vendor_codec.stored(source_vendors.c)
     shown: dict[int, str | None] = {}
     for part in chunks(sorted(vendor_ids)):
         held = sa.select(vendors.c.vendor_id, vendors.c.name).where(vendors.c.vendor_id.in_(part))
