@@ -39,16 +39,9 @@ class RecordReader:
         self._types: dict[int, DataType] = {}
         self._type_sets: dict[int, list[int]] = {}
 
-    def device(self, device_id: int, source_id: int | None = None) -> Device:
-        """One description; with ``source_id``, as tests ask, in the group that this document puts it in."""
-        device = next(iter(self.devices([device_id])))
-        if source_id is None:
-            return device
-        placed = schema.device_sources.c
-        group = self._connection.execute(
-            sa.select(placed.group_type).where(placed.device_id == device_id, placed.source_id == source_id)
-        ).scalar()
-        return _in_group(device, group_type=group)
+    def device(self, device_id: int) -> Device:
+        """One description. Raises :class:`NotFound`."""
+        return self.devices([device_id])[0]
 
     def devices(self, device_ids: Sequence[int]) -> list[Device]:
         """Descriptions in the order asked for. Raises :class:`NotFound`."""
@@ -59,7 +52,8 @@ class RecordReader:
             query = sa.select(columns.id, columns.group_type).where(columns.id.in_(part))
             groups.update((number, group) for number, group in self._connection.execute(query))
         return [
-            _in_group(device, group_type=groups[number]) for number, device in zip(device_ids, devices, strict=True)
+            msgspec.structs.replace(device, group_type=groups[number])
+            for number, device in zip(device_ids, devices, strict=True)
         ]
 
     def modules(self, module_ids: Sequence[int]) -> list[Module]:
@@ -283,8 +277,3 @@ class _OwnerBatch:
 
 def _missing(numbers: Iterable[int], known: Container[int]) -> list[int]:
     return [number for number in dict.fromkeys(numbers) if number not in known]
-
-
-def _in_group(device: Device, group_type: str | None) -> Device:
-    """The device in another group."""
-    return msgspec.structs.replace(device, group_type=group_type)
