@@ -13,6 +13,7 @@ from esicatalog.esi.records.document import EsiInfo
 from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.profile import declared_objects
 from esicatalog.lint.registry import Place
 from esicatalog.model.derivation import Derivation
 from esicatalog.model.dictionary import ObjectEntry
@@ -117,7 +118,7 @@ class Owner:
     def object_place(self, index: int) -> Place:
         """Where an object of its own dictionaries stands; the owner itself when it stands in another document."""
         for number, profile in enumerate(self.record.profiles):
-            for position, declared in enumerate(profile.dictionary.objects if profile.dictionary is not None else ()):
+            for position, declared in enumerate(declared_objects((profile,))):
                 if declared.object_index == index:
                     return ("profiles", number, "dictionary", "objects", position)
         return ()

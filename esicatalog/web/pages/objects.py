@@ -8,8 +8,8 @@ from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.dictionary import Dictionary
 from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.profile import dictionaries_of
 from esicatalog.identity import ModuleChoice
 from esicatalog.model.access import access_text
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
@@ -66,17 +66,13 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
     }
 
 
-def _dictionaries(owner: Device | Module) -> list[Dictionary]:
-    return [profile.dictionary for profile in owner.profiles if profile.dictionary is not None]
-
-
 def _count(owner: Device | Module) -> int:
-    return sum(len(dictionary.objects) for dictionary in _dictionaries(owner))
+    return sum(len(dictionary.objects) for dictionary in dictionaries_of(owner.profiles))
 
 
 def _objects(owner: Device | Module, place: str) -> list[dict[str, Any]]:
     found = []
-    for dictionary in _dictionaries(owner):
+    for dictionary in dictionaries_of(owner.profiles):
         types = type_table(dictionary.data_types)
         for declared in dictionary.objects:
             data_type = types.get(declared.type or "")
