@@ -117,7 +117,7 @@ def _pdo_list(configuration: Configuration, found: Listed, direction: str, remar
         if _value(entry, side):
             reached.append(entry)
         else:
-            remarks.append(f"{entry.place} {entry.name} has no interface: {PROGRAM} has no type for it at its place")
+            remarks.append(f"{entry.words} has no interface: {PROGRAM} has no type for it at its place")
     remarks += _type_remarks(reached, side)
     interfaces = _interfaces(configuration, reached)
     modes = started_modes(found.sdos)
@@ -139,7 +139,7 @@ def _type_remarks(entries: Sequence[MappedEntry], side: Side) -> Iterator[str]:
     if side.key == "tpdo":
         for entry, value in zip(entries, values, strict=True):
             if entry.value.kind == "int" and value.startswith("type: bit"):
-                yield f"{entry.place} {entry.name}: {PROGRAM} reads {entry.bit_length} bits without their sign"
+                yield f"{entry.words}: {PROGRAM} reads {entry.bit_length} bits without their sign"
     if any(value.startswith("type: real") for value in values):
         yield f"real32 and real64 need a version of {PROGRAM} that knows these types"
     if side.key == "rpdo" and any(value.startswith("type: bit") for value in values):
