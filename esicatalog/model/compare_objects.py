@@ -45,6 +45,7 @@ from esicatalog.model.dictionary import (
     type_table,
     used_types,
 )
+from esicatalog.model.values import number_words
 
 _ACCESS_WORDS = {READ: "ro", WRITE: "wo", READ | WRITE: "rw"}
 _MAPPING_WORDS = {"R": "RxPDO", "T": "TxPDO", "RT": "RxPDO and TxPDO"}
@@ -52,7 +53,7 @@ _CODE_WORDS = {code: words for words, code in OBJECT_CODES.items()}
 
 
 def _number(value: int | float | None) -> str | None:
-    return f"{value} (0x{value:X})" if isinstance(value, int) and value > 9 else text(value)
+    return number_words(value) if isinstance(value, int) else text(value)
 
 
 def _default(entry: ObjectEntry) -> str | None:

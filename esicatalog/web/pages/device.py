@@ -30,6 +30,7 @@ from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals, is_superseded
+from esicatalog.model.values import number_words
 from esicatalog.model.words import (
     clock_words,
     coe_details,
@@ -320,8 +321,7 @@ def _value(cmd: InitCmd) -> str:
     data = decode_hex_binary(cmd.data)
     if not data or len(data) > _LONGEST_NUMBER or cmd.complete_access:
         return ""
-    value = int.from_bytes(data, "little")
-    return f"{value} (0x{value:X})" if value > 9 else str(value)
+    return number_words(int.from_bytes(data, "little"))
 
 
 def _slots(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> list[dict[str, Any]]:

@@ -16,6 +16,7 @@ from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
 from esicatalog.model.module_choice import module_choices
 from esicatalog.model.pdo_facts import index_words
 from esicatalog.model.slots import expand_module
+from esicatalog.model.values import number_words
 from esicatalog.web.exports import asked_modules, modules_query
 from esicatalog.web.http import Page, Part
 from esicatalog.web.links import asked_identity, device_path
@@ -108,6 +109,6 @@ def _entry(entry: ObjectEntry) -> dict[str, Any]:
 
 def _value(*values: Any) -> str:
     value = next((item for item in values if item is not None), None)
-    if isinstance(value, int) and abs(value) > 9:
-        return f"{value} (0x{value:X})" if value > 0 else str(value)
+    if isinstance(value, int):
+        return number_words(value)
     return "" if value is None else str(value)
