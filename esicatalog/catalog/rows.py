@@ -93,10 +93,6 @@ class OwnerRows(msgspec.Struct):
     """Objects plus PDO entries: what decides which variant is the richest."""
 
 
-class ModuleRows(OwnerRows):
-    """A module of a vendor."""
-
-
 class DeviceRows(OwnerRows):
     """A device description; its ``element_count`` includes the reachable modules."""
 
@@ -147,7 +143,7 @@ class DocumentRows(msgspec.Struct):
     new_objects: list[ObjectRows] = []
     new_dictionaries: list[DictionaryRows] = []
     new_diagnostics: list[DiagnosticsRows] = []
-    new_modules: list[ModuleRows] = []
+    new_modules: list[OwnerRows] = []
     new_devices: list[DeviceRows] = []
 
 
@@ -248,7 +244,7 @@ class RowMaker:
     def _module(self, module: Module, vendor_id: int | None) -> bytes:
         key = self._digests.module(module, vendor_id)
         if self._new(key):
-            rows = ModuleRows(**self._owner(module, key, vendor_id, _NOWHERE))
+            rows = OwnerRows(**self._owner(module, key, vendor_id, _NOWHERE))
             self._module_counts[key] = rows.element_count
             self._out.new_modules.append(rows)
         return key
