@@ -130,22 +130,22 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     found = list(contradictions(commands, pdo_objects(sync_managers), rewritten))
     remarks += contradiction_remarks(found)
     return Configuration(
-        subject,
-        choice,
-        checked_prefix(choice.name) if choice.name is not None else identifier(device.type, "device"),
-        tuple(plugged),
-        position,
-        programmed.cycle_ns,
-        programmed.clocks,
-        sync_managers,
-        commands,
-        rewritten,
-        frozenset(item.object_index for item in found),
-        names.axes,
-        names.is_drive or (missing is not None and missing.may_move),
-        missing.words if missing is not None else None,
-        tuple(dict.fromkeys(remarks)),
-        tuple(repeat_remarks(images)),
+        subject=subject,
+        choice=choice,
+        prefix=checked_prefix(choice.name) if choice.name is not None else identifier(device.type, "device"),
+        plugged=tuple(plugged),
+        op_mode_position=position,
+        cycle_ns=programmed.cycle_ns,
+        clocks=programmed.clocks,
+        sync_managers=sync_managers,
+        commands=commands,
+        rewritten=rewritten,
+        contradicted=frozenset(item.object_index for item in found),
+        axes=names.axes,
+        is_drive=names.is_drive or (missing is not None and missing.may_move),
+        missing_modules=missing.words if missing is not None else None,
+        remarks=tuple(dict.fromkeys(remarks)),
+        copy_remarks=tuple(repeat_remarks(images)),
     )
 
 
