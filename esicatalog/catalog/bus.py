@@ -172,8 +172,8 @@ def bus_reports(
     lookup: IdentityLookup,
     scan: Scan,
     records: Records,
-    pdos: Sequence[ScannedPdos] = (),
-    dictionaries: Sequence[ScannedDictionary] = (),
+    pdos: Sequence[ScannedPdos],
+    dictionaries: Sequence[ScannedDictionary],
 ) -> list[BusReport]:
     """Identify all slaves of a scan; unknown ones stay in the list.
 

@@ -28,7 +28,7 @@ def igh_header(configuration: Configuration) -> str:
     )
 
 
-def igh_bus_header(configurations: Sequence[Configuration], left_out: Iterable[str] = (), name: str = "bus") -> str:
+def igh_bus_header(configurations: Sequence[Configuration], left_out: Iterable[str], name: str) -> str:
     """One header for the slaves of a bus; what equal slaves share stands there once.
 
     Slaves are named after their device and position. ``left_out`` says of each slave that is not there why. Raises
