@@ -280,14 +280,18 @@ class Catalog:
 
         None while one is under way. Documents that describe no device and what versions derive do not count.
         """
-        return self._identities().content_hash()
+        from esicatalog.catalog.state import CONTENT_HASH
+
+        return self._identities().state(CONTENT_HASH)
 
     def state_hash(self) -> str | None:
         """SHA-256 of what the content hash leaves out: all documents with the versions that read them, and the schema.
 
         None while an ingest is under way, and until one has stored it.
         """
-        return self._identities().state_hash()
+        from esicatalog.catalog.state import STATE_HASH
+
+        return self._identities().state(STATE_HASH)
 
     def findings(self, rules: "Iterable[Rule]") -> "Iterator[DocumentFinding]":
         """What an ingest found by these rules, document by document, then what documents contradict each other in."""

@@ -110,7 +110,7 @@ def parse_identity(text: str) -> Identity:
     return identity_of_parts(vendor, rest[0], rest[1] if len(rest) == 2 else None, variant if at else None)
 
 
-def identity_of_parts(vendor: str, product: str, revision: str | None = None, variant: str | None = None) -> Identity:
+def identity_of_parts(vendor: str, product: str, revision: str | None, variant: str | None) -> Identity:
     """The identity of parts as :func:`parse_identity` reads them; None for those that are not there.
 
     Raises :class:`InputError`.

@@ -1,6 +1,6 @@
 """Write a migration for what changed in the schema: ``python migrations/new.py "add the column x"``.
 
-Read the result before you commit it, and raise SCHEMA_VERSION in esicatalog/catalog/database.py.
+Read the result before you commit it, and raise SCHEMA_VERSION in esicatalog/catalog/schema.py.
 """
 
 import re

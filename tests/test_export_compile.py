@@ -74,7 +74,7 @@ def configured(devices: Iterable[tuple[EsiInfo, Device, Iterable[Module]]]) -> I
         vendor_id = info.vendor.vendor_id if info.vendor is not None else None
         if vendor_id is None or device.product_code is None or device.revision_no is None:
             continue
-        subject = Subject(vendor_id, None, device.product_code, device.revision_no, device, tuple(modules))
+        subject = Subject(vendor_id, None, device, tuple(modules))
         try:
             found = configure(subject, Choice(name=f"d{number}"))
         except InputError as error:

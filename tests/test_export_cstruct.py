@@ -52,9 +52,7 @@ def test_descriptions_print_what_igh_printed_for_the_devices(corpus, dumps):
     for info, found, modules in all_devices(corpus):
         if info.vendor is not None and None not in (info.vendor.vendor_id, found.product_code, found.revision_no):
             identity = Identity(info.vendor.vendor_id, found.product_code, found.revision_no)
-            described[identity] = Subject(
-                identity.vendor_id, None, found.product_code, found.revision_no, found, tuple(modules)
-            )
+            described[identity] = Subject(identity.vendor_id, None, found, tuple(modules))
     seen = set()
     for dump, printed in dumps:
         header = decode_sii(image_bytes(dump.read_bytes())).header

@@ -515,7 +515,7 @@ def bus(data) -> list[Configuration]:
 
 @needs_gcc
 def test_a_bus_in_one_header(data, tmp_path):
-    text = igh_bus_header(bus(data), ["position 3: 0x1:0x2 is unknown"])
+    text = igh_bus_header(bus(data), ["position 3: 0x1:0x2 is unknown"], "bus")
     assert "- position 3: 0x1:0x2 is unknown" in text
     assert text.count("static ec_sync_info_t ") == 2, "equal devices share their tables"
     assert re.findall(r"#define (\w+_POSITION) (\d)", text) == [
@@ -535,17 +535,17 @@ def test_a_bus_in_one_header(data, tmp_path):
 
 def test_a_bus_that_cannot_be():
     with pytest.raises(InputError, match="no slave of the bus"):
-        igh_bus_header([])
+        igh_bus_header([], [], "bus")
     one = configured(SMS)
     with pytest.raises(InputError, match="two slaves stand at alias 0, position 0"):
-        igh_bus_header([one, one])
+        igh_bus_header([one, one], [], "bus")
 
 
 @needs_gcc
 def test_equal_types_of_different_devices_on_a_bus(tmp_path):
     first = configure(subject(SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')), Choice(position=0))
     second = configure(subject(SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')), Choice(position=1))
-    check_syntax(tmp_path, [igh_bus_header([first, second])], IGH_16)
+    check_syntax(tmp_path, [igh_bus_header([first, second], [], "bus")], IGH_16)
 
 
 TYPES_OF_C = [f"{sign}int{bits}_t" for sign in ("u", "") for bits in (8, 16, 32, 64)]

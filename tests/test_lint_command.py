@@ -145,7 +145,7 @@ def test_documents_are_named_once_for_all_findings(tmp_path, monkeypatch):
     monkeypatch.setattr(stored_findings, "_names", lambda c, names=stored_findings._names: asked.append(c) or names(c))
     with Catalog.open(tmp_path / "c.db", create=True) as catalog:
         catalog.ingest(tmp_path / "empty.xml", jobs=1)
-        assert [item.finding.rule for item in catalog.findings(chosen_rules(ALL_RULES))] == ["L01"]
+        assert [item.finding.rule for item in catalog.findings(chosen_rules(ALL_RULES, (), ()))] == ["L01"]
     assert len(asked) == 1
 
 
@@ -350,7 +350,7 @@ def test_findings_are_printed_as_they_come(capsys):
             shown.append(capsys.readouterr().out)
             yield DocumentFinding("a.xml", Finding("L21", "I", "words", number))
 
-    print_findings(items(), chosen_rules(ALL_RULES), "text")
+    print_findings(items(), chosen_rules(ALL_RULES, (), ()), "text")
     assert shown == ["", "a.xml:1: info L21: words\n"]
 
 

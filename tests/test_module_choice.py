@@ -43,7 +43,7 @@ DOCUMENT = esi(device(SLOT), MODULES)
 def sizes(*written: str) -> list[int]:
     """Bits of the PDO of each plugged module."""
     modules = read(DOCUMENT).document.infos[0].modules
-    plugged = chosen_modules(only_device(DOCUMENT), modules, dict(map(parse_plugged, written)))
+    plugged = chosen_modules(only_device(DOCUMENT), modules, dict(map(parse_plugged, written)), ())
     return [item.module.rx_pdos[0].entries[0].bit_length or 0 for item in plugged]
 
 
@@ -128,7 +128,7 @@ def test_start_up_commands_and_clocks_make_an_ident_ambiguous_too(more):
     document = esi(device(SLOT), module("#x10", "A", 8) + module("#x10", "B", 8, more=more))
     modules = read(document).document.infos[0].modules
     with pytest.raises(InputError, match="ambiguous"):
-        chosen_modules(only_device(document), modules, {0: ModuleChoice(0x10)})
+        chosen_modules(only_device(document), modules, {0: ModuleChoice(0x10)}, ())
 
 
 def test_a_module_without_type_has_a_number():

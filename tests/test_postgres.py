@@ -221,7 +221,7 @@ def test_an_old_catalog_is_brought_up_to_date(postgres, tmp_path, dump):
                 connection.execute(sa.insert(table), values)
     result = words("devices", "--db", postgres)
     assert (result.exit_code, "esicatalog migrate" in result.stderr) == (2, True)
-    assert words("migrate", "--db", postgres).stdout.endswith(f"schema {dump.stem} -> {database.SCHEMA_VERSION}\n")
+    assert words("migrate", "--db", postgres).stdout.endswith(f"schema {dump.stem} -> {schema.SCHEMA_VERSION}\n")
     Catalog.migrate(old)
     for query in DERIVED:
         found = []

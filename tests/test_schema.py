@@ -57,7 +57,7 @@ def test_a_new_catalog_is_what_the_migrations_make(tmp_path):
 def test_of_two_that_make_a_catalog_at_once_the_second_finds_it_made(tmp_path):
     engine = database.make_engine(database.catalog_url(tmp_path / "c.db"))
     migrated(tmp_path / "c.db").dispose()
-    assert database._create(engine) == database.SCHEMA_VERSION
+    assert database._create(engine) == schema.SCHEMA_VERSION
     assert one(tmp_path / "c.db", "SELECT count(*) FROM alembic_version") == 1
 
 
@@ -111,7 +111,7 @@ def test_the_schema_version_is_the_newest_migration():
     config = Config()
     config.set_main_option("script_location", str(CHECKOUT / "migrations"))
     script = ScriptDirectory.from_config(config)
-    assert script.get_current_head() == database.SCHEMA_VERSION
+    assert script.get_current_head() == schema.SCHEMA_VERSION
     files = sorted(path.name for path in (CHECKOUT / "migrations" / "versions").glob("[0-9]*.py"))
     assert [name[:4] for name in files] == [f"{number:04d}" for number in range(1, len(files) + 1)]
     assert len(list(script.walk_revisions())) == len(files)

@@ -16,7 +16,8 @@ from snippets import rows
 from test_schema import described
 
 from esicatalog import Catalog
-from esicatalog.catalog.database import SCHEMA_VERSION, catalog_url, make_engine
+from esicatalog.catalog.database import catalog_url, make_engine
+from esicatalog.catalog.schema import SCHEMA_VERSION
 from esicatalog.errors import CatalogError
 
 DUMPS = sorted((CHECKOUT / "tests" / "catalogs").glob("*.sql"))

@@ -172,8 +172,8 @@ def bus_reports(
     lookup: IdentityLookup,
     scan: Scan,
     records: Records,
-    pdos: Sequence[ScannedPdos] = (),
-    dictionaries: Sequence[ScannedDictionary] = (),
+    pdos: Sequence[ScannedPdos],
+    dictionaries: Sequence[ScannedDictionary],
 ) -> list[BusReport]:
     """Identify all slaves of a scan; unknown ones stay in the list.
 
@@ -202,7 +202,7 @@ def _at_bus(
     lookup: IdentityLookup, slave: ScannedSlave, answer: Identification, records: Records
 ) -> DeviceAtBus | None:
     """What the bus has to know of the description; its bits, which no row has, where the master tells bits."""
-    described = answer.device.device if answer.device is not None else None
+    described = answer.found
     at_bus = lookup.at_bus(described) if described is not None else None
     if described is None or at_bus is None or (slave.output_bits is None and slave.input_bits is None):
         return at_bus

@@ -7,7 +7,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.schema import devices, modules, sources
-from esicatalog.catalog.settle import carried_facts, superseded_devices, unreferenced_rows
+from esicatalog.catalog.settle import carried_facts, preferred_variant, superseded_devices, unreferenced_rows
 
 _OWNERS = ("device_id", "module_id", "source_id")
 _SECTIONED = ("device_sources", "module_sources", "source_groups")
@@ -138,22 +138,7 @@ def _device_rules() -> Iterator[RowRule]:
             )
         ),
     )
-    # Without product code the type decides what is a variant of what.
-    preferred = sa.func.row_number().over(
-        partition_by=(
-            columns.vendor_id,
-            columns.product_code,
-            columns.revision_no,
-            sa.case((columns.product_code.is_(None), columns.type), else_=None),
-        ),
-        order_by=(
-            columns.recovered,
-            columns.element_count.desc(),
-            sa.func.coalesce(columns.file_version, 0).desc(),
-            columns.content_hash,
-        ),
-    )
-    ranked = sa.select(columns.id, columns.variant, preferred.label("preferred")).subquery("ranked")
+    ranked = sa.select(columns.id, columns.variant, preferred_variant().label("preferred")).subquery("ranked")
     yield RowRule(
         "devices whose variants are not numbered from 1 in the order of preference",
         sa.select(ranked.c.id).where(ranked.c.variant != ranked.c.preferred),

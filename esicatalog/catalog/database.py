@@ -14,12 +14,10 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema, views
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.lock import only_writer
+from esicatalog.catalog.schema import SCHEMA_VERSION
 from esicatalog.catalog.turns import take_turn
 from esicatalog.errors import CatalogError
 from esicatalog.resources import resource
-
-SCHEMA_VERSION = "0009"
-"""Revision of the newest migration."""
 
 NEW_CATALOG = "new_catalog.sql"
 """What the migrations make of an empty SQLite file, written down beside them by docs/generate.py."""

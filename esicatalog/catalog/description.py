@@ -163,7 +163,7 @@ def description_json(description: DeviceDescription, choice: Mapping[int, Module
     images = description.images(choice) if choice else derived.images
     return {
         "identity": description.found.as_json(),
-        "sources": [{"member": s.member, "line": s.line, "group_type": s.group_type} for s in description.sources],
+        "sources": [source.as_json() for source in description.sources],
         "process_image": [_image_json(image) for image in images],
         "facts": _complete(derived.facts),
         "drive_modes": [_complete(verdict) for verdict in derived.modes.verdicts],

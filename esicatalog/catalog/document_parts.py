@@ -34,22 +34,18 @@ def document_parts(connection: sa.Connection, device_id: int) -> DocumentParts:
         raise NotFound(f"no document carries the description with row number {device_id}")
     vendors, groups, links = schema.source_vendors.c, schema.groups.c, schema.source_groups.c
     vendor_rows = connection.execute(
-        sa.select(*_columns(Vendor, vendors)).where(
+        sa.select(*codec(Vendor).stored(vendors)).where(
             vendors.source_id == section.source_id, vendors.position == section.section
         )
     )
     group_rows = connection.execute(
-        sa.select(*_columns(Group, groups))
+        sa.select(*codec(Group).stored(groups))
         .join(schema.source_groups, links.group_id == groups.id)
         .where(links.source_id == section.source_id, links.section == section.section)
         .order_by(links.position)
     )
     vendor = _records(connection, Vendor, vendor_rows.all())
     return DocumentParts(vendor[0] if vendor else Vendor(), _records(connection, Group, group_rows.all()))
-
-
-def _columns(record_type: Any, columns: Any) -> list[Any]:
-    return [columns[column.name] for column in codec(record_type).stored_columns]
 
 
 def _records(connection: sa.Connection, record_type: Any, rows: Sequence[Any]) -> tuple[Any, ...]:

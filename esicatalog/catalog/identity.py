@@ -92,8 +92,7 @@ _BESIDE_LAYOUT = (
     ),
 )
 """In what layouts with the same entries at the same places can differ, in words and as a statement."""
-_CONTENT_HASH = "SELECT value FROM catalog_state WHERE key = 'content_hash'"
-_STATE_HASH = "SELECT value FROM catalog_state WHERE key = 'state_hash'"
+_STATE = "SELECT value FROM catalog_state WHERE key = ?"
 _VENDOR = "SELECT name FROM vendors WHERE vendor_id = ?"
 _NEAR_PRODUCTS = " UNION ALL ".join(
     f"SELECT * FROM (SELECT {_COLUMNS} FROM devices d LEFT JOIN vendors v ON v.vendor_id = d.vendor_id "
@@ -222,13 +221,9 @@ class IdentityLookup:
         """Documents and lines that carry a description."""
         return tuple(DeviceSource(*row) for row in self._query(_SOURCES, (device_id,)))
 
-    def content_hash(self) -> str | None:
-        """The stored content hash; None while an ingest is under way."""
-        return next((str(row[0]) for row in self._query(_CONTENT_HASH, ())), None)
-
-    def state_hash(self) -> str | None:
-        """The stored digest of what the content hash leaves out; None where none is stored."""
-        return next((str(row[0]) for row in self._query(_STATE_HASH, ())), None)
+    def state(self, key: str) -> str | None:
+        """An entry of catalog_state; None where none is stored."""
+        return next((str(row[0]) for row in self._query(_STATE, (key,))), None)
 
     def at_bus(self, device: FoundDevice) -> DeviceAtBus | None:
         """What a bus has to know of a described device."""

@@ -20,7 +20,7 @@ from esicatalog.esi.records.device import Device, Eeprom, Fmmu, HideType, SyncMa
 from esicatalog.esi.records.diagnostics import DiagMessage, Diagnostics
 from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Flags, Object, SubItem
 from esicatalog.esi.records.document import Group, Vendor
-from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.esi.records.mailbox import INIT_CMD_FIELDS, InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.records.profile import ChannelInfo, Profile
@@ -89,10 +89,7 @@ CHILDREN: dict[type[Record], tuple[Child, ...]] = {
         Child("excludes", "pdo_exclusions", under_parent=True),
     ),
     Profile: (Child("channel_infos", "profile_channels", under_parent=True),),
-    Mailbox: tuple(
-        Child(f"{protocol.lower()}_init_cmds", "initcmds", ("protocol", protocol))
-        for protocol in ("CoE", "SoE", "EoE", "AoE")
-    ),
+    Mailbox: tuple(Child(field, "initcmds", ("protocol", protocol)) for protocol, field in INIT_CMD_FIELDS.items()),
     Slot: (
         Child("module_idents", "slot_modules", under_parent=True),
         Child("module_classes", "slot_module_classes", under_parent=True),
@@ -206,6 +203,10 @@ class Codec:
     def columns(self) -> tuple[Column, ...]:
         """All columns in the order in which :attr:`encode` gives their values."""
         return self.stored_columns + (self._derived.columns if self._derived is not None else ())
+
+    def stored(self, columns: Any) -> list[Any]:
+        """Those ``columns`` of a table that are stored, in the order in which :meth:`decode` takes their values."""
+        return [columns[column.name] for column in self.stored_columns]
 
     @cached_property
     def encode(self) -> Callable[[Any], tuple[Any, ...]]:

@@ -39,16 +39,9 @@ class RecordReader:
         self._types: dict[int, DataType] = {}
         self._type_sets: dict[int, list[int]] = {}
 
-    def device(self, device_id: int, source_id: int | None = None) -> Device:
-        """One description; with ``source_id``, as tests ask, in the group that this document puts it in."""
-        device = next(iter(self.devices([device_id])))
-        if source_id is None:
-            return device
-        placed = schema.device_sources.c
-        group = self._connection.execute(
-            sa.select(placed.group_type).where(placed.device_id == device_id, placed.source_id == source_id)
-        ).scalar()
-        return _in_group(device, group_type=group)
+    def device(self, device_id: int) -> Device:
+        """One description. Raises :class:`NotFound`."""
+        return self.devices([device_id])[0]
 
     def devices(self, device_ids: Sequence[int]) -> list[Device]:
         """Descriptions in the order asked for. Raises :class:`NotFound`."""
@@ -59,7 +52,8 @@ class RecordReader:
             query = sa.select(columns.id, columns.group_type).where(columns.id.in_(part))
             groups.update((number, group) for number, group in self._connection.execute(query))
         return [
-            _in_group(device, group_type=groups[number]) for number, device in zip(device_ids, devices, strict=True)
+            msgspec.structs.replace(device, group_type=groups[number])
+            for number, device in zip(device_ids, devices, strict=True)
         ]
 
     def modules(self, module_ids: Sequence[int]) -> list[Module]:
@@ -103,7 +97,7 @@ class RecordReader:
     def _read_dictionaries(self, dictionary_ids: list[int]) -> Iterator[tuple[int, Dictionary]]:
         table, links, types = schema.dictionaries, schema.dictionary_objects.c, schema.type_set_data_types.c
         own = codec(Dictionary)
-        columns = [table.c[column.name] for column in own.stored_columns]
+        columns = own.stored(table.c)
         query = sa.select(table.c.id, table.c.type_set_id, *columns).where(table.c.id.in_(dictionary_ids))
         rows = self._connection.execute(query).all()
         type_set_ids = _missing((row.type_set_id for row in rows), self._type_sets)
@@ -138,7 +132,7 @@ class RecordReader:
     def _plain(self, record_type: type[Record], numbers: Sequence[int]) -> dict[int, Any]:
         """Records of a table that is not owned by devices, with the rows that hang on them."""
         own, table = codec(record_type), schema.metadata.tables[_TABLES[record_type]]
-        columns = [table.c[column.name] for column in own.stored_columns]
+        columns = own.stored(table.c)
         found = {}
         for part in chunks(numbers, _MOST_NUMBERS):
             children: dict[str, dict[int, list[Any]]] = {}
@@ -154,7 +148,7 @@ class RecordReader:
     def _child_records(self, child: Child, parent: str, numbers: list[int]) -> dict[int, list[Any]]:
         own, table = codec(TABLE_RECORDS[child.table]), schema.metadata.tables[child.table]
         owner = table.c[parent_column(parent)]
-        columns = [table.c[column.name] for column in own.stored_columns]
+        columns = own.stored(table.c)
         found: dict[int, list[Any]] = defaultdict(list)
         query = sa.select(owner, *columns).where(owner.in_(numbers)).order_by(owner, table.c.position)
         for number, *values in self._connection.execute(query):
@@ -182,7 +176,7 @@ class _OwnerBatch:
         self._load_extensions()
         unmapped = self._unmapped()
         own = codec(self._record_type)
-        columns = [table.c[column.name] for column in own.stored_columns]
+        columns = own.stored(table.c)
         rows = self._connection.execute(sa.select(table.c.id, *columns).where(table.c.id.in_(self._ids))).all()
         self._load_images(own, [row[1:] for row in rows])
         found = {}
@@ -201,7 +195,7 @@ class _OwnerBatch:
 
     def _fetch(self, child: Child, parent: str) -> dict[Any, list[tuple[int, tuple[Any, ...]]]]:
         table, own = schema.metadata.tables[child.table], codec(TABLE_RECORDS[child.table])
-        columns = [table.c[column.name] for column in own.stored_columns]
+        columns = own.stored(table.c)
         extra = [table.c.dictionary_id, table.c.diagnostics_id] if child.table == "profiles" else []
         discriminator = table.c[child.discriminator[0]] if child.discriminator is not None else sa.literal(None)
         if child.under_parent:
@@ -283,8 +277,3 @@ class _OwnerBatch:
 
 def _missing(numbers: Iterable[int], known: Container[int]) -> list[int]:
     return [number for number in dict.fromkeys(numbers) if number not in known]
-
-
-def _in_group(device: Device, group_type: str | None) -> Device:
-    """The device in another group."""
-    return msgspec.structs.replace(device, group_type=group_type)

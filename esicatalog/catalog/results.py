@@ -81,6 +81,10 @@ class DeviceSource(msgspec.Struct, frozen=True):
     file_version: int | None
     status: str
 
+    def as_json(self) -> dict[str, Any]:
+        """Which document and line, and in which group."""
+        return {"member": self.member, "line": self.line, "group_type": self.group_type}
+
 
 class IdentifiedDevice(msgspec.Struct, frozen=True):
     """A description with the documents it comes from."""
@@ -90,8 +94,7 @@ class IdentifiedDevice(msgspec.Struct, frozen=True):
 
     def as_json(self) -> dict[str, Any]:
         """The device's JSON with its sources."""
-        sources = [{"member": s.member, "line": s.line, "group_type": s.group_type} for s in self.sources]
-        return {**self.device.as_json(), "sources": sources}
+        return {**self.device.as_json(), "sources": [source.as_json() for source in self.sources]}
 
 
 class Identification(msgspec.Struct, frozen=True):
@@ -118,6 +121,11 @@ class Identification(msgspec.Struct, frozen=True):
     """How other variants than ``device`` of its identity exchange something else by default."""
     revision_warning: str | None = None
     """The same of other revisions."""
+
+    @property
+    def found(self) -> FoundDevice | None:
+        """The description without its documents."""
+        return self.device.device if self.device is not None else None
 
     @property
     def is_exact(self) -> bool:

@@ -93,10 +93,6 @@ class OwnerRows(msgspec.Struct):
     """Objects plus PDO entries: what decides which variant is the richest."""
 
 
-class ModuleRows(OwnerRows):
-    """A module of a vendor."""
-
-
 class DeviceRows(OwnerRows):
     """A device description; its ``element_count`` includes the reachable modules."""
 
@@ -147,7 +143,7 @@ class DocumentRows(msgspec.Struct):
     new_objects: list[ObjectRows] = []
     new_dictionaries: list[DictionaryRows] = []
     new_diagnostics: list[DiagnosticsRows] = []
-    new_modules: list[ModuleRows] = []
+    new_modules: list[OwnerRows] = []
     new_devices: list[DeviceRows] = []
 
 
@@ -209,7 +205,7 @@ class RowMaker:
 
     def _info(self, section: int, info: EsiInfo, offer: ModuleOffer, read: ReadDocument) -> None:
         document = read.document
-        vendor_id = info.vendor.vendor_id if info.vendor is not None else None
+        vendor_id = info.vendor_id
         keys = {id(module): self._module(module, vendor_id) for module in info.modules}
         vendor_ids = dict(zip(map(id, offer.modules), [vendor.of_module for vendor in offer.vendors], strict=True))
         for position, module in enumerate(info.modules):
@@ -248,7 +244,7 @@ class RowMaker:
     def _module(self, module: Module, vendor_id: int | None) -> bytes:
         key = self._digests.module(module, vendor_id)
         if self._new(key):
-            rows = ModuleRows(**self._owner(module, key, vendor_id, _NOWHERE))
+            rows = OwnerRows(**self._owner(module, key, vendor_id, _NOWHERE))
             self._module_counts[key] = rows.element_count
             self._out.new_modules.append(rows)
         return key
@@ -331,7 +327,7 @@ def _section(info: EsiInfo) -> Section:
         image_row(item.image_data) for item in (info.vendor, *info.groups) if item is not None and item.image_data
     ]
     return Section(
-        vendor_id=info.vendor.vendor_id if info.vendor is not None else None,
+        vendor_id=info.vendor_id,
         schema_version=info.schema_version,
         info_references=list(info.info_references),
         vendor=codec(Vendor).encode(info.vendor) if info.vendor is not None else None,

@@ -11,6 +11,9 @@ import sqlalchemy as sa
 from esicatalog.catalog import types
 from esicatalog.catalog.mapping import TABLE_RECORDS, codec
 
+SCHEMA_VERSION = "0009"
+"""Revision of the newest migration."""
+
 metadata = sa.MetaData(
     naming_convention={
         "ix": "ix_%(table_name)s_%(column_0_N_name)s",

@@ -27,17 +27,17 @@ class Affected:
     def __init__(self) -> None:
         self.devices: set[int] = set()
         self.vendors: set[int] = set()
-        self.identities: set[tuple[Any, ...]] = set()
-        """Identities whose descriptions were deleted: (vendor_id, product_code, revision_no, type)."""
+        self.products: set[tuple[int | None, int | None]] = set()
+        """Vendor and product code of deleted descriptions."""
 
 
 def settle(connection: sa.Connection, affected: Affected) -> None:
     """Bring everything that depends on several documents up to date."""
     renamed = _settle_vendors(connection, affected.vendors)
-    if affected.devices or affected.identities:
+    if affected.devices or affected.products:
         _settle_devices(connection, affected)
     index_devices(connection, affected.devices | _devices_of(connection, renamed))
-    settle_hidden(connection, affected.vendors | {identity[0] for identity in affected.identities})
+    settle_hidden(connection, affected.vendors | {vendor_id for vendor_id, _ in affected.products})
 
 
 def _devices_of(connection: sa.Connection, vendor_ids: set[int]) -> set[int]:
@@ -52,7 +52,7 @@ def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> set[int]
     spellings: dict[int, Counter[tuple[int | None, str]]] = defaultdict(Counter)
     images: dict[int, set[str]] = defaultdict(set)
     vendor_codec = codec(Vendor)
-    columns = [source_vendors.c[column.name] for column in vendor_codec.stored_columns]
+    columns = vendor_codec.stored(source_vendors.c)
     shown: dict[int, str | None] = {}
     for part in chunks(sorted(vendor_ids)):
         held = sa.select(vendors.c.vendor_id, vendors.c.name).where(vendors.c.vendor_id.in_(part))
@@ -113,73 +113,64 @@ def _settle_devices(connection: sa.Connection, affected: Affected) -> None:
             recovered=sa.bindparam("is_recovered"), file_version=sa.bindparam("version"), group_type=sa.bindparam("g")
         )
     )
-    identity = [devices.c.vendor_id, devices.c.product_code, devices.c.revision_no, devices.c.type]
-    identities = set(affected.identities)
+    product = sa.select(devices.c.vendor_id, devices.c.product_code)
+    products = set(affected.products)
     for part in chunks(sorted(affected.devices)):
         facts = connection.execute(carried.where(device_sources.c.device_id.in_(part))).all()
         if facts:
             connection.execute(
                 update, [{"number": n, "is_recovered": bool(r), "version": v, "g": g} for n, r, v, g in facts]
             )
-        identities.update(map(tuple, connection.execute(sa.select(*identity).where(devices.c.id.in_(part)))))
-    _number_variants(connection, identities)
+        products.update(map(tuple, connection.execute(product.where(devices.c.id.in_(part)))))
+    _number_variants(connection, products)
 
 
 def number_variants_again(connection: sa.Connection) -> None:
     """Number the variants of all descriptions by today's rules; the content hash tells of variants, and follows."""
-    columns = devices.c
-    identity = sa.select(columns.vendor_id, columns.product_code, columns.revision_no, columns.type).distinct()
-    _number_variants(connection, map(tuple, connection.execute(identity).all()))
+    products = sa.select(devices.c.vendor_id, devices.c.product_code).distinct()
+    _number_variants(connection, map(tuple, connection.execute(products).all()))
     if read_state(connection, CONTENT_HASH) is not None:
         store_hashes(connection)
 
 
-def variant_group(vendor_id: int | None, product: int | None, revision: int | None, type_text: str | None) -> Any:
-    """What two descriptions must share to be variants of each other; without product code the type decides.
+def preferred_variant() -> sa.ColumnElement[int]:
+    """The number of a description among the variants of its identity, of all of which it has to be selected.
 
-    A missing revision does not: devices are asked for by product, and the type is no part of what is asked.
+    Variant 1 is the preferred one: not recovered, richest, newest file version, lowest content hash. Variants share
+    vendor, product and revision; without product code the type decides. A missing revision does not: devices are asked
+    for by product, and the type is no part of what is asked.
     """
-    return (vendor_id, product, revision, type_text if product is None else None)
-
-
-def _number_variants(connection: sa.Connection, identities: Iterable[tuple[Any, ...]]) -> None:
-    """Variant 1 is the preferred description: not recovered, richest, newest file version, lowest content hash."""
-    wanted = {variant_group(*identity) for identity in identities}
     columns = devices.c
-    query = sa.select(
-        columns.id,
-        columns.variant,
-        columns.vendor_id,
-        columns.product_code,
-        columns.revision_no,
-        columns.type,
-        columns.recovered,
-        columns.element_count,
-        columns.file_version,
-        columns.content_hash,
+    type_of_unknown = sa.case((columns.product_code.is_(None), columns.type), else_=None)
+    return sa.func.row_number().over(
+        partition_by=(columns.vendor_id, columns.product_code, columns.revision_no, type_of_unknown),
+        order_by=(
+            columns.recovered,
+            columns.element_count.desc(),
+            sa.func.coalesce(columns.file_version, 0).desc(),
+            columns.content_hash,
+        ),
     )
-    groups: dict[Any, list[Any]] = defaultdict(list)
-    products: dict[int | None, set[int | None]] = defaultdict(set)
-    for vendor_id, product_code, *_ in wanted:
-        products[vendor_id].add(product_code)
-    for vendor_id, codes in products.items():
+
+
+def _number_variants(connection: sa.Connection, products: Iterable[tuple[int | None, int | None]]) -> None:
+    columns = devices.c
+    query = sa.select(columns.id, columns.variant, preferred_variant().label("preferred"))
+    of_vendors: dict[int | None, set[int | None]] = defaultdict(set)
+    for vendor_id, product_code in products:
+        of_vendors[vendor_id].add(product_code)
+    moved: list[dict[str, int]] = []
+    numbered: list[dict[str, int]] = []
+    for vendor_id, codes in of_vendors.items():
         conditions = [columns.product_code.in_(part) for part in chunks(sorted(c for c in codes if c is not None))]
         if None in codes:
             conditions.append(columns.product_code.is_(None))
         for condition in conditions:
-            for row in connection.execute(query.where(columns.vendor_id == vendor_id, condition)).all():
-                group = variant_group(row.vendor_id, row.product_code, row.revision_no, row.type)
-                if group in wanted:
-                    groups[group].append(row)
-    moved: list[dict[str, int]] = []
-    numbered: list[dict[str, int]] = []
-    for rows in groups.values():
-        rows.sort(key=lambda r: (bool(r.recovered), -r.element_count, -(r.file_version or 0), r.content_hash))
-        for variant, row in enumerate(rows, 1):
-            if row.variant != variant:
-                numbered.append({"number": row.id, "to": variant})
-                if row.variant > 0:  # It may stand in the way of another one; those that are new do not.
-                    moved.append({"number": row.id, "to": -row.id})
+            for row in connection.execute(query.where(columns.vendor_id == vendor_id, condition)):
+                if row.variant != row.preferred:
+                    numbered.append({"number": row.id, "to": row.preferred})
+                    if row.variant > 0:  # It may stand in the way of another one; those that are new do not.
+                        moved.append({"number": row.id, "to": -row.id})
     update = sa.update(devices).where(devices.c.id == sa.bindparam("number")).values(variant=sa.bindparam("to"))
     for changes in (moved, numbered):
         if changes:
@@ -229,9 +220,7 @@ def collect_garbage(connection: sa.Connection, affected: Affected) -> bool:
     """Delete what no document carries any more; tells whether anything went."""
     orphans = _unreferenced("devices", "id", _DEVICE_KEEPERS)
     gone = connection.execute(
-        sa.select(
-            devices.c.id, devices.c.vendor_id, devices.c.product_code, devices.c.revision_no, devices.c.type
-        ).where(devices.c.id.in_(orphans))
+        sa.select(devices.c.id, devices.c.vendor_id, devices.c.product_code).where(devices.c.id.in_(orphans))
     ).all()
     deleted = len(gone)
     for part in chunks([row.id for row in gone]):
@@ -239,7 +228,7 @@ def collect_garbage(connection: sa.Connection, affected: Affected) -> bool:
         connection.execute(sa.delete(devices).where(devices.c.id.in_(part)))
     for row in gone:
         affected.devices.discard(row.id)
-        affected.identities.add((row.vendor_id, row.product_code, row.revision_no, row.type))
+        affected.products.add((row.vendor_id, row.product_code))
     index_devices(connection, [row.id for row in gone])
     modules = schema.modules
     for part in chunks(connection.execute(_unreferenced("modules", "id", _MODULE_KEEPERS)).scalars().all()):

@@ -7,8 +7,7 @@ from typing import Any
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
-from esicatalog.catalog.database import SCHEMA_VERSION
-from esicatalog.catalog.schema import device_sources, devices, sources
+from esicatalog.catalog.schema import SCHEMA_VERSION, device_sources, devices, sources
 
 CONTENT_HASH, STATE_HASH = "content_hash", "state_hash"
 

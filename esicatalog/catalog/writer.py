@@ -16,7 +16,6 @@ from esicatalog.catalog.rows import (
     DiagnosticsRows,
     DictionaryRows,
     DocumentRows,
-    ModuleRows,
     ObjectRows,
     OwnerRows,
     Section,
@@ -340,7 +339,7 @@ class Writer:
     def _part_id(self, table: str, key: bytes | None) -> int | None:
         return self._keys[table].require(key) if key is not None else None
 
-    def _add_module(self, rows: ModuleRows, maker: int) -> None:
+    def _add_module(self, rows: OwnerRows, maker: int) -> None:
         keys = self._keys["modules"]
         if keys.get(rows.key.hex()) is not None:
             return

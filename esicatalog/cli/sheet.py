@@ -7,7 +7,7 @@ from esicatalog.catalog.description import DeviceDescription
 from esicatalog.cli.common import table_lines
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.esi.records.mailbox import Mailbox, init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import ModuleChoice
 from esicatalog.model.cia402 import CIA402
@@ -22,7 +22,6 @@ from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals, is_superseded
 from esicatalog.model.words import (
-    INIT_CMD_PROTOCOLS,
     clock_words,
     coe_details,
     fsoe_words,
@@ -229,26 +228,21 @@ def _module(module: Module, label: str) -> Iterator[str]:
     yield ""
     yield title
     yield from _pdos(module, module_sms(module), "  PDOs of the module")
-    if module.mailbox is not None:
-        yield from _init_cmds(module.mailbox, "  InitCmds of the module")
+    yield from _init_cmds(module.mailbox, "  InitCmds of the module")
 
 
 def _mailbox(device: Device) -> Iterator[str]:
     details = coe_details(device.mailbox)
     yield ""
     yield f"Mailbox: {mailbox_words(device)}" + (f"; CoE: {', '.join(details)}" if details else "")
-    if device.mailbox is not None:
-        yield from _init_cmds(device.mailbox, "InitCmds")
+    yield from _init_cmds(device.mailbox, "InitCmds")
 
 
-def _init_cmds(mailbox: Mailbox, title: str) -> Iterator[str]:
-    rows = []
-    for protocol in INIT_CMD_PROTOCOLS:
-        commands: tuple[InitCmd, ...] = getattr(mailbox, f"{protocol.lower()}_init_cmds")
-        rows += [
-            [protocol, " ".join(cmd.transitions), init_cmd_target(cmd), cmd.data or "", cmd.comment or ""]
-            for cmd in commands
-        ]
+def _init_cmds(mailbox: Mailbox | None, title: str) -> Iterator[str]:
+    rows = [
+        [protocol, " ".join(cmd.transitions), init_cmd_target(cmd), cmd.data or "", cmd.comment or ""]
+        for protocol, cmd in init_cmds(mailbox)
+    ]
     yield from _section(title, ("", "transition", "target", "data (as sent)", "comment"), rows)
 
 

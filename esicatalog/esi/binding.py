@@ -59,6 +59,16 @@ class Xml(msgspec.Struct, frozen=True):
     kind: Any = TEXT
     doc: str = ""
 
+    @property
+    def element(self) -> str:
+        """Path of the element; empty for that of the record itself."""
+        return self.path.partition("@")[0].removeprefix(".")
+
+    @property
+    def attribute(self) -> str:
+        """Name of the attribute; empty where the value is the element or its text."""
+        return self.path.partition("@")[2]
+
 
 class Doc(msgspec.Struct, frozen=True):
     """What a field means that comes from no single place of a document."""
@@ -108,7 +118,7 @@ def fields_in_order(record_type: type[Record]) -> list[Field]:
     first = record_type.SCHEMA_ORDER
 
     def rank(field: Field) -> int:
-        path = field.xml.path.partition("@")[0] + "/"
+        path = field.xml.element + "/"
         return next((n for n, start in enumerate(first) if path.startswith(f"{start}/")), len(first))
 
     return sorted(fields_of(record_type), key=rank)
@@ -161,9 +171,9 @@ def is_record(item: Any) -> bool:
 def _compile(record_type: type[Record]) -> _Node:
     root = _Node()
     for field in fields_in_order(record_type):
-        path, _, attribute = field.xml.path.partition("@")
+        path, attribute = field.xml.element, field.xml.attribute
         node = root
-        for tag in path.split("/") if path not in ("", ".") else []:
+        for tag in path.split("/") if path else []:
             node = node.children.setdefault(tag, _Node())
         if is_record(field.item) or isinstance(field.xml.kind, Marker):
             node.whole, node.many = field.name, field.many

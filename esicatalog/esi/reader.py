@@ -244,11 +244,7 @@ class _Trees:
 
 
 def _modules_of(document: Document) -> tuple[ReferencedModule, ...]:
-    return tuple(
-        ReferencedModule(module, info.vendor.vendor_id if info.vendor is not None else None)
-        for info in document.infos
-        for module in info.modules
-    )
+    return tuple(ReferencedModule(module, info.vendor_id) for info in document.infos for module in info.modules)
 
 
 def _sections(root: etree._Element, notes: Notes) -> tuple[list[etree._Element], list[EsiInfo]]:

@@ -64,8 +64,8 @@ def reason_words(record: Record, name: str) -> str:
 
 
 def _place(field: Field) -> str:
-    element, _, attribute = field.xml.path.partition("@")
-    return "/".join(filter(None, (element.removeprefix("."), f"@{attribute}" if attribute else "")))
+    attribute = field.xml.attribute
+    return "/".join(filter(None, (field.xml.element, f"@{attribute}" if attribute else "")))
 
 
 def _problem(record: Record, field: Field, position: int | None) -> str | None:

@@ -72,9 +72,9 @@ def _places(record_type: type[Record]) -> tuple[_Place, ...]:
     required = _REQUIRED.get(record_type, ())
     places = []
     for field in fields_in_order(record_type):
-        path, _, attribute = field.xml.path.removeprefix(".").partition("@")
+        path = field.xml.element
         parent, _, tag = path.rpartition("/")
-        places.append(_Place(field, path, parent, tag, attribute, parent in required))
+        places.append(_Place(field, path, parent, tag, field.xml.attribute, parent in required))
     return tuple(places)
 
 

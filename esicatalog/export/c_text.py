@@ -42,6 +42,11 @@ def wrapped(lines: Iterable[str], width: int = 116) -> list[str]:
     return result
 
 
+def comment_lines(lines: Iterable[str]) -> list[str]:
+    """The lines, wrapped, as they may stand in a comment."""
+    return [comment_text(line) for line in wrapped(lines)]
+
+
 def _indent(line: str) -> str:
     """Of what is broken off: below the text of a list item or behind a label."""
     if line.startswith("- "):

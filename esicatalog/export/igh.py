@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 
 from esicatalog.errors import InputError
-from esicatalog.export.c_text import comment_text, wrapped
+from esicatalog.export.c_text import comment_lines
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines
 from esicatalog.export.igh_device import DeviceCode, device_code
@@ -28,7 +28,7 @@ def igh_header(configuration: Configuration) -> str:
     )
 
 
-def igh_bus_header(configurations: Sequence[Configuration], left_out: Iterable[str] = (), name: str = "bus") -> str:
+def igh_bus_header(configurations: Sequence[Configuration], left_out: Iterable[str], name: str) -> str:
     """One header for the slaves of a bus; what equal slaves share stands there once.
 
     Slaves are named after their device and position. ``left_out`` says of each slave that is not there why. Raises
@@ -79,7 +79,7 @@ def _heading_lines(configuration: Configuration) -> Iterator[str]:
         *unsendable_remarks(configuration),
         *lrw_remarks(device, "register its outputs in one domain and its inputs in another"),
     )
-    return heading_lines(configuration._replace(remarks=remarks), TARGET)
+    return heading_lines(configuration, TARGET, remarks)
 
 
 def _check_places(configurations: Sequence[Configuration]) -> None:
@@ -114,8 +114,8 @@ def _header(
     return render(
         "igh.h.j2",
         name=name,
-        heading=_comment_lines(heading),
-        devices=[(device, _comment_lines(lines)) for device, lines in devices],
+        heading=comment_lines(heading),
+        devices=[(device, comment_lines(lines)) for device, lines in devices],
         slaves=[
             (
                 next(device for device, _ in devices if device.prefix == configuration.prefix),
@@ -128,7 +128,3 @@ def _header(
         needs_bits=any(device.needs_bits for device, _ in devices),
         needs_cycle=any(device.needs_cycle for device, _ in devices),
     )
-
-
-def _comment_lines(lines: Iterable[str]) -> list[str]:
-    return [comment_text(line) for line in wrapped(lines)]

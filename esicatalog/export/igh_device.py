@@ -212,7 +212,7 @@ def _accessors(prefix: str, configuration: Configuration, item: Registration) ->
     is_output = any(sm.number == item.sm and sm.direction == OUTPUT for sm in configuration.sync_managers)
     pointer = f"data + offsets->{entry.identifier}"
     place = Place(pointer, f"offsets->{item.bit_position}" if item.has_bit_position else "0")
-    comment = comment_text(f"{entry.place} {entry.name}".rstrip())
+    comment = comment_text(entry.words)
     data, offsets = "uint8_t *data" if is_output else "const uint8_t *data", f"const {prefix}_offsets_t *offsets"
     is_long = entry.value.kind == "bytes"
     if is_long and whole_bytes(entry):

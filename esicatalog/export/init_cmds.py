@@ -7,7 +7,7 @@ from typing import Generic, NamedTuple, TypeVar
 
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.esi.records.mailbox import InitCmd, init_cmds
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
 from esicatalog.model.start_up import TRANSITIONS, transition_of, unusable_part, written_places, yields
@@ -98,23 +98,11 @@ def start_commands(
     of_modules = [(f"module in slot {item.slot_number}", item.module.mailbox) for item in expanded]
     replaced = written_places(item.module for item in expanded)
     for owner, mailbox in (("device", device.mailbox), *of_modules):
-        for protocol, command in _init_cmds(mailbox):
+        for protocol, command in init_cmds(mailbox):
             if owner == "device" and yields(command, replaced):
                 continue
             commands.extend(_at_transitions(owner, protocol, command, remarks))
     return tuple(sorted(commands, key=lambda command: TRANSITIONS.index(command.transition))), tuple(remarks)
-
-
-def _init_cmds(mailbox: Mailbox | None) -> Iterator[tuple[str, InitCmd]]:
-    if mailbox is not None:
-        for protocol, commands in (
-            ("CoE", mailbox.coe_init_cmds),
-            ("SoE", mailbox.soe_init_cmds),
-            ("AoE", mailbox.aoe_init_cmds),
-            ("EoE", mailbox.eoe_init_cmds),
-        ):
-            for command in commands:
-                yield protocol, command
 
 
 def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[str]) -> Iterator[StartCommand]:

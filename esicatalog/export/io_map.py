@@ -22,6 +22,11 @@ class Member(NamedTuple):
     byte_count: int
     entry: MappedEntry | None
 
+    @property
+    def words(self) -> str:
+        """What it holds."""
+        return self.entry.words if self.entry is not None else "values that do not fill bytes, and gaps"
+
 
 class IoMap(NamedTuple):
     """Values of one direction by their place in the image."""

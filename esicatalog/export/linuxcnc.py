@@ -143,9 +143,7 @@ def linuxcnc_configuration(configuration: Configuration) -> str:
     dc = _dc(configuration, clocks) if clocks is not None else None
     if clocks is not None and (note := off_beat(clocks, configuration.cycle_ns)):
         remarks.append(note)
-    heading = list(
-        heading_lines(configuration._replace(remarks=tuple(dict.fromkeys(remarks))), f"{PROGRAM} configuration")
-    )
+    heading = list(heading_lines(configuration, f"{PROGRAM} configuration", list(dict.fromkeys(remarks))))
     if any("--" in line for line in heading):
         heading += ["", _APART]
     return render(
@@ -196,7 +194,7 @@ def _entry(
             )
             return
         why = f"{PROGRAM} registers {_MAX_PINS} at most" if types else "no HAL type takes it at its place"
-        remarks.append(f"{entry.place} {entry.name} has no pin: {why}")
+        remarks.append(f"{entry.words} has no pin: {why}")
     for length in pieces(entry.bit_length):
         yield EntryElement(*place, length, None, (), comment)
 
@@ -206,10 +204,10 @@ def _type_remarks(entry: MappedEntry, sm: SmConfiguration, pin: Pin) -> Iterator
     is_output = sm.direction == OUTPUT
     if pin.type == "s32" and not is_output:
         if entry.bit_length not in _SIGNED_BITS:
-            yield f"{entry.place} {entry.name}: {PROGRAM} reads {entry.bit_length} bits without their sign"
+            yield f"{entry.words}: {PROGRAM} reads {entry.bit_length} bits without their sign"
         elif entry.bit_length < _PIN_BITS and not on_byte(entry):
             yield (
-                f"{entry.place} {entry.name}: older versions of {PROGRAM} read {entry.bit_length} bits that begin "
+                f"{entry.words}: older versions of {PROGRAM} read {entry.bit_length} bits that begin "
                 "inside a byte without their sign"
             )
     if pin.type == "float-ieee" and is_output:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from esicatalog.esi.records.mailbox import coe_init_cmds
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.model.cia402 import AXIS_STEP, MODE_BY_CODE, MODES_OF_OPERATION, MODES_OF_OPERATION_OF_AXES
 from esicatalog.model.drive_evidence import mode_code, module_names, other_named_modes, written_mode
@@ -48,9 +49,9 @@ def mode_remarks(
 def _against_names(expanded: Sequence[ExpandedModule], of_axes: Sequence[int]) -> Iterator[str]:
     """What rule L57 finds, for the modules that are plugged."""
     for item in expanded:
-        mailbox, name = item.module.mailbox, module_names(item.module)
+        commands, name = coe_init_cmds(item.module.mailbox), module_names(item.module)
         for index in of_axes:
-            command = start_command(mailbox.coe_init_cmds, index) if mailbox is not None else None
+            command = start_command(commands, index)
             mode = written_mode(command, index) if command is not None else None
             if mode is not None and (listed := other_named_modes(name, mode)):
                 yield (

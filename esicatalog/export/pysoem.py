@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from esicatalog.export.c_access import byte_count
-from esicatalog.export.c_text import comment_text, wrapped
+from esicatalog.export.c_text import comment_lines, comment_text
 from esicatalog.export.clocks import Condition, Notation
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines, op_mode_words
@@ -90,12 +90,12 @@ def pysoem_module(configuration: Configuration) -> str:
         for command in configuration.commands
         if command.protocol == "SoE"
     ]
-    heading = heading_lines(configuration._replace(remarks=tuple(remarks)), "pysoem configuration")
+    heading = heading_lines(configuration, "pysoem configuration", remarks)
     images = [_image_class(layout) for layout in maps]
     return render(
         "pysoem.py.j2",
         configuration=configuration,
-        heading=[comment_text(line) for line in wrapped(heading)],
+        heading=comment_lines(heading),
         images=images,
         setup=[_sent(command) for command in hook_commands(configuration)],
         later=by_transition(later_commands(configuration), _sent),
@@ -135,18 +135,14 @@ def _python_names(names: list[str]) -> list[str]:
 def _field(name: str, member: Member) -> Field:
     entry = member.entry
     if entry is None:
-        return Field(name, f"ctypes.c_uint8 * {member.byte_count}", "values that do not fill bytes, and gaps")
+        return Field(name, f"ctypes.c_uint8 * {member.byte_count}", member.words)
     if entry.value.kind == "bytes":
         kind = f"c_uint8 * {member.byte_count}"
     elif entry.value.kind == "real":
         kind = "c_float" if entry.value.bit_length == 32 else "c_double"
     else:
         kind = f"c_{entry.value.kind}{entry.value.container_bits}"
-    return Field(name, f"ctypes.{kind}", _entry_words(entry))
-
-
-def _entry_words(entry: MappedEntry) -> str:
-    return comment_text(f"{entry.place} {entry.name}".rstrip())
+    return Field(name, f"ctypes.{kind}", comment_text(member.words))
 
 
 def _property(name: str, entry: MappedEntry) -> BitProperty:
@@ -160,7 +156,7 @@ def _property(name: str, entry: MappedEntry) -> BitProperty:
         writing = 'int.from_bytes(value, "little")'
     elif entry.value.kind == "int":
         reading = f"_signed({reading}, {entry.bit_length})"
-    return BitProperty(name, _entry_words(entry), reading, writing, entry.bit_offset, entry.bit_length)
+    return BitProperty(name, comment_text(entry.words), reading, writing, entry.bit_offset, entry.bit_length)
 
 
 def _sent(command: StartCommand | RegisterWrite) -> CommandStatement:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from esicatalog.errors import InputError
 from esicatalog.export.c_access import on_byte
-from esicatalog.export.c_text import comment_text, wrapped
+from esicatalog.export.c_text import comment_lines, comment_text
 from esicatalog.export.cia402_names import CIA402_NAMES
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import left_out
@@ -98,11 +98,11 @@ def ros2_slave(configuration: Configuration) -> str:
     ]
     lists = [_pdo_list(configuration, found, direction, remarks) for direction in (OUTPUT, INPUT)]
     sdos = [row for command in found.sdos for row in _sdo(command, remarks)]
-    heading = heading_lines(configuration._replace(remarks=tuple(remarks)), f"{PROGRAM} slave configuration")
+    heading = heading_lines(configuration, f"{PROGRAM} slave configuration", remarks)
     return render(
         "ros2.yaml.j2",
         configuration=configuration,
-        heading=[comment_text(line) for line in wrapped(heading)],
+        heading=comment_lines(heading),
         op_mode=comment_text(op_mode_words(configuration)),
         suits_drive_plugin=_suits_drive_plugin(configuration),
         sdos=sdos,
@@ -124,7 +124,7 @@ def _pdo_list(configuration: Configuration, found: Listed, direction: str, remar
         if _value(entry, side):
             reached.append(entry)
         else:
-            remarks.append(f"{entry.place} {entry.name} has no interface: {PROGRAM} has no type for it at its place")
+            remarks.append(f"{entry.words} has no interface: {PROGRAM} has no type for it at its place")
     remarks += _type_remarks(reached, side)
     interfaces = _interfaces(configuration, reached)
     modes = started_modes(found.sdos)
@@ -146,7 +146,7 @@ def _type_remarks(entries: Sequence[MappedEntry], side: Side) -> Iterator[str]:
     if side.key == "tpdo":
         for entry, value in zip(entries, values, strict=True):
             if entry.value.kind == "int" and value.startswith("type: bit"):
-                yield f"{entry.place} {entry.name}: {PROGRAM} reads {entry.bit_length} bits without their sign"
+                yield f"{entry.words}: {PROGRAM} reads {entry.bit_length} bits without their sign"
     if any(value.startswith("type: real") for value in values):
         yield f"real32 and real64 need a version of {PROGRAM} that knows these types"
     if side.key == "rpdo" and any(value.startswith("type: bit") for value in values):

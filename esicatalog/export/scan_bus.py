@@ -30,7 +30,7 @@ class BusConfigurations(NamedTuple):
     left_out: list[str]
 
 
-def subject_for(descriptions: Descriptions, identity: Identity, accept_revision: bool = False) -> Subject:
+def subject_for(descriptions: Descriptions, identity: Identity, accept_revision: bool) -> Subject:
     """The exact description, or the one that the catalog ranks first where that is accepted.
 
     Raises :class:`NotFound`.
@@ -48,7 +48,7 @@ def subject_for(descriptions: Descriptions, identity: Identity, accept_revision:
 
 
 def bus_configurations(
-    descriptions: Descriptions, scan: Scan, *, accept_revision: bool = False, cycle_ns: int | None = None
+    descriptions: Descriptions, scan: Scan, *, accept_revision: bool, cycle_ns: int | None
 ) -> BusConfigurations:
     """Configurations of the slaves that are described and that IgH can hold, with all that is default.
 

@@ -143,8 +143,7 @@ def image_changes(old: SiiImage, new: SiiImage) -> tuple[Change, ...]:
 
     PDI words come first, with which a device can become unreachable, then their check sum, identity, mailboxes,
     SyncManagers, FMMUs, PDOs, OpModes, what General says, what of these categories cannot be read, further words and
-    categories, texts. Where nothing is found,
-    the images can still differ as :func:`stored_otherwise` says.
+    categories, texts. Where nothing is found, the images can still differ as :func:`stored_otherwise` says.
     """
     return tuple(Change(part, *differing) for part, compare in _PARTS for differing in compare(old, new))
 

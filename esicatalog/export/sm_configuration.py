@@ -70,6 +70,11 @@ class MappedEntry(NamedTuple):
         """Index and subindex in words."""
         return f"0x{self.entry_index:04X}:{self.subindex:02X}"
 
+    @property
+    def words(self) -> str:
+        """Its place and what it is called."""
+        return f"{self.place} {self.name}".rstrip()
+
 
 class AssignedPdo(NamedTuple):
     """A PDO of a SyncManager."""

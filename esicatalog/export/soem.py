@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from esicatalog.export.c_clocks import clock_code
-from esicatalog.export.c_text import c_bytes, comment_text, wrapped
+from esicatalog.export.c_text import c_bytes, comment_lines, comment_text
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.headings import heading_lines
 from esicatalog.export.init_cmds import SentCommand, StartCommand, by_transition
@@ -81,13 +81,13 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
         *command_remarks(configuration, "SOEM"),
         *(remark for image in images for remark in image.remarks),
     )
-    heading = heading_lines(configuration._replace(remarks=remarks), _target(version))
+    heading = heading_lines(configuration, _target(version), remarks)
     return render(
         "soem.h.j2",
         configuration=configuration,
         name=configuration.prefix,
         api=api,
-        heading=[comment_text(line) for line in wrapped(heading)],
+        heading=comment_lines(heading),
         images=images,
         commands=[_sent(command, api) for command in hook_commands(configuration)],
         later=by_transition(later_commands(configuration), lambda command: _sent(command, api)),

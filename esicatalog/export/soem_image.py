@@ -66,12 +66,7 @@ def _member(member: Member) -> MemberCode:
         declaration = f"uint8_t {member.name}[{member.byte_count}];"
     else:
         declaration = f"{c_type(entry)} {member.name};"
-    comment = _words(entry) if entry is not None else "values that do not fill bytes, and gaps"
-    return MemberCode(declaration, member.name, member.byte_offset, comment)
-
-
-def _words(entry: MappedEntry) -> str:
-    return comment_text(f"{entry.place} {entry.name}".rstrip())
+    return MemberCode(declaration, member.name, member.byte_offset, comment_text(member.words))
 
 
 def _accessors(prefix: str, type_name: str, layout: IoMap, entry: MappedEntry) -> Iterator[Function]:
@@ -82,7 +77,7 @@ def _accessors(prefix: str, type_name: str, layout: IoMap, entry: MappedEntry) -
     if layout.starts_inside_byte:
         image, cast, bit = f"{const}uint8_t *image, uint8_t start_bit", "image", f"start_bit + {bit}"
     place = Place(cast, bit)
-    comment = _words(entry)
+    comment = comment_text(entry.words)
     is_long = entry.value.kind == "bytes"
     if is_output:
         value = "const uint8_t *value" if is_long else f"{c_type(entry)} value"

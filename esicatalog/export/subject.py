@@ -10,7 +10,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Document, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import NO_REVISION, Identity
-from esicatalog.model.module_offer import module_offers
+from esicatalog.model.module_offer import offered_devices
 from esicatalog.model.revisions import latest_revision
 
 
@@ -19,9 +19,6 @@ class Subject(NamedTuple):
 
     vendor_id: int
     vendor: str | None
-    product_code: int | None
-    revision_no: int | None
-    """None where the document gives none, or none that can be read."""
     device: Device
     modules: tuple[Module, ...] = ()
     origin: tuple[str, ...] = ()
@@ -35,6 +32,16 @@ class Subject(NamedTuple):
     """All groups of the document."""
     variants_with_slots: tuple[int, ...] = ()
     """Of several descriptions of the identity, those that have slots."""
+
+    @property
+    def product_code(self) -> int | None:
+        """None where the document gives none, or none that can be read; so the revision."""
+        return self.device.product_code
+
+    @property
+    def revision_no(self) -> int | None:
+        """See :attr:`product_code`."""
+        return self.device.revision_no
 
     @property
     def identity_text(self) -> str:
@@ -86,22 +93,18 @@ def subject_of_description(
     if found.vendor_id is None:
         raise InputError(f"{device.type or 'the device'} is of a vendor without id")
     origin = tuple(f"{source.member}, line {source.line}" for source in sources)
-    return _subject(found.vendor_id, found.vendor, device, tuple(modules), origin)
+    return Subject(found.vendor_id, found.vendor, device, tuple(modules), origin)
 
 
 def subjects_of_document(document: Document, file_name: str) -> list[Subject]:
     """The devices of one ESI document whose vendor has an id, in document order."""
-    found = []
-    for info, lines, offer in zip(document.infos, document.device_lines, module_offers(document), strict=True):
-        vendor_id = info.vendor.vendor_id if info.vendor is not None else None
-        vendor = display_text(info.vendor.names) if info.vendor is not None else None
-        for device, line in zip(info.devices, lines, strict=True):
-            if vendor_id is None:
-                continue
-            modules = tuple(offer.reachable(device))
-            subject = _subject(vendor_id, vendor, device, modules, (f"{file_name}, line {line}",))
-            found.append(subject.of_document(info.vendor, info.groups))
-    return found
+    return [
+        Subject(info.vendor_id, info.vendor_name, device, modules, (f"{file_name}, line {line}",)).of_document(
+            info.vendor, info.groups
+        )
+        for info, device, modules, line in offered_devices(document)
+        if info.vendor_id is not None
+    ]
 
 
 def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_name: str) -> Subject:
@@ -135,12 +138,6 @@ def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_
             + ", ".join(subject.origin[0] for subject in fitting)
         )
     raise NotFound(f"{file_name} does not describe {identity}; it describes: {listed}")
-
-
-def _subject(
-    vendor_id: int, vendor: str | None, device: Device, modules: tuple[Module, ...], origin: tuple[str, ...]
-) -> Subject:
-    return Subject(vendor_id, vendor, device.product_code, device.revision_no, device, modules, origin)
 
 
 def _fits(subject: Subject, identity: Identity) -> bool:

@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import ReadDocument
-from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.lint.registry import Rule
@@ -59,14 +58,14 @@ def facts_of_document(read: ReadDocument, document: str, signature: Signature) -
     """The facts of the devices of a document."""
     content = read.document
     for section, (info, offer) in enumerate(zip(content.infos, module_offers(content), strict=True)):
-        vendor_id = info.vendor.vendor_id if info.vendor is not None else None
+        vendor_id = info.vendor_id
         for number, device in enumerate(info.devices):
             yield DeviceFact(
                 document,
                 content.device_lines[section][number],
                 device_element_path(content.root, section, len(content.infos), number, len(info.devices)),
                 vendor_id,
-                display_text(info.vendor.names) if info.vendor is not None else None,
+                info.vendor_name,
                 device.product_code,
                 device.revision_no,
                 device.type,

@@ -102,6 +102,4 @@ _Ways = Mapping[str, tuple[str, bool]]
 def _ways(value_type: type) -> _Ways:
     if not issubclass(value_type, Record):
         return {}
-    return {
-        field.name: (field.xml.path.partition("@")[0].removeprefix("."), field.many) for field in fields_of(value_type)
-    }
+    return {field.name: (field.xml.element, field.many) for field in fields_of(value_type)}

@@ -83,7 +83,7 @@ def _one_line(text: str) -> str:
     return " ".join(text.split())
 
 
-def chosen_rules(rules: Iterable[Rule], select: Iterable[str] = (), ignore: Iterable[str] = ()) -> list[Rule]:
+def chosen_rules(rules: Iterable[Rule], select: Iterable[str], ignore: Iterable[str]) -> list[Rule]:
     """The rules named by ``select`` (all when empty) without those named by ``ignore``, in the order of their ids.
 
     Raises :class:`InputError` for an id that no rule has.

@@ -10,9 +10,10 @@ from typing import Any, NamedTuple
 from esicatalog.esi.binding import Record
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import EsiInfo
-from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.profile import declared_objects
 from esicatalog.lint.registry import Place
 from esicatalog.model.derivation import Derivation
 from esicatalog.model.dictionary import ObjectEntry
@@ -112,12 +113,12 @@ class Owner:
     @property
     def coe_init_cmds(self) -> tuple[InitCmd, ...]:
         """Its CoE start-up commands."""
-        return self.record.mailbox.coe_init_cmds if self.record.mailbox is not None else ()
+        return coe_init_cmds(self.record.mailbox)
 
     def object_place(self, index: int) -> Place:
         """Where an object of its own dictionaries stands; the owner itself when it stands in another document."""
         for number, profile in enumerate(self.record.profiles):
-            for position, declared in enumerate(profile.dictionary.objects if profile.dictionary is not None else ()):
+            for position, declared in enumerate(declared_objects((profile,))):
                 if declared.object_index == index:
                     return ("profiles", number, "dictionary", "objects", position)
         return ()

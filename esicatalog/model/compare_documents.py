@@ -3,13 +3,12 @@
 from collections.abc import Hashable, Sequence
 from typing import NamedTuple
 
-from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Document
 from esicatalog.esi.records.module import Module
 from esicatalog.model.compare_facts import either, matched_in_steps
 from esicatalog.model.compare_words import value_of
-from esicatalog.model.module_offer import module_offers
+from esicatalog.model.module_offer import offered_devices
 
 
 class DescribedDevice(NamedTuple):
@@ -28,14 +27,10 @@ Pair = tuple[DescribedDevice | None, DescribedDevice | None]
 
 def described_devices(document: Document) -> list[DescribedDevice]:
     """All devices of a document, in its order; also those without codes."""
-    found = []
-    for info, lines, offer in zip(document.infos, document.device_lines, module_offers(document), strict=True):
-        vendor_id = info.vendor.vendor_id if info.vendor is not None else None
-        vendor = display_text(info.vendor.names) if info.vendor is not None else None
-        for device, line in zip(info.devices, lines, strict=True):
-            modules = tuple(offer.reachable(device))
-            found.append(DescribedDevice(vendor_id, vendor, device, modules, line))
-    return found
+    return [
+        DescribedDevice(info.vendor_id, info.vendor_name, device, modules, line)
+        for info, device, modules, line in offered_devices(document)
+    ]
 
 
 def paired_devices(left: Sequence[DescribedDevice], right: Sequence[DescribedDevice]) -> list[Pair]:

@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.esi.records.mailbox import INIT_CMD_FIELDS, InitCmd, Mailbox
 from esicatalog.model.compare_device import compare_diagnostics
 from esicatalog.model.compare_facts import (
     INIT_CMD,
@@ -76,7 +76,6 @@ _INIT_CMD = (
     Fact("fixed", "Fixed", never, yes_no),
     Fact("comment", "comment", never),
 )
-_PROTOCOLS = {"CoE": "coe_init_cmds", "SoE": "soe_init_cmds", "EoE": "eoe_init_cmds", "AoE": "aoe_init_cmds"}
 _WITHOUT = Mailbox()
 
 
@@ -96,7 +95,7 @@ def compare_init_cmds(left: Mailbox | None, right: Mailbox | None) -> Iterator[D
     What is sent unchanged is matched first, the rest by its target: so a command that is put between others is one
     difference.
     """
-    for protocol, field in _PROTOCOLS.items():
+    for protocol, field in INIT_CMD_FIELDS.items():
         ours: Sequence[InitCmd] = getattr(left or _WITHOUT, field)
         theirs: Sequence[InitCmd] = getattr(right or _WITHOUT, field)
         if ours != theirs:

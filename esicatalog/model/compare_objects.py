@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
 from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Flags, Object
-from esicatalog.esi.records.profile import Profile
+from esicatalog.esi.records.profile import Profile, dictionaries_of
 from esicatalog.esi.unreadable import unreadable_values
 from esicatalog.model.access import BACKUP, READ, SETTING, STATE_WORDS, WRITE, access_text, rights
 from esicatalog.model.cia402 import AXIS_STEP, SUPPORTED_DRIVE_MODES
@@ -45,6 +45,7 @@ from esicatalog.model.dictionary import (
     type_table,
     used_types,
 )
+from esicatalog.model.values import number_words
 
 _ACCESS_WORDS = {READ: "ro", WRITE: "wo", READ | WRITE: "rw"}
 _MAPPING_WORDS = {"R": "RxPDO", "T": "TxPDO", "RT": "RxPDO and TxPDO"}
@@ -52,7 +53,7 @@ _CODE_WORDS = {code: words for words, code in OBJECT_CODES.items()}
 
 
 def _number(value: int | float | None) -> str | None:
-    return f"{value} (0x{value:X})" if isinstance(value, int) and value > 9 else text(value)
+    return number_words(value) if isinstance(value, int) else text(value)
 
 
 def _default(entry: ObjectEntry) -> str | None:
@@ -157,7 +158,7 @@ def compare_objects(left: Iterable[Profile], right: Iterable[Profile]) -> Iterat
 
     One difference tells that a side has no dictionary. Objects that are equal with equal types cost nothing more.
     """
-    dictionaries, others = _dictionaries(left), _dictionaries(right)
+    dictionaries, others = dictionaries_of(left), dictionaries_of(right)
     if dictionaries == others:
         return
     objects, other_objects = _objects(dictionaries), _objects(others)
@@ -176,10 +177,6 @@ def compare_objects(left: Iterable[Profile], right: Iterable[Profile]) -> Iterat
             yield from _one_sided(ours, theirs)
         elif ours.object != theirs.object or not same_types(ours, theirs):
             yield from _compare_object(ours, theirs)
-
-
-def _dictionaries(profiles: Iterable[Profile]) -> list[Dictionary]:
-    return [profile.dictionary for profile in profiles if profile.dictionary is not None]
 
 
 def _objects(dictionaries: Iterable[Dictionary]) -> list[_Declared]:

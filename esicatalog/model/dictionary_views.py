@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
 from esicatalog.esi.records.dictionary import Dictionary, Object
-from esicatalog.esi.records.profile import Profile
+from esicatalog.esi.records.profile import Profile, dictionaries_of
 from esicatalog.model.dictionary import ObjectEntry, ResolvedObject
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.resolver import Resolver, TypeSet
@@ -78,7 +78,7 @@ class DictionaryViews:
 
     def of(self, profiles: Iterable[Profile]) -> tuple[DictionaryView, ...]:
         """The views of the dictionaries that profiles have."""
-        return tuple([self.view(profile.dictionary) for profile in profiles if profile.dictionary is not None])
+        return tuple(map(self.view, dictionaries_of(profiles)))
 
     def _view(self, dictionary: Dictionary) -> DictionaryView:
         types = self.resolver.types(dictionary)

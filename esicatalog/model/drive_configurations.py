@@ -4,6 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.mailbox import coe_init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
 from esicatalog.model.axes import further_axes
@@ -39,7 +40,7 @@ def device_parts(device: Device, known: DictionaryViews, images: Sequence[SmImag
             views=views,
             rx_pdos=device.rx_pdos,
             assigned=assigned,
-            init_cmds=device.mailbox.coe_init_cmds if device.mailbox is not None else (),
+            init_cmds=coe_init_cmds(device.mailbox),
             profiles=device.profiles if axis == 0 else (),
             sync0=sync0,
         )
@@ -91,7 +92,7 @@ def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int,
         views=known.of(module.profiles),
         rx_pdos=module.rx_pdos,
         assigned=assigned_rx_pdos(plugged_process_image(device, [plugged]), plugged.slot_number),
-        init_cmds=module.mailbox.coe_init_cmds if module.mailbox is not None else (),
+        init_cmds=coe_init_cmds(module.mailbox),
         profiles=module.profiles if first == 0 else (),
         sync0=any(position in with_sync0 for position in asked) if asked else bool(with_sync0),
         plugged=plugged,

@@ -159,29 +159,33 @@ def _best(
             judged.append(_Judged(verdict, parts, module, is_default, has_setpoint))
     if not judged:
         return None
-    best, parts, module, is_default, has_setpoint = max(judged, key=lambda item: item.preference)
-    if best.verdict == NO:
-        return best
-    plug = None
-    if module is not None:
-        alternatives = [
-            f"or 0x{item.module.module_ident:X}"
-            for item in judged
-            if item.verdict.score == best.score and item.has_setpoint == has_setpoint and item.module is not None
-            if item.module.slot_number == module.slot_number and item.module is not module
-        ]
-        which = ["default" if is_default else "not the default", *alternatives]
-        plug = f"plug module 0x{module.module_ident:X} into slot {module.slot_number} ({', '.join(which)})"
-    recipe = mode_recipe(drive, mode, parts, plug)
+    best = max(judged, key=lambda item: item.preference)
+    if best.verdict.verdict == NO:
+        return best.verdict
+    module = best.module
+    plug = _plug_words(best, module, judged) if module is not None else None
+    recipe = mode_recipe(drive, mode, best.parts, plug)
     return msgspec.structs.replace(
-        best,
+        best.verdict,
         module_ident=module.module_ident if module is not None else None,
-        module_is_default=is_default if module is not None else None,
+        module_is_default=best.is_default if module is not None else None,
         rx_pdo_index=recipe.pdos[0].pdo_index if recipe.pdos else None,
         rx_pdo_is_default=recipe.pdos_are_default if recipe.pdos else None,
         op_mode=recipe.op_mode,
         recipe=recipe.words,
     )
+
+
+def _plug_words(best: _Judged, module: Part, judged: Iterable[_Judged]) -> str:
+    """What to plug, and the other modules for this slot that do as well."""
+    alternatives = [
+        f"or 0x{item.module.module_ident:X}"
+        for item in judged
+        if item.verdict.score == best.verdict.score and item.has_setpoint == best.has_setpoint
+        if item.module is not None and item.module.slot_number == module.slot_number and item.module is not module
+    ]
+    which = ["default" if best.is_default else "not the default", *alternatives]
+    return f"plug module 0x{module.module_ident:X} into slot {module.slot_number} ({', '.join(which)})"
 
 
 def _verdict(axis: int, mode: DriveMode, findings: list[ModeEvidence]) -> DriveModeVerdict | None:

@@ -41,7 +41,7 @@ class Recipe(NamedTuple):
     words: str
 
 
-def mode_recipe(drive: ConfiguredDrive, mode: DriveMode, parts: Sequence[Part], plug: str | None = None) -> Recipe:
+def mode_recipe(drive: ConfiguredDrive, mode: DriveMode, parts: Sequence[Part], plug: str | None) -> Recipe:
     """The recipe for a mode of the parts that act together, a module last; ``plug`` says where that goes."""
     setup = drive.setup(mode, parts)
     usable = [_usable(part, mode, setup) for part in parts]

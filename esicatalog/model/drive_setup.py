@@ -5,7 +5,7 @@ from functools import cached_property
 from itertools import chain
 
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.assignable_pdos import (
@@ -97,11 +97,9 @@ class DriveSetup:
     @cached_property
     def commands(self) -> tuple[InitCmd, ...]:
         """Its InitCmds in the order in which they are sent at one transition."""
-        mailboxes = [module.mailbox for module in self._modules if module.mailbox is not None]
         places = written_places(self._modules)
-        own = self.device.mailbox.coe_init_cmds if self.device.mailbox is not None else ()
-        staying = [command for command in own if not yields(command, places)]
-        return (*staying, *chain.from_iterable(mailbox.coe_init_cmds for mailbox in mailboxes))
+        staying = [command for command in coe_init_cmds(self.device.mailbox) if not yields(command, places)]
+        return (*staying, *chain.from_iterable(coe_init_cmds(module.mailbox) for module in self._modules))
 
     @cached_property
     def _modules(self) -> list[Module]:

@@ -82,9 +82,9 @@ class Members:
         """Declared values of each member; never shifted to a neighbour.
 
         Names come first (ESI-FACTS section 7.2). Position counts in an array with a value for each member, unless their
-        names number all of its subindices, and in a
-        record with as many values as members for what no name matches, if no name claims a member at such a position:
-        a list that lacks one member and has one value too many is as long as the type, too.
+        names number all of its subindices, and in a record with as many values as members for what no name matches, if
+        no name claims a member at such a position: a list that lacks one member and has one value too many is as long
+        as the type, too.
         """
         if not infos:
             return [None] * len(self._members)

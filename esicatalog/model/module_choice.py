@@ -43,7 +43,7 @@ def chosen_modules(
     device: Device,
     modules: Sequence[Module],
     choice: Mapping[int, ModuleChoice],
-    variants_with_slots: Sequence[int] = (),
+    variants_with_slots: Sequence[int],
 ) -> list[PluggedModule]:
     """The default modules with the chosen ones in their place.
 

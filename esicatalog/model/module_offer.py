@@ -5,7 +5,7 @@ from itertools import compress
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.document import Document
+from esicatalog.esi.records.document import Document, EsiInfo
 from esicatalog.esi.records.module import Module
 from esicatalog.model.slots import ModuleVendor, accepts
 
@@ -32,10 +32,17 @@ class ModuleOffer(NamedTuple):
         return list(compress(self.modules, self.reached_by(device))) if device.slots else []
 
 
+def offered_devices(document: Document) -> Iterator[tuple[EsiInfo, Device, tuple[Module, ...], int]]:
+    """Each device of a document with its section, the modules that its slots can reach, and the line of its element."""
+    for info, lines, offer in zip(document.infos, document.device_lines, module_offers(document), strict=True):
+        for device, line in zip(info.devices, lines, strict=True):
+            yield info, device, tuple(offer.reachable(device)), line
+
+
 def module_offers(document: Document) -> Iterator[ModuleOffer]:
     """What each section of a document offers."""
     referenced = zip(document.referenced_modules, document.referenced_vendor_ids, strict=True)
     for info, (modules, vendor_ids) in zip(document.infos, referenced, strict=True):
-        own = info.vendor.vendor_id if info.vendor is not None else None
+        own = info.vendor_id
         of_modules = [own] * len(info.modules) + [*vendor_ids]
         yield ModuleOffer((*info.modules, *modules), tuple([ModuleVendor(vendor_id, own) for vendor_id in of_modules]))

@@ -2,9 +2,8 @@
 
 A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the SyncManager: then that list counts, with
 the mandatory ones, which have to stay; a PDO that it lists goes there, whatever its own Sm says. A list of the user
-takes the place of the OpMode's, whose mandatory PDOs stay too. One that it lists and
-nobody describes is exchanged all the same: it has no known entries. What a virtual SyncManager has is described, not
-transported, like a virtual PDO.
+takes the place of the OpMode's, whose mandatory PDOs stay too. One that it lists and nobody describes is exchanged all
+the same: it has no known entries. What a virtual SyncManager has is described, not transported, like a virtual PDO.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence

@@ -11,6 +11,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Dictionary
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.profile import dictionaries_of
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.memo import IdentityMemo
 from esicatalog.model.profile_facts import PROFILE_MODULAR, profile_numbers
@@ -69,7 +70,7 @@ class FsoeSigns:
         for pdo in (*owner.rx_pdos, *owner.tx_pdos):
             if (words := self._pdo(pdo).high) is not None:
                 return words
-        found = (self._dictionary(p.dictionary).high for p in owner.profiles if p.dictionary is not None)
+        found = (self._dictionary(dictionary).high for dictionary in dictionaries_of(owner.profiles))
         return next(filter(None, found), None)
 
     def _medium(self, owner: Device | Module) -> str | None:

@@ -11,6 +11,7 @@ from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.profile import dictionaries_of
 from esicatalog.model.access import STATE_WORDS, access_text
 from esicatalog.model.base_types import base_type
 from esicatalog.model.counting import counted
@@ -156,8 +157,8 @@ def compare_scanned_objects(device: Device, modules: Sequence[Module], seen: Sca
     if not own:
         return None
     shown = {item.index for item in seen.objects}
-    dictionaries = [p.dictionary for module in modules for p in module.profiles if p.dictionary is not None]
-    slots = _AnySlot(device, modules, sum(len(dictionary.objects) for dictionary in dictionaries))
+    object_count = sum(len(item.objects) for module in modules for item in dictionaries_of(module.profiles))
+    slots = _AnySlot(device, modules, object_count)
     brought = _brought_objects(slots, shown, views)
     known = {index: _alternatives(described, brought, index) for index in shown.union(own)}
     found = [

@@ -8,6 +8,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Object
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.profile import declared_objects
 from esicatalog.identity import MAX_INDEX
 from esicatalog.model.slots import ModuleIndex, Step, accepts, slot_runs, slot_steps
 
@@ -40,10 +41,9 @@ class _AlikeSlots:
         """Indices of the objects that move, with the modules that have them."""
         found: dict[ModuleIndex, list[Module]] = defaultdict(list)
         for module in self._modules:
-            for profile in module.profiles:
-                for declared in profile.dictionary.objects if profile.dictionary is not None else ():
-                    if (moving := _moving(declared.object_index, declared)) is not None:
-                        found[moving].append(module)
+            for declared in declared_objects(module.profiles):
+                if (moving := _moving(declared.object_index, declared)) is not None:
+                    found[moving].append(module)
         return found
 
 

@@ -13,10 +13,10 @@ import msgspec
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Object
-from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
-from esicatalog.esi.records.profile import Profile
+from esicatalog.esi.records.profile import Profile, declared_objects
 from esicatalog.esi.records.slots import Slot
 from esicatalog.identity import MAX_INDEX
 from esicatalog.model.module_effects import configure_alike
@@ -205,11 +205,10 @@ def _indices(module: Module) -> list[int]:
 
 def _object_places(module: Module) -> list[tuple[int | None, Entry | InitCmd | Object]]:
     """Where objects are declared, mapped or written by InitCmds, each with its index."""
-    commands = module.mailbox.coe_init_cmds if module.mailbox is not None else ()
+    commands = coe_init_cmds(module.mailbox)
     found: list[tuple[int | None, Entry | InitCmd | Object]] = [(command.object_index, command) for command in commands]
     found += [(entry.entry_index, entry) for pdo in (*module.rx_pdos, *module.tx_pdos) for entry in pdo.entries]
-    for profile in module.profiles:
-        found += [(item.object_index, item) for item in profile.dictionary.objects] if profile.dictionary else ()
+    found += [(item.object_index, item) for item in declared_objects(module.profiles)]
     return found
 
 
@@ -217,8 +216,7 @@ def declared_indices(module: Module) -> set[ModuleIndex]:
     """The indices of the objects in a module's dictionaries."""
     return {
         ModuleIndex.of(declared.object_index, declared)
-        for profile in module.profiles
-        for declared in (profile.dictionary.objects if profile.dictionary is not None else ())
+        for declared in declared_objects(module.profiles)
         if declared.object_index is not None
     }
 

@@ -7,7 +7,7 @@ from collections.abc import Collection, Hashable, Iterable
 from typing import TypeVar
 
 from esicatalog.esi.numbers import decode_hex_binary
-from esicatalog.esi.records.mailbox import InitCmd
+from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.unreadable import reason_words
 from esicatalog.identity import MAX_INDEX
@@ -76,7 +76,7 @@ def written_places(modules: Iterable[Module]) -> set[tuple[int | None, int]]:
     return {
         (command.object_index, command.subindex or 0)
         for module in modules
-        for command in (module.mailbox.coe_init_cmds if module.mailbox is not None else ())
+        for command in coe_init_cmds(module.mailbox)
         if _is_sent(command)
     }
 

@@ -25,8 +25,8 @@ def sync_parameters(device: Device, views: DictionaryViews) -> SyncParameters:
 
 
 def _defaults(device: Device, index: int, views: DictionaryViews) -> dict[int, int]:
-    for profile in device.profiles:
-        entries = views.view(profile.dictionary).entries(index) if profile.dictionary is not None else None
+    for view in views.of(device.profiles):
+        entries = view.entries(index)
         if entries is not None:
             return {entry.subindex: entry.default_int for entry in entries.values() if entry.default_int is not None}
     return {}

@@ -25,6 +25,11 @@ def byte_length(bits: int) -> int:
     return (bits + 7) // 8
 
 
+def number_words(number: int) -> str:
+    """``123 (0x7B)``; up to 9, and below zero, the decimal number says all."""
+    return f"{number} (0x{number:X})" if number > 9 else str(number)
+
+
 def decode_data(raw: str, base: BaseType | None, bit_size: int | None) -> Value:
     """A value given as bytes: little-endian, two's complement, IEEE 754; texts without trailing NUL.
 

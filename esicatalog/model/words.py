@@ -10,8 +10,6 @@ from esicatalog.model.sm_facts import mailbox_sync_managers
 from esicatalog.sii.words import signal_names
 
 MAILBOX_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
-INIT_CMD_PROTOCOLS = ("CoE", "SoE", "EoE", "AoE")
-"""Protocols with start-up commands, in the order of sheets."""
 
 _COE_DETAILS = {
     "coe_sdo_info": "SdoInfo",

@@ -1,22 +1,21 @@
 """``ethercat pdos`` of the IgH EtherCAT master: SyncManagers, assigned PDOs, mapped entries.
 
-A heading names the slave only when the tool prints several. Releases before 1.5 write ``RxPdo`` and ``Pdo entry``.
+Releases before 1.5 write ``RxPdo`` and ``Pdo entry``.
 """
 
 import re
 
 import msgspec
 
+from esicatalog.scan.igh_blocks import BlockReader
 from esicatalog.scan.records import (
     PdoScan,
-    ScanError,
-    ScanFinding,
     ScannedPdo,
     ScannedPdoEntry,
     ScannedPdos,
     ScannedSyncManager,
 )
-from esicatalog.scan.text import Heading, Skipped, clean, heading_of, in_order, name_at_end, numbered_lines
+from esicatalog.scan.text import name_at_end
 
 _SYNC_MANAGER = re.compile(
     r"\s*SM([0-9]{1,2}): PhysAddr 0x([0-9a-f]{1,4}), DefaultSize\s+([0-9]{1,5}), "
@@ -27,28 +26,23 @@ _PDO = re.compile(r'\s*([RT])xPDO 0x([0-9a-f]{1,4}) "(.*)', re.IGNORECASE)
 _ENTRY = re.compile(r'\s*PDO entry 0x([0-9a-f]{1,4}):([0-9a-f]{2}),\s+([0-9]{1,3}) bit, "(.*)', re.IGNORECASE)
 
 
-class _Reader:
+class _Reader(BlockReader[ScannedSyncManager, ScannedPdos]):
     """Collects the parts from the inside out: entries, PDOs, SyncManagers, slaves."""
 
+    COMMAND = "ethercat pdos"
+    EXAMPLE = "SM2: PhysAddr 0x1100, DefaultSize 2, ..."
+
     def __init__(self) -> None:
-        self.slaves: list[ScannedPdos] = []
-        self.findings: list[ScanFinding] = []
-        self.skipped = Skipped()
-        self._heading: Heading | None = None
-        self._sync_managers: list[ScannedSyncManager] = []
+        super().__init__()
         self._pdos: list[ScannedPdo] = []
         self._entries: list[ScannedPdoEntry] = []
 
-    def take(self, line: int, text: str) -> None:
-        """Read one line of the text."""
-        if heading := heading_of(text):
-            self.close_slave()
-            self._heading = heading
-        elif match := _SYNC_MANAGER.fullmatch(text):
+    def _take(self, line: int, text: str) -> None:
+        if match := _SYNC_MANAGER.fullmatch(text):
             self._begin_sync_manager(line, match)
-        elif self._sync_managers and (match := _PDO.fullmatch(text)):
+        elif self._parts and (match := _PDO.fullmatch(text)):
             self._close_pdo()
-            name = name_at_end(line, match[3], self.findings)
+            name = name_at_end(line, match[3], self._findings)
             is_rx = match[1].upper() == "R"
             self._pdos.append(ScannedPdo(index=int(match[2], 16), is_rx=is_rx, name=name, line=line))
         elif self._pdos and (match := _ENTRY.fullmatch(text)):
@@ -57,34 +51,22 @@ class _Reader:
                     index=int(match[1], 16),
                     subindex=int(match[2], 16),
                     bit_length=int(match[3]),
-                    name=name_at_end(line, match[4], self.findings),
+                    name=name_at_end(line, match[4], self._findings),
                     line=line,
                 )
             )
         else:
-            self.skipped.add(line, text)
-            if not self._sync_managers:  # the heading belongs to another command's output
-                self._heading = None
+            self._skip(line, text)
 
-    def close_slave(self) -> None:
-        """End the slave that was read last; a slave without SyncManagers is none."""
-        self._close_sync_manager()
-        if self._sync_managers:
-            master, position = self._heading or (None, None)
-            managers = tuple(self._sync_managers)
-            self.slaves.append(
-                ScannedPdos(master=master, position=position, sync_managers=managers, line=managers[0].line)
-            )
-        self._sync_managers, self._heading = [], None
+    def _slave(self, master: int | None, position: int | None, parts: tuple[ScannedSyncManager, ...]) -> ScannedPdos:
+        return ScannedPdos(master=master, position=position, sync_managers=parts, line=parts[0].line)
 
     def _begin_sync_manager(self, line: int, match: re.Match[str]) -> None:
         number = int(match[1])
-        if self._sync_managers and number <= self._sync_managers[-1].number:
-            self.close_slave()
-            message = "SyncManagers are listed again without a heading; read as another slave"
-            self.findings.append(ScanFinding(line=line, message=message))
-        self._close_sync_manager()
-        self._sync_managers.append(
+        if self._parts and number <= self._parts[-1].number:
+            self._begin_unnamed(line, "SyncManagers are")
+        self._close_part()
+        self._parts.append(
             ScannedSyncManager(
                 number=number,
                 start_address=int(match[2], 16),
@@ -95,10 +77,10 @@ class _Reader:
             )
         )
 
-    def _close_sync_manager(self) -> None:
+    def _close_part(self) -> None:
         self._close_pdo()
         if self._pdos:
-            self._sync_managers[-1] = msgspec.structs.replace(self._sync_managers[-1], pdos=tuple(self._pdos))
+            self._parts[-1] = msgspec.structs.replace(self._parts[-1], pdos=tuple(self._pdos))
         self._pdos = []
 
     def _close_pdo(self) -> None:
@@ -109,13 +91,5 @@ class _Reader:
 
 def read_pdos(text: str) -> PdoScan:
     """Read the output of ``ethercat pdos`` for one slave or several. Raises :class:`ScanError` when it is none."""
-    reader = _Reader()
-    for line, content in numbered_lines(clean(text)):
-        reader.take(line, content)
-    reader.close_slave()
-    if not reader.slaves:
-        raise ScanError(
-            "no output of `ethercat pdos`; expected lines such as `SM2: PhysAddr 0x1100, DefaultSize 2, ...`"
-        )
-    findings = reader.findings + reader.skipped.findings("`ethercat pdos`")
-    return PdoScan(slaves=tuple(reader.slaves), findings=in_order(findings))
+    slaves, findings = _Reader().read(text)
+    return PdoScan(slaves=slaves, findings=findings)

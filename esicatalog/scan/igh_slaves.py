@@ -12,7 +12,7 @@ from typing import Any
 from esicatalog.identity import is_read
 from esicatalog.scan.buses import separate_buses
 from esicatalog.scan.records import Scan, ScanError, ScanFinding, ScannedCoe, ScannedPort, ScannedSlave
-from esicatalog.scan.text import Skipped, heading_of, in_order, numbered_lines, quoted
+from esicatalog.scan.text import NOT_READ, Skipped, heading_of, in_order, numbered_lines, quoted
 
 FORMAT = "ethercat slaves -v"
 
@@ -151,7 +151,7 @@ class _Block:
         if missing:
             return [self._finding(f"has no {', '.join(missing)}; kept without")]
         if not is_read(self.facts["vendor_id"], self.facts["product_code"]):
-            return [self._finding("has vendor id and product code 0: its SII was not read or is empty")]
+            return [self._finding(NOT_READ)]
         return []
 
     def _finding(self, message: str) -> ScanFinding:

@@ -15,7 +15,7 @@ from typing import Any
 from esicatalog.identity import is_read
 from esicatalog.scan.buses import separate_buses
 from esicatalog.scan.records import Scan, ScanFinding, ScannedCoe, ScannedPort, ScannedSlave, ScannedSyncManager
-from esicatalog.scan.text import Skipped, in_order, numbered_lines, quoted
+from esicatalog.scan.text import NOT_READ, Skipped, in_order, numbered_lines, quoted
 
 FORMAT = "SOEM slaveinfo"
 
@@ -141,7 +141,7 @@ class _Block:
         if self.facts.get("product_code") is None:
             message = f"slave {self.number} has no line `Man: ID: Rev:`; kept without identity"
         elif not is_read(self.facts["vendor_id"], self.facts["product_code"]):
-            message = f"slave {self.number} has vendor id and product code 0: its SII was not read or is empty"
+            message = f"slave {self.number} {NOT_READ}"
         else:
             return []
         return [ScanFinding(line=self.line, message=message)]

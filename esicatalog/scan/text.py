@@ -7,6 +7,9 @@ from typing import NamedTuple
 
 from esicatalog.scan.records import ScanError, ScanFinding
 
+NOT_READ = "has vendor id and product code 0: its SII was not read or is empty"
+"""Of a slave whose identity is none (:func:`esicatalog.identity.is_read`)."""
+
 _SHOWN = 60
 _ANSI = re.compile(r"\x1b\[[0-?]{0,32}[ -/]{0,8}[@-~]")
 _LINE_END = re.compile(r"\r\n?")

@@ -29,7 +29,7 @@ def register_tools(datasette: Any, mcp: Any) -> None:
         except (Forbidden, NotFound) as error:
             raise ToolError(str(error)) from error
 
-    @mcp.tool()  # type: ignore[untyped-decorator]
+    @mcp.tool()
     async def identify_device(ctx: Context, vendor: str, product: str, revision: str = "") -> dict[str, Any]:
         """Which EtherCAT device has this identity? Numbers as 0x1097, #x1097 or decimal; revision may be empty.
 
@@ -45,7 +45,7 @@ def register_tools(datasette: Any, mcp: Any) -> None:
             raise ToolError(str(error)) from error
         return found.as_json()
 
-    @mcp.tool()  # type: ignore[untyped-decorator]
+    @mcp.tool()
     async def find_devices(ctx: Context, filters: dict[str, str]) -> dict[str, Any]:
         """EtherCAT devices that fulfil all filters, each with its evidence.
 
@@ -59,7 +59,7 @@ def register_tools(datasette: Any, mcp: Any) -> None:
             raise ToolError(str(error)) from error
         return {"count": len(found), "devices": [device.as_json() for device in found[:_MOST_FOUND]]}
 
-    @mcp.tool()  # type: ignore[untyped-decorator]
+    @mcp.tool()
     async def device_sheet(ctx: Context, identity: str) -> dict[str, Any]:
         """Process image, drive modes, facts and revisions of one device; identity is V:P[:R][@VARIANT]."""
         try:

@@ -5,7 +5,7 @@ from typing import Annotated
 from esicatalog.esi.binding import RAW, Record, Xml
 from esicatalog.esi.notes import Unmapped
 from esicatalog.esi.numbers import IDENTITY, IMAGE, INT
-from esicatalog.esi.records.common import Name
+from esicatalog.esi.records.common import Name, display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import Diagnostics
 from esicatalog.esi.records.dictionary import Dictionary
@@ -59,6 +59,16 @@ class EsiInfo(Record):
     devices: Annotated[tuple[Device, ...], Xml("Descriptions/Devices/Device")] = ()
     modules: Annotated[tuple[Module, ...], Xml("Descriptions/Modules/Module")] = ()
     shared_pdos: Annotated[tuple[SharedPdo, ...], Xml("Descriptions/Pdos/Pdo")] = ()
+
+    @property
+    def vendor_id(self) -> int | None:
+        """Id of the vendor; None where none is given, or no vendor."""
+        return self.vendor.vendor_id if self.vendor is not None else None
+
+    @property
+    def vendor_name(self) -> str | None:
+        """Name of the vendor as it is shown; None where none is given, or no vendor."""
+        return display_text(self.vendor.names) if self.vendor is not None else None
 
 
 class ModuleInfo(Record):

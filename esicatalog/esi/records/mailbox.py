@@ -1,5 +1,6 @@
 """Mailbox protocols and start-up commands (ETG.2000 Mailbox)."""
 
+from collections.abc import Iterator
 from typing import Annotated
 
 from esicatalog.esi.binding import PRESENT, RAW, Record, Xml
@@ -98,3 +99,20 @@ class Mailbox(Record):
 
     voe: Annotated[bool, Xml("VoE", PRESENT, "Vendor protocol over EtherCAT supported")] = False
     vendor_specific: Annotated[str | None, Xml("VendorSpecific", RAW)] = None
+
+
+INIT_CMD_FIELDS = {"CoE": "coe_init_cmds", "SoE": "soe_init_cmds", "EoE": "eoe_init_cmds", "AoE": "aoe_init_cmds"}
+"""Where the start-up commands of the protocols that have some are, in the order of sheets."""
+
+
+def init_cmds(mailbox: Mailbox | None) -> Iterator[tuple[str, InitCmd]]:
+    """All start-up commands, each with its protocol, in the order of :data:`INIT_CMD_FIELDS`."""
+    if mailbox is not None:
+        for protocol, field in INIT_CMD_FIELDS.items():
+            for command in getattr(mailbox, field):
+                yield protocol, command
+
+
+def coe_init_cmds(mailbox: Mailbox | None) -> tuple[InitCmd, ...]:
+    """Its CoE start-up commands; none without mailbox."""
+    return mailbox.coe_init_cmds if mailbox is not None else ()

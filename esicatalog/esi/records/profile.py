@@ -1,12 +1,13 @@
 """Profile of a device or module: profile numbers, channels, dictionary, diagnosis texts."""
 
+from collections.abc import Iterable, Iterator
 from typing import Annotated
 
 from esicatalog.esi.binding import RAW, Record, Xml
 from esicatalog.esi.numbers import BOOL, INT, INTEGER
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.diagnostics import Diagnostics
-from esicatalog.esi.records.dictionary import Dictionary
+from esicatalog.esi.records.dictionary import Dictionary, Object
 
 
 class ChannelInfo(Record):
@@ -37,3 +38,13 @@ class Profile(Record):
     diag_messages: Annotated[Diagnostics | None, Xml("DiagMessages")] = None
     """The inline texts, or those of the documents that ``diag_files`` name."""
     vendor_specific: Annotated[str | None, Xml("VendorSpecific", RAW)] = None
+
+
+def dictionaries_of(profiles: Iterable[Profile]) -> list[Dictionary]:
+    """The dictionaries that profiles have, in their order."""
+    return [profile.dictionary for profile in profiles if profile.dictionary is not None]
+
+
+def declared_objects(profiles: Iterable[Profile]) -> Iterator[Object]:
+    """The objects of all dictionaries of profiles, in document order."""
+    return (declared for dictionary in dictionaries_of(profiles) for declared in dictionary.objects)

@@ -4,6 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 
 from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.profile import declared_objects
 from esicatalog.lint.registry import ERROR, WARNING, Found, Place, listed, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject
 from esicatalog.model.pdo_facts import pdos_by_direction
@@ -128,6 +129,4 @@ def _collisions(subject: DeviceSubject) -> Iterator[Found]:
 def _indices(module: Module) -> Iterator[tuple[str, int | None]]:
     """The indices of PDOs and objects, each with what it is of."""
     yield from ((direction, pdo.pdo_index) for direction, pdos in pdos_by_direction(module) for pdo in pdos)
-    for profile in module.profiles:
-        if profile.dictionary is not None:
-            yield from (("object", declared.object_index) for declared in profile.dictionary.objects)
+    yield from (("object", declared.object_index) for declared in declared_objects(module.profiles))

@@ -118,7 +118,7 @@ def _area(number: int, sync_manager: SyncManager, image: SmImage | None) -> _Are
 def _size_words(default_size: int | None, image: SmImage | None) -> str:
     known = []
     if default_size:
-        known.append(f"DefaultSize {counted(default_size, 'byte', 'bytes')}")
+        known.append(f"DefaultSize {counted(default_size, 'byte')}")
     if image is not None and image.byte_size != default_size:
         known.append(f"process image {'of ' if not image.has_known_size else ''}{image.byte_words}")
     return ", ".join(known) or "no DefaultSize"
@@ -141,7 +141,7 @@ def _overlaps(areas: Sequence[_Area]) -> Iterator[_Overlap]:
     for (one, ours), (other, theirs) in combinations(taken, 2):
         first, end = max(ours.start, theirs.start), min(ours.end, theirs.end)
         if first < end:
-            shared = f"{_span(first, end)} ({counted(end - first, 'byte', 'bytes')})"
+            shared = f"{_span(first, end)} ({counted(end - first, 'byte')})"
             yield _Overlap((one.sm, other.sm), first, end, f"{one.name} and {other.name} overlap at {shared}.")
 
 
@@ -233,7 +233,7 @@ def _colour(area: _Area) -> str:
 def _title_lines(area: _Area) -> list[str]:
     if not area.size:
         return [area.name, f"starts at {hexadecimal(area.start)}, size unknown: {area.size_words}"]
-    buffers = f"{counted(area.buffers, 'buffer', 'buffers')} of {counted(area.size, 'byte', 'bytes')}"
+    buffers = f"{counted(area.buffers, 'buffer')} of {counted(area.size, 'byte')}"
     lines = [area.name, f"{_span(area.start, area.end)}, {buffers}", area.size_words]
     mode = area.facts.buffer_mode
     lines.append(f"{mode} mode" if mode else "ControlByte does not tell buffered from mailbox: drawn as one buffer")
@@ -243,7 +243,7 @@ def _title_lines(area: _Area) -> list[str]:
 
 
 def _labels(area: _Area, places: dict[int, int], x: float, width: float) -> Iterator[str]:
-    size = counted(area.size, "byte", "bytes") if area.size else "size unknown"
+    size = counted(area.size, "byte") if area.size else "size unknown"
     details = size + (f" × {area.buffers}" if area.buffers > 1 else "") + ("" if area.enabled else ", not enabled")
     choices = ((f"{area.name}: {details}",), (area.name, details), (area.name,), (f"SM{area.sm}",))
     for at, (start, end) in enumerate(area.parts):
@@ -254,7 +254,7 @@ def _labels(area: _Area, places: dict[int, int], x: float, width: float) -> Iter
 
 
 def _map_label(areas: Sequence[_Area], overlaps: Sequence[_Overlap]) -> str:
-    words = f"Memory map: {counted(len(areas), 'SyncManager', 'SyncManagers')}"
+    words = f"Memory map: {counted(len(areas), 'SyncManager')}"
     if areas:
         words += f" from {hexadecimal(min(area.start for area in areas))}"
-    return f"{words}, {counted(len(overlaps), 'overlap', 'overlaps') if overlaps else 'no overlap'}"
+    return f"{words}, {counted(len(overlaps), 'overlap') if overlaps else 'no overlap'}"

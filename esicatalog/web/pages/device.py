@@ -12,7 +12,7 @@ from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.mailbox import InitCmd, Mailbox
+from esicatalog.esi.records.mailbox import InitCmd, Mailbox, init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
 from esicatalog.export.sii_remarks import image_remarks
@@ -30,8 +30,8 @@ from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals, is_superseded
+from esicatalog.model.values import number_words
 from esicatalog.model.words import (
-    INIT_CMD_PROTOCOLS,
     clock_words,
     coe_details,
     fsoe_words,
@@ -304,8 +304,6 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
 
 
 def _commands(mailbox: Mailbox | None) -> list[dict[str, Any]]:
-    if mailbox is None:
-        return []
     return [
         {
             "protocol": protocol,
@@ -314,8 +312,7 @@ def _commands(mailbox: Mailbox | None) -> list[dict[str, Any]]:
             "value": _value(cmd),
             "cmd": cmd,
         }
-        for protocol in INIT_CMD_PROTOCOLS
-        for cmd in getattr(mailbox, f"{protocol.lower()}_init_cmds")
+        for protocol, cmd in init_cmds(mailbox)
     ]
 
 
@@ -324,8 +321,7 @@ def _value(cmd: InitCmd) -> str:
     data = decode_hex_binary(cmd.data)
     if not data or len(data) > _LONGEST_NUMBER or cmd.complete_access:
         return ""
-    value = int.from_bytes(data, "little")
-    return f"{value} (0x{value:X})" if value > 9 else str(value)
+    return number_words(int.from_bytes(data, "little"))
 
 
 def _slots(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> list[dict[str, Any]]:

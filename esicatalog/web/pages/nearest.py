@@ -34,7 +34,7 @@ def nearest(
     The error says it all where identify could not be asked for that.
     """
     answer = catalog.identify(*identity[:3])
-    found = answer.device.device if answer.device is not None else None
+    found = answer.found
     others = "Other revisions" if found is not None else "Products of this vendor with the nearest codes"
     return {
         "problem": str(error),

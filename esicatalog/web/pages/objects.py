@@ -8,14 +8,15 @@ from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.dictionary import Dictionary
 from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.profile import dictionaries_of
 from esicatalog.identity import ModuleChoice
 from esicatalog.model.access import access_text
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
 from esicatalog.model.module_choice import module_choices
 from esicatalog.model.pdo_facts import index_words
 from esicatalog.model.slots import expand_module
+from esicatalog.model.values import number_words
 from esicatalog.web.exports import asked_modules, modules_query
 from esicatalog.web.http import Page, Part
 from esicatalog.web.links import asked_identity, device_path
@@ -66,17 +67,13 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
     }
 
 
-def _dictionaries(owner: Device | Module) -> list[Dictionary]:
-    return [profile.dictionary for profile in owner.profiles if profile.dictionary is not None]
-
-
 def _count(owner: Device | Module) -> int:
-    return sum(len(dictionary.objects) for dictionary in _dictionaries(owner))
+    return sum(len(dictionary.objects) for dictionary in dictionaries_of(owner.profiles))
 
 
 def _objects(owner: Device | Module, place: str) -> list[dict[str, Any]]:
     found = []
-    for dictionary in _dictionaries(owner):
+    for dictionary in dictionaries_of(owner.profiles):
         types = type_table(dictionary.data_types)
         for declared in dictionary.objects:
             data_type = types.get(declared.type or "")
@@ -112,6 +109,6 @@ def _entry(entry: ObjectEntry) -> dict[str, Any]:
 
 def _value(*values: Any) -> str:
     value = next((item for item in values if item is not None), None)
-    if isinstance(value, int) and abs(value) > 9:
-        return f"{value} (0x{value:X})" if value > 0 else str(value)
+    if isinstance(value, int):
+        return number_words(value)
     return "" if value is None else str(value)

@@ -81,7 +81,7 @@ def _image(content: bytes, catalog: Catalog) -> dict[str, Any]:
     image = _read_image(content)
     header = image.header
     answer = catalog.identify(header.vendor_id, header.product_code, header.revision_no)
-    device = answer.device.device if answer.device is not None else None
+    device = answer.found
     return {
         "match": answer.match,
         "reason": answer.reason,
@@ -102,7 +102,7 @@ def _bus(bus: BusReport) -> dict[str, Any]:
 
 def _slave(item: IdentifiedSlave) -> dict[str, Any]:
     slave, answer, report = item.slave, item.identification, item.report
-    device = answer.device.device if answer.device is not None else None
+    device = answer.found
     return {
         "position": slave.position,
         "alias": slave.alias,

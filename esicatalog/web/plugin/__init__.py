@@ -17,7 +17,7 @@ from esicatalog.web.routes import ROUTES
 from esicatalog.web.state import MOUNTED_AS
 
 
-@hookimpl  # type: ignore[untyped-decorator]
+@hookimpl
 def startup(datasette: Any) -> Callable[[], Awaitable[None]]:
     """Keep errors off the console, where rich is installed, and have descriptions lead to the pages from everywhere.
 
@@ -27,7 +27,7 @@ def startup(datasette: Any) -> Callable[[], Awaitable[None]]:
     return lambda: complete_links(datasette)
 
 
-@hookimpl(trylast=True)  # type: ignore[untyped-decorator]
+@hookimpl(trylast=True)
 def prepare_connection(conn: sqlite3.Connection) -> None:
     """SQL functions for numbers and parameters.
 
@@ -40,13 +40,13 @@ def prepare_connection(conn: sqlite3.Connection) -> None:
         bound_work(conn)
 
 
-@hookimpl  # type: ignore[untyped-decorator]
+@hookimpl
 def prepare_jinja2_environment(env: Any) -> None:
     """The filter ``isolated`` for sentences with names of documents."""
     env.filters["isolated"] = isolated
 
 
-@hookimpl  # type: ignore[untyped-decorator]
+@hookimpl
 def extra_css_urls(database: str | None, datasette: Any) -> Callable[[], Awaitable[list[str]]]:
     """Keep the long lists of column descriptions small on the pages of catalogs."""
 
@@ -58,19 +58,19 @@ def extra_css_urls(database: str | None, datasette: Any) -> Callable[[], Awaitab
     return urls
 
 
-@hookimpl  # type: ignore[untyped-decorator]
+@hookimpl
 def register_routes() -> list[tuple[str, Any]]:
     """The JSON routes below /-/esi/."""
     return ROUTES
 
 
-@hookimpl  # type: ignore[untyped-decorator]
+@hookimpl
 def skip_csrf(scope: dict[str, Any]) -> bool:
     """POST to the routes below /-/esi/ changes nothing and needs no token."""
     return BASE in str(scope.get("path", ""))
 
 
-@hookimpl  # type: ignore[untyped-decorator]
+@hookimpl
 def render_cell(row: Any, value: Any, column: str, table: str | None, database: str, datasette: Any) -> Any:
     """Hex, images and links to device pages in the tables of the catalog."""
     if database != MOUNTED_AS:
@@ -78,7 +78,7 @@ def render_cell(row: Any, value: Any, column: str, table: str | None, database: 
     return cell(row, value, column, table, datasette.setting("base_url"))
 
 
-@hookimpl  # type: ignore[untyped-decorator]
+@hookimpl
 def asgi_wrapper(datasette: Any) -> Callable[[Any], Any]:
     """Filters of table pages take hex: ``?product_code=0x044c2c52`` means the decimal number."""
 
@@ -99,13 +99,13 @@ def _table_prefix(datasette: Any) -> str:
     return f"{datasette.setting('base_url')}{MOUNTED_AS}/"
 
 
-@hookimpl  # type: ignore[untyped-decorator]
+@hookimpl
 def menu_links(datasette: Any) -> list[dict[str, str]]:
     """The way from the tables to the pages."""
     return [{"href": datasette.urls.path(BASE), "label": "Devices"}]
 
 
-@hookimpl(optionalhook=True)  # type: ignore[untyped-decorator]
+@hookimpl(optionalhook=True)
 def register_mcp_tools(datasette: Any, mcp: Any) -> None:
     """Tools for assistants; datasette-mcp calls it where it is installed."""
     from esicatalog.web.mcp_tools import register_tools

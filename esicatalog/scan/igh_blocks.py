@@ -1,0 +1,72 @@
+"""What the ``ethercat`` tool prints slave by slave: what reading ``ethercat pdos`` and ``ethercat sdos`` has in common.
+
+A heading names the slave only when the tool prints several.
+"""
+
+from abc import ABC, abstractmethod
+from typing import ClassVar, Generic, TypeVar
+
+from esicatalog.scan.records import ScanError, ScanFinding
+from esicatalog.scan.text import Heading, Skipped, clean, heading_of, in_order, numbered_lines
+
+Part = TypeVar("Part")
+Slave = TypeVar("Slave")
+
+
+class BlockReader(ABC, Generic[Part, Slave]):
+    """Collects the parts of slaves (SyncManagers, objects) from the inside out."""
+
+    COMMAND: ClassVar[str]
+    EXAMPLE: ClassVar[str]
+    """A line of its output."""
+
+    def __init__(self) -> None:
+        self._slaves: list[Slave] = []
+        self._findings: list[ScanFinding] = []
+        self._skipped = Skipped()
+        self._heading: Heading | None = None
+        self._parts: list[Part] = []
+
+    def read(self, text: str) -> tuple[tuple[Slave, ...], tuple[ScanFinding, ...]]:
+        """The slaves of a text and what was found in it. Raises :class:`ScanError` when it has none."""
+        for line, content in numbered_lines(clean(text)):
+            if heading := heading_of(content):
+                self._close_slave()
+                self._heading = heading
+            else:
+                self._take(line, content)
+        self._close_slave()
+        if not self._slaves:
+            raise ScanError(f"no output of `{self.COMMAND}`; expected lines such as `{self.EXAMPLE}`")
+        return tuple(self._slaves), in_order(self._findings + self._skipped.findings(f"`{self.COMMAND}`"))
+
+    @abstractmethod
+    def _take(self, line: int, text: str) -> None:
+        """Read one line, or skip it."""
+
+    @abstractmethod
+    def _close_part(self) -> None:
+        """Give the part that was read last what belongs into it."""
+
+    @abstractmethod
+    def _slave(self, master: int | None, position: int | None, parts: tuple[Part, ...]) -> Slave:
+        """The slave of these parts."""
+
+    def _skip(self, line: int, text: str) -> None:
+        self._skipped.add(line, text)
+        if not self._parts:  # the heading belongs to another command's output
+            self._heading = None
+
+    def _close_slave(self) -> None:
+        """End the slave that was read last; a slave without parts is none."""
+        self._close_part()
+        if self._parts:
+            master, position = self._heading or (None, None)
+            self._slaves.append(self._slave(master, position, tuple(self._parts)))
+        self._parts, self._heading = [], None
+
+    def _begin_unnamed(self, line: int, what: str) -> None:
+        """End the slave that was read last because ``what`` comes again."""
+        self._close_slave()
+        message = f"{what} listed again without a heading; read as another slave"
+        self._findings.append(ScanFinding(line=line, message=message))
