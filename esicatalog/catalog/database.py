@@ -356,15 +356,17 @@ def upgrade(engine: sa.Engine, only_new: bool = False) -> None:
     config.set_main_option("script_location", str(resource("migrations")))
     with engine.begin() as connection:
         if connection.dialect.name == "sqlite":
+            # A table that is made anew has its name last: views that others have made refer to it all the time.
+            connection.exec_driver_sql("PRAGMA legacy_alter_table = ON")
             _begin_upgrade(connection)
         is_new = schema_version(connection) is None
         if only_new and not is_new:
             return
         if not is_new:
             take_turn(connection)
+            views.drop_views(connection)
         elif connection.dialect.name != "sqlite":
             _require_unicode(connection)
-        views.drop_views(connection)
         config.attributes["connection"] = connection
         command.upgrade(config, "head")
         if not is_new:
