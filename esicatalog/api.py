@@ -49,7 +49,7 @@ class Catalog:
     ) -> None:
         """As :meth:`open`; with ``at_once`` false an existing catalog too is opened when it is first used."""
         if create and read_only:
-            raise CatalogError(f"{os.fspath(target)}: what only reads makes no catalog; leave out create or read_only")
+            raise CatalogError("what only reads makes no catalog; leave out create or read_only")
         self._target = target
         self._read_only = read_only
         self._opened: sa.Engine | None = None
@@ -140,7 +140,10 @@ class Catalog:
         Raises :class:`~esicatalog.errors.InputError` for what is no number of 32 bits.
         """
         checked(Identity(vendor_id, product_code, revision_no))
-        return (self._lookup or self._identities()).identify(vendor_id, product_code, revision_no)
+        if self._lookup is not None:
+            return self._lookup.identify(vendor_id, product_code, revision_no)
+        with self._identities() as lookup:
+            return lookup.identify(vendor_id, product_code, revision_no)
 
     def identify_scan(
         self, scan: "Scan", pdos: "Sequence[ScannedPdos]" = (), dictionaries: "Sequence[ScannedDictionary]" = ()
@@ -151,8 +154,18 @@ class Catalog:
         :class:`~esicatalog.errors.InputError` when they do not say to which slave they belong, or belong to none.
         """
         from esicatalog.catalog.bus import bus_reports
+        from esicatalog.catalog.description import read_description
 
-        return bus_reports(self._identities(), scan, self._records, pdos, dictionaries)
+        with self._connection() as connection:
+            lookup = self._lookup_beside(connection)
+
+            def records(found: "FoundDevice") -> "tuple[Device, tuple[Module, ...]]":
+                """Records of a described device that has vendor and product."""
+                assert found.identity is not None
+                description = read_description(connection, lookup, found.identity)
+                return description.device, description.modules
+
+            return bus_reports(lookup, scan, records, pdos, dictionaries)
 
     def verify_sii(self, image: "SiiImage") -> "Verification":
         """An EEPROM image against the descriptions of its identity; the one that fits best counts.
@@ -163,18 +176,15 @@ class Catalog:
         from esicatalog.export.verification import Verification
 
         header = image.header
-        answer = self.identify(header.vendor_id, header.product_code, header.revision_no)
-        if not answer.is_exact:
-            return Verification(answer, None, image.findings, (), ())
-        described = [variant.device for variant in answer.variants]
-        best = best_fit(image, (self.export_subject(device.identity_text) for device in described))
+        with self._connection() as connection:
+            lookup = self._lookup_beside(connection)
+            answer = lookup.identify(header.vendor_id, header.product_code, header.revision_no)
+            if not answer.is_exact:
+                return Verification(answer, None, image.findings, (), ())
+            described = [variant.device for variant in answer.variants]
+            identities = (parse_identity(device.identity_text) for device in described)
+            best = best_fit(image, (_subject_among_variants(connection, identity) for identity in identities))
         return Verification(answer, described[best.number], image.findings, best.unusable, best.differences)
-
-    def _records(self, found: "FoundDevice") -> "tuple[Device, tuple[Module, ...]]":
-        """Records of a described device that has vendor and product."""
-        assert found.identity is not None
-        description = self.device(found.identity)
-        return description.device, description.modules
 
     def devices(self, **filters: Any) -> "list[FoundDevice]":
         """Devices that fulfil all conditions, each with its evidence.
@@ -215,13 +225,11 @@ class Catalog:
 
         Raises :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
         """
-        from esicatalog.catalog.database import ConnectionQuery
         from esicatalog.catalog.description import read_description
-        from esicatalog.catalog.identity import IdentityLookup
 
         wanted = parse_identity(identity) if isinstance(identity, str) else checked(identity)
         with self._connection() as connection:
-            return read_description(connection, IdentityLookup(ConnectionQuery(connection)), wanted)
+            return read_description(connection, _lookup_on(connection), wanted)
 
     def device_of_row(self, number: int) -> "FoundDevice":
         """The device with a row number of this catalog, as ``device_id`` in its tables says it.
@@ -239,16 +247,9 @@ class Catalog:
         Without a variant it says of the preferred description whether others exchange something else. Raises
         :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
         """
-        from esicatalog.catalog.devices import find_device, variants_with_slots
-
         wanted = parse_identity(identity) if isinstance(identity, str) else checked(identity)
         with self._connection() as connection:
-            number, found, variant_count = find_device(connection, wanted)
-            subject = self._export_subject(connection, number, found)
-            with_slots = variants_with_slots(connection, found, variant_count)
-        differing = self._identities().other_variants(found) if wanted.variant is None and variant_count > 1 else None
-        words = f"{found.identity_text} has several descriptions; @1 is taken, append @N to choose another: {differing}"
-        return subject.beside(with_slots, words if differing is not None else None)
+            return _subject_among_variants(connection, wanted)
 
     def export_subjects(self, vendor_id: int) -> "list[Subject]":
         """What generators get of all devices of a vendor, with codes and without: the preferred descriptions.
@@ -260,20 +261,8 @@ class Catalog:
 
         with self._connection() as connection:
             return [
-                self._export_subject(connection, number, found)
-                for number, found in devices_of_vendor(connection, vendor_id)
+                _export_subject(connection, number, found) for number, found in devices_of_vendor(connection, vendor_id)
             ]
-
-    def _export_subject(self, connection: "sa.Connection", number: int, found: "FoundDevice") -> "Subject":
-        from esicatalog.catalog.document_parts import document_parts
-        from esicatalog.catalog.reader import RecordReader
-        from esicatalog.export.subject import subject_of_description
-
-        reader, parts = RecordReader(connection), document_parts(connection, number)
-        sources, modules = self._identities().sources(number), reader.modules_of(number)
-        return subject_of_description(found, sources, reader.device(number), modules).of_document(
-            parts.vendor, parts.groups
-        )
 
     def content_hash(self) -> str | None:
         """SHA-256 over all descriptions and the documents that carry them, as the last ingest stored it.
@@ -282,7 +271,8 @@ class Catalog:
         """
         from esicatalog.catalog.state import CONTENT_HASH
 
-        return self._identities().state(CONTENT_HASH)
+        with self._identities() as lookup:
+            return lookup.state(CONTENT_HASH)
 
     def state_hash(self) -> str | None:
         """SHA-256 of what the content hash leaves out: all documents with the versions that read them, and the schema.
@@ -291,7 +281,8 @@ class Catalog:
         """
         from esicatalog.catalog.state import STATE_HASH
 
-        return self._identities().state(STATE_HASH)
+        with self._identities() as lookup:
+            return lookup.state(STATE_HASH)
 
     def findings(self, rules: "Iterable[Rule]") -> "Iterator[DocumentFinding]":
         """What an ingest found by these rules, document by document, then what documents contradict each other in."""
@@ -331,32 +322,80 @@ class Catalog:
         with self._connection() as connection:
             return write_snapshot(connection, os.fspath(to))
 
-    def _identities(self) -> "IdentityLookup":
-        from esicatalog.catalog.database import DriverQuery, shown_target
+    def _lookup_of_file(self) -> "IdentityLookup | None":
+        """Who answers identities from a file: always the same, on a connection that stays open; None on a server."""
+        from esicatalog.catalog.database import DriverQuery
         from esicatalog.catalog.identity import IdentityLookup
 
-        if self._lookup is None:
-            self._query = DriverQuery(self._open(create=True), shown_target(self._target))
+        engine = self._open(create=True)
+        if self._lookup is None and engine.dialect.name == "sqlite":
+            self._query = DriverQuery(engine)
             self._lookup = IdentityLookup(self._query, self._query.changes)
         return self._lookup
+
+    def _lookup_beside(self, connection: "sa.Connection") -> "IdentityLookup":
+        """Who answers identities beside what else is read: on a server in the same transaction."""
+        return self._lookup_of_file() or _lookup_on(connection)
+
+    @contextlib.contextmanager
+    def _identities(self) -> "Iterator[IdentityLookup]":
+        """Who answers identities: on a server in one transaction."""
+        lookup = self._lookup_of_file()
+        if lookup is not None:
+            yield lookup
+            return
+        with self._connection() as connection:
+            yield _lookup_on(connection)
 
     @contextlib.contextmanager
     def _connection(self) -> "Iterator[sa.Connection]":
         from msgspec import DecodeError
         from sqlalchemy.exc import DBAPIError
 
-        from esicatalog.catalog.database import damage_error, database_error, reading_connection
+        from esicatalog.catalog.database import reading_connection, shown_url
+        from esicatalog.catalog.driver_errors import damage_error, database_error
 
         engine = self._open(create=True)
         try:
             with reading_connection(engine) as connection:
                 yield connection
         except DBAPIError as error:
-            raise database_error(str(engine.url.database), error) from error
+            raise database_error(shown_url(engine.url), error) from error
         except (DecodeError, UnicodeDecodeError) as error:
-            raise damage_error(str(engine.url.database), error) from error
+            raise damage_error(shown_url(engine.url), error) from error
 
 
 def _is_missing_file(target: str | os.PathLike[str]) -> bool:
     text = os.fspath(target)
     return "://" not in text and not Path(text).exists()
+
+
+def _lookup_on(connection: "sa.Connection") -> "IdentityLookup":
+    from esicatalog.catalog.database import ConnectionQuery
+    from esicatalog.catalog.identity import IdentityLookup
+
+    return IdentityLookup(ConnectionQuery(connection))
+
+
+def _subject_among_variants(connection: "sa.Connection", wanted: Identity) -> "Subject":
+    from esicatalog.catalog.devices import find_device, variants_with_slots
+
+    number, found, variant_count = find_device(connection, wanted)
+    with_slots = variants_with_slots(connection, found, variant_count)
+    is_open = wanted.variant is None and variant_count > 1
+    differing = _lookup_on(connection).other_variants(found) if is_open else None
+    words = f"{found.identity_text} has several descriptions; @1 is taken, append @N to choose another: {differing}"
+    subject = _export_subject(connection, number, found)
+    return subject.beside(with_slots, words if differing is not None else None)
+
+
+def _export_subject(connection: "sa.Connection", number: int, found: "FoundDevice") -> "Subject":
+    from esicatalog.catalog.document_parts import document_parts
+    from esicatalog.catalog.reader import RecordReader
+    from esicatalog.export.subject import subject_of_description
+
+    reader, parts = RecordReader(connection), document_parts(connection, number)
+    sources, modules = _lookup_on(connection).sources(number), reader.modules_of(number)
+    return subject_of_description(found, sources, reader.device(number), modules).of_document(
+        parts.vendor, parts.groups
+    )

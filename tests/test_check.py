@@ -140,6 +140,11 @@ DAMAGES = {
         ["UPDATE devices SET type = 'another' WHERE id = 1"],
         "1 devices that the full-text search does not know, or not as they are",
     ),
+    "a device that search finds by another name": (
+        ["UPDATE device_names SET text = 'another' WHERE kind = 'name' AND device_id = 1"],
+        "1 devices that the full-text search does not know, or not as they are",
+    ),
+    "no search": (["DROP TABLE device_search"], "the table device_search is missing"),
     "a device that only search knows": (
         ["INSERT INTO device_search (rowid, type) VALUES (99999, 'ghost')"],
         "1 devices in the full-text search that are not there",

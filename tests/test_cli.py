@@ -17,7 +17,7 @@ from snippets import device, esi, rows, write
 from sqlalchemy.exc import OperationalError
 
 from esicatalog import Catalog
-from esicatalog.catalog.database import database_error
+from esicatalog.catalog.driver_errors import database_error
 from esicatalog.cli.main import COMMANDS, cli
 
 EYOU = ("0x1097", "0x2406", "0x8f")
@@ -474,7 +474,7 @@ def test_a_folder_that_nobody_can_write(data):
         ("database or disk is full", "disk is full"),
         ("database disk image is malformed", "ingest again"),
         ("file is not a database", "not an SQLite catalog"),
-        ("something\nunexpected", "nothing of the last step was stored"),
+        ("something\nunexpected", "unexpected"),
     ],
 )
 def test_database_errors_say_what_to_do(reason, hint):

@@ -25,6 +25,7 @@ from web_client import client, new_client
 
 from esicatalog import Catalog, CatalogError, InputError, NotFound, parse_identity
 from esicatalog.catalog.filter_texts import SHARPENS, filter_of_texts
+from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.results import json_bytes
 from esicatalog.cli.serve import _listen
 from esicatalog.identity import Identity
@@ -78,6 +79,25 @@ def several(tmp_path_factory) -> Path:
 def answer(db: Path, *numbers: int):
     with Catalog.open(db) as catalog:
         return catalog.identify(*numbers)
+
+
+def test_an_answer_is_of_one_state(tmp_path, monkeypatch):
+    """The number of a row is soon another description's; its document would be named with what was found before."""
+    folder, db = write(tmp_path / "in", {"a.xml": esi(device(name="A drive"))}), tmp_path / "c.db"
+    sources = IdentityLookup.sources
+
+    def replaced_before(lookup, device_id):
+        monkeypatch.undo()
+        (folder / "a.xml").unlink()
+        for content in ({}, {"z.xml": esi(device(product="#x99", name="A valve"))}):
+            with Catalog.open(db) as other:
+                other.ingest([write(folder, content)], jobs=1, prune=True)
+        return sources(lookup, device_id)
+
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([folder], jobs=1)
+        monkeypatch.setattr(IdentityLookup, "sources", replaced_before)
+        assert catalog.identify(0xE5C, 1, 1).match == "vendor"
 
 
 def test_an_answer_tells_what_others_stored_meanwhile(tmp_path):

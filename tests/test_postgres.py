@@ -2,7 +2,8 @@
 
 import json
 import sqlite3
-from contextlib import closing
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
 from decimal import Decimal
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from test_upgrade import DERIVED, SOME_DUMPS
 
 from esicatalog import Catalog, CatalogError
 from esicatalog.catalog import database, schema
+from esicatalog.catalog.check import CUT_SHORT
 from esicatalog.catalog.device_filter import DeviceFilter
 from esicatalog.catalog.views import FULL_TEXT, views
 from esicatalog.cli.main import cli
@@ -53,6 +55,13 @@ def plain(value: Any) -> Any:
     if isinstance(value, Decimal):
         return int(value) if value == value.to_integral_value() else float(value)
     return int(value) if isinstance(value, bool) else value
+
+
+@contextmanager
+def closing_engine(target: str) -> Iterator[sa.Engine]:
+    engine = database.make_engine(database.catalog_url(target))
+    yield engine
+    engine.dispose()
 
 
 def content(target: str | Path, name: str) -> list[str]:
@@ -221,7 +230,17 @@ def test_an_old_catalog_is_brought_up_to_date(postgres, tmp_path, dump):
                 connection.execute(sa.insert(table), values)
     result = words("devices", "--db", postgres)
     assert (result.exit_code, "esicatalog migrate" in result.stderr) == (2, True)
-    assert words("migrate", "--db", postgres).stdout.endswith(f"schema {dump.stem} -> {schema.SCHEMA_VERSION}\n")
+    with engine.begin() as connection:
+        connection.exec_driver_sql("CREATE VIEW device_overview AS SELECT id AS device_id FROM devices")
+        connection.exec_driver_sql("CREATE VIEW mine AS SELECT device_id FROM device_overview")
+    refused = words("migrate", "--db", postgres)
+    assert (refused.exit_code, "CASCADE" in refused.stderr) == (2, False)
+    assert "view mine depends on view device_overview; drop that, and make it anew afterwards" in refused.stderr
+    with engine.begin() as connection:
+        connection.exec_driver_sql("DROP VIEW mine")
+    migrated = words("migrate", "--db", postgres)
+    assert migrated.stdout.endswith(f"schema {dump.stem} -> {schema.SCHEMA_VERSION}\n")
+    assert "GRANT SELECT" in migrated.stderr
     Catalog.migrate(old)
     for query in DERIVED:
         found = []
@@ -283,6 +302,73 @@ def test_another_database_is_left_alone(postgres):
     engine.dispose()
 
 
+def test_views_of_others_stay(postgres):
+    """Extensions bring some. What has a name of the catalog's in another schema is not the catalog's either."""
+    site = f"{postgres}&options=-csearch_path%3Dsite,public"
+    with closing_engine(postgres) as engine:
+        with engine.begin() as connection:
+            connection.exec_driver_sql('CREATE VIEW "their ""report" AS SELECT 1 AS n')
+            connection.exec_driver_sql("CREATE VIEW device_overview AS SELECT 2 AS n")
+            connection.exec_driver_sql("CREATE SCHEMA site")
+        with pytest.raises(CatalogError, match=r'"device_overview" already exists; what has that name is no part'):
+            Catalog.open(postgres, create=True)
+        made = database.open_catalog(site, create=True)
+        with made.begin() as connection:
+            connection.exec_driver_sql('CREATE VIEW "our ""report" AS SELECT 3 AS n')
+        database.upgrade(made)
+        with made.connect() as connection:
+            for view, value in (('"their ""report"', 1), ("public.device_overview", 2), ('"our ""report"', 3)):
+                assert connection.exec_driver_sql(f"SELECT n FROM {view}").scalar_one() == value
+        made.dispose()
+    with Catalog.open(site) as catalog:
+        assert catalog.check().problems == [CUT_SHORT]
+
+
+def test_names_of_users_and_databases_are_no_reasons(postgres):
+    Catalog.open(postgres, create=True).close()
+    with closing_engine(postgres) as engine, engine.begin() as connection:
+        connection.exec_driver_sql("CREATE ROLE readonly LOGIN")
+    cases = {
+        postgres.replace("//postgres@", "//readonly@"): "the database user may not do that; ask for the right",
+        postgres.replace("//postgres@", "//locked@"): "name a user that the server knows",
+        postgres.replace("/catalog_", "/full_"): "make the database first",
+    }
+    for target, expected in cases.items():
+        (line,) = words("devices", "--db", target).stderr.splitlines()
+        assert line.startswith(f"esicatalog: {database.shown_target(target)}: ")
+        assert expected in line
+
+
+def test_check_looks_at_the_search(postgres, tmp_path):
+    folder = write(tmp_path, {"a.xml": esi(device() + device(product="#x2"))})
+    with Catalog.open(postgres, create=True) as catalog, closing_engine(postgres) as engine:
+        catalog.ingest([folder], jobs=1)
+
+        def problems(statement: str) -> list[str]:
+            with engine.begin() as connection:
+                connection.exec_driver_sql(statement)
+            return catalog.check().problems
+
+        unknown = "devices that the full-text search does not know, or not as they are"
+        assert problems("UPDATE device_search SET words = '' WHERE device_id = 1") == [f"1 {unknown}"]
+        assert problems("DELETE FROM device_search") == [f"2 {unknown}"]
+        assert problems("DROP TABLE device_search") == [
+            "the table device_search is missing, by which texts are searched"
+        ]
+
+
+def test_after_a_lost_connection_the_next_call_is_answered(postgres, data):
+    others = "FROM pg_stat_activity WHERE datname = current_database() AND pid <> pg_backend_pid()"
+    with Catalog.open(postgres, create=True) as catalog, closing_engine(postgres) as engine:
+        catalog.ingest([data / "l6n_drive.xml"], jobs=1)
+        assert catalog.identify(0x4321, 0xE2, 1).is_exact
+        with engine.connect() as connection:
+            connection.exec_driver_sql(f"SELECT pg_terminate_backend(pid) {others}")
+        with pytest.raises(CatalogError, match=r"try again later$"):
+            catalog.identify(0x4321, 0xE2, 1)
+        assert catalog.identify(0x4321, 0xE2, 1).is_exact
+
+
 def test_what_stands_in_the_way_is_one_line_without_the_password(postgres, data, tmp_path):
     host = f"host={tmp_path}"
     cases = {
@@ -299,6 +385,11 @@ def test_what_stands_in_the_way_is_one_line_without_the_password(postgres, data,
         "sqlite:///c.db?password=secret": "take no options",
         "postgresql://me:pass@secret@127.0.0.1:1/c": "write one in a password as %40",
         "postgresql://me:pass@secret/word@127.0.0.1/c": "write one in a password as %40",
+        f"postgresql://me@/c?{host}&oauth_client_secret=secret": "no server answers there",
+        "postgresql:me:secret@h/c": "neither a file nor a URL; write postgresql+psycopg://",
+        "postgres//me:secret@h/c": "neither a file nor a URL",
+        "host=db dbname=c password=secret": "neither a file nor a URL",
+        "user=me password = secret": "neither a file nor a URL",
         f"postgresql+psycopg_async://me:secret@/c?{host}": "write postgresql+psycopg://",
         f"postgresql+asyncpg://me:secret@/c?{host}": "write postgresql+psycopg://",
     }
@@ -307,7 +398,7 @@ def test_what_stands_in_the_way_is_one_line_without_the_password(postgres, data,
         (line,) = result.stderr.splitlines()
         assert result.exit_code == 2
         assert words_expected in line
-        assert "secret" not in line
+        assert "secret" not in line.replace("oauth_client_secret=***", "")
     result = words("serve", "--db", postgres)
     assert (result.exit_code, "esicatalog snapshot" in result.stderr) == (2, True)
 

@@ -15,6 +15,7 @@ from snippets import device, dictionary, esi, pdo, read, write
 from esicatalog import Catalog, CatalogError
 from esicatalog.catalog import database, schema
 from esicatalog.catalog.check import CUT_SHORT
+from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.load import finish_load
 from esicatalog.catalog.rows import RowMaker
 from esicatalog.catalog.writer import SourceRow, Writer
@@ -212,6 +213,29 @@ def test_a_stored_content_hash_is_that_of_what_is_stored(postgres, machines):
         assert catalog.content_hash() is None
         finish_load(two.connection, changed=True)
         assert catalog.content_hash() == catalog.check().content_hash
+
+
+def test_an_answer_is_of_one_state(machines, postgres, monkeypatch):
+    """The number of a row is soon another description's; its document would be named with what was found before."""
+    one, two = machines
+    sources = IdentityLookup.sources
+
+    def replaced_before(lookup, device_id):
+        two.drop("a", of="one")
+        two.store("z", esi(device(product="#x99", name=name)))
+        return sources(lookup, device_id)
+
+    with Catalog.open(postgres) as catalog:
+        for name, ask in {
+            "identify": lambda: catalog.identify(0xE5C, 1, 1).device.sources[0].member,
+            "export": lambda: catalog.export_subject("0xe5c:1:1").origin[0].split(",")[0],
+        }.items():
+            one.store("a", esi(device(name=name)))
+            with monkeypatch.context() as patch:
+                patch.setattr(IdentityLookup, "sources", replaced_before)
+                assert ask() == "a"
+            assert not catalog.identify(0xE5C, 1, 1).is_exact
+            two.drop("z")
 
 
 def test_a_reader_sees_one_state(machines, postgres):

@@ -88,6 +88,23 @@ def test_a_newer_catalog_is_left_as_it_is(tmp_path: Path, data_db: Path, data: P
     assert copy.read_bytes() == before
 
 
+def test_views_of_others_stay_and_read_what_is_new(tmp_path: Path):
+    old = loaded(DUMPS[0], tmp_path / "old.db")
+    with closing(sqlite3.connect(old)) as connection:
+        connection.executescript(
+            """CREATE VIEW device_overview AS SELECT id AS device_id FROM devices;
+            CREATE VIEW "my ""report" AS SELECT device_id, dc_modes FROM device_overview;
+            CREATE VIEW tables_only AS SELECT p.id FROM pdos p JOIN devices d ON d.id = p.device_id;"""
+        )
+        before = connection.execute("SELECT count(*) FROM tables_only").fetchall()
+    Catalog.migrate(old)
+    with_modes = rows(old, "SELECT device_id, count(*) FROM dc_modes GROUP BY device_id ORDER BY device_id")
+    assert rows(old, 'SELECT * FROM "my ""report" ORDER BY device_id') == with_modes != []
+    assert rows(old, "SELECT count(*) FROM tables_only") == before
+    with Catalog.open(old) as catalog:
+        assert catalog.check().problems == []
+
+
 @pytest.mark.parametrize("dump", SOME_DUMPS, ids=lambda path: path.stem)
 def test_an_old_catalog_becomes_what_a_new_one_is(tmp_path: Path, data: Path, dump: Path):
     if dump.stem == SCHEMA_VERSION:

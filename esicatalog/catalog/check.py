@@ -7,13 +7,17 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.check_rows import rules
-from esicatalog.catalog.load import is_unfinished, secondary_indexes
-from esicatalog.catalog.schema import devices, vendors
+from esicatalog.catalog.deferred_keys import are_keys_pending
+from esicatalog.catalog.full_text import outdated_devices, search_table
+from esicatalog.catalog.load import are_indexes_pending, secondary_indexes
+from esicatalog.catalog.schema import devices
 from esicatalog.catalog.state import CONTENT_HASH, STATE_HASH, content_hash, read_state, state_hash
 from esicatalog.catalog.views import FULL_TEXT, views
 
 CUT_SHORT = "an ingest was cut short: run it again"
 """All that there is to say of a catalog whose ingest was killed."""
+KEYS_MISSING = "foreign keys are missing: the next ingest of who owns the tables puts them back"
+"""Of a complete catalog: whoever loads it need not be the owner, and running again does not help then."""
 
 
 class CheckResult(NamedTuple):
@@ -47,8 +51,8 @@ def check_catalog(connection: sa.Connection) -> CheckResult:
             f"{table}: row {row} refers to a missing row of {parent}"
             for table, row, parent, _ in connection.exec_driver_sql("PRAGMA foreign_key_check")
         ]
-        problems += _full_text_problems(connection)
     problems += _missing_parts(connection)
+    problems += _search_problems(connection)
     for rule in rules():
         count = connection.execute(sa.select(sa.func.count()).select_from(rule.breaking.subquery())).scalar_one()
         problems += [f"{count} {rule.words}"] if count else []
@@ -63,48 +67,42 @@ def check_catalog(connection: sa.Connection) -> CheckResult:
 
 def _load_problems(connection: sa.Connection, recomputed: str) -> Iterator[str]:
     stored = read_state(connection, CONTENT_HASH)
-    if stored is None or is_unfinished(connection):
+    if stored is None or are_indexes_pending(connection):
         yield CUT_SHORT
-    elif stored != recomputed:
+        return
+    if are_keys_pending(connection):
+        yield KEYS_MISSING
+    if stored != recomputed:
         yield f"the stored content hash {stored} is not that of the rows: delete the catalog and ingest again"
     elif (state := read_state(connection, STATE_HASH)) not in (None, state_hash(connection)):
         yield f"the stored state hash {state} is not that of the sources: delete the catalog and ingest again"
 
 
 def _missing_parts(connection: sa.Connection) -> Iterator[str]:
-    """Indexes and views; an unfinished load has dropped its indexes and builds them at its end."""
+    """Indexes and views; a load that was cut short has dropped its indexes; the next one builds them."""
     inspector = sa.inspect(connection)
     found = set(inspector.get_view_names())
     for view in views(connection.dialect.name):
         if view.name not in found:
             yield f"the view {view.name} is missing"
-    if is_unfinished(connection):
+    if are_indexes_pending(connection):
         return
+    indexes = {index["name"] for held in inspector.get_multi_indexes().values() for index in held}
     for index in secondary_indexes():
-        assert index.table is not None
-        if index.name not in {item["name"] for item in inspector.get_indexes(index.table.name)}:
+        if index.name not in indexes:
             yield f"the index {index.name} is missing"
 
 
-def _full_text_problems(connection: sa.Connection) -> Iterator[str]:
-    indexed = sa.table(FULL_TEXT, sa.column("rowid"), sa.column("type"), sa.column("vendor"))
-    differing = (
-        sa.select(devices.c.id)
-        .outerjoin(vendors, vendors.c.vendor_id == devices.c.vendor_id)
-        .outerjoin(indexed, indexed.c.rowid == devices.c.id)
-        .where(
-            sa.or_(
-                indexed.c.rowid.is_(None),
-                indexed.c.type.is_distinct_from(devices.c.type),
-                indexed.c.vendor.is_distinct_from(vendors.c.name),
-            )
-        )
-    )
-    missing = len(connection.execute(differing).all())
-    if missing:
-        yield f"{missing} devices that the full-text search does not know, or not as they are"
-    left = connection.execute(
-        sa.select(sa.func.count()).select_from(indexed).where(indexed.c.rowid.not_in(sa.select(devices.c.id)))
-    ).scalar_one()
+def _search_problems(connection: sa.Connection) -> Iterator[str]:
+    if not sa.inspect(connection).has_table(FULL_TEXT):
+        yield f"the table {FULL_TEXT} is missing, by which texts are searched"
+        return
+    outdated = len(outdated_devices(connection))
+    if outdated:
+        yield f"{outdated} devices that the full-text search does not know, or not as they are"
+    table = search_table(connection)
+    number = next(iter(table.columns))
+    gone = sa.select(sa.func.count()).select_from(table).where(number.not_in(sa.select(devices.c.id)))
+    left = connection.execute(gone).scalar_one()
     if left:
         yield f"{left} devices in the full-text search that are not there"

@@ -12,6 +12,7 @@ from typing import Any
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema, views
+from esicatalog.catalog.driver_errors import damage_error, database_error, driver_message
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.lock import only_writer
 from esicatalog.catalog.schema import SCHEMA_VERSION
@@ -27,8 +28,13 @@ STATEMENT_END = ";\n\n"
 _DRIVERS = {"postgresql": "postgresql+psycopg", "postgres": "postgresql+psycopg"}
 """What a URL without driver means."""
 _BACKENDS = ("sqlite", "postgresql", "cockroachdb")
-_SECRET_OPTION = re.compile(r"(?<=[?&])(password|sslpassword|passfile)=[^&]*")
-"""What libpq takes as an option that no message may show."""
+_SECRET_OPTION = re.compile(r"(?<=[?&])(\w*(?:pass|secret)\w*)=[^&]*")
+"""What libpq takes as an option that no message may show: password, sslpassword, passfile, oauth_client_secret."""
+_NO_FILE = re.compile(
+    r"(?:postgres|postgresql|cockroachdb|sqlite)(?:\+\w+)?(?::|//)|(?:.*\s)?(?:host|dbname|password|service)\s*=",
+    re.IGNORECASE,
+)
+"""How texts begin that mean a database and are no URL: ``postgresql:…``, and the ``name=value …`` of libpq."""
 
 
 def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
@@ -37,6 +43,9 @@ def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
     if not text:
         raise CatalogError("the name of the catalog is empty; name a file")
     if "://" not in text:
+        if _NO_FILE.match(text):
+            # The text may hold a password.
+            raise CatalogError("neither a file nor a URL; write postgresql+psycopg://USER@HOST/DATABASE")
         return sa.URL.create("sqlite", database=text)
     try:
         url = sa.make_url(text)
@@ -46,23 +55,24 @@ def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
         # What stands before that @ is the end of a password, which messages would show.
         raise CatalogError("the database URL has more than one @; write one in a password as %40")
     if url.get_backend_name() not in _BACKENDS and url.drivername not in _DRIVERS:
-        raise CatalogError(f"{_shown(url)}: a catalog is an SQLite file or lies at postgresql+psycopg://…")
+        raise CatalogError(f"{shown_url(url)}: a catalog is an SQLite file or lies at postgresql+psycopg://…")
     if url.get_backend_name() == "sqlite" and (url.query or (url.database or "").startswith("file:")):
         # Left alone, an option such as mode=ro would silently be ignored.
         raise CatalogError(
-            f"{_shown(url)}: SQLite URLs take no options and no file: names; give the path of the catalog"
+            f"{shown_url(url)}: SQLite URLs take no options and no file: names; give the path of the catalog"
         )
     return url.set(drivername=_DRIVERS.get(url.drivername, url.drivername))
 
 
 def shown_target(target: str | os.PathLike[str]) -> str:
     """A catalog as messages name it: without the password."""
-    text = os.fspath(target)
-    return _shown(catalog_url(text)) if "://" in text else text
+    return shown_url(catalog_url(target))
 
 
-def _shown(url: sa.URL) -> str:
-    return _SECRET_OPTION.sub(r"\1=***", repr(url))
+def shown_url(url: sa.URL) -> str:
+    """As :func:`shown_target`; an SQLite catalog is its file."""
+    is_file = sqlite_path(url) is not None and not url.query
+    return str(url.database) if is_file else _SECRET_OPTION.sub(r"\1=***", repr(url))
 
 
 def sqlite_path(url: sa.URL) -> Path | None:
@@ -87,11 +97,11 @@ def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
         }
     try:
         if url.get_dialect().is_async:
-            raise CatalogError(f"{_shown(url)}: {url.drivername} is asynchronous; write postgresql+psycopg://…")
+            raise CatalogError(f"{shown_url(url)}: {url.drivername} is asynchronous; write postgresql+psycopg://…")
         engine = sa.create_engine(url, **options)
     except (ModuleNotFoundError, sa.exc.NoSuchModuleError) as error:
         raise CatalogError(
-            f"{_shown(url)}: the driver of {url.drivername} is not installed ({error}); "
+            f"{shown_url(url)}: the driver of {url.drivername} is not installed ({error}); "
             "PostgreSQL's comes with: pip install 'esicatalog[postgres]'"
         ) from error
     if url.get_backend_name() == "sqlite":
@@ -219,7 +229,7 @@ def upgrade_catalog(target: str | os.PathLike[str]) -> tuple[str, str]:
             with only_writer(sqlite_path(engine.url)):
                 upgrade(engine)
     except sa.exc.DBAPIError as error:
-        raise database_error(shown_target(target), error) from error
+        raise database_error(shown_target(target), error, is_writing=True) from error
     finally:
         engine.dispose()
     return version, SCHEMA_VERSION
@@ -236,76 +246,36 @@ def _version_message(target: str, version: str) -> str:
     )
 
 
-def driver_message(target: str, error: BaseException | None) -> str:
-    """What went wrong in the database driver, with what to do."""
-    reason = " ".join(str(error).split())
-    hints = {
-        "locked": "another process is writing to it; wait for it or use another catalog",
-        "not a database": "not an SQLite catalog; name another file",
-        "malformed": "the file is damaged; delete it and ingest again",
-        "readonly": "the file or its folder cannot be written",
-        "unable to open": "the file or its folder cannot be opened",
-        "full": "the disk is full; nothing of the last step was stored",
-        'role "': "name a user that the server knows",
-        "does not exist": "make the database first, with createdb or CREATE DATABASE",
-        "authentication": "user or password do not fit",
-        "server running": "no server answers there; look at host, port and whether it runs",
-        "resolve host": "no such host",
-        "permission denied": "the database user may not do that; ask for the right",
-        "read-only": "the database takes no changes; name the server that does",
-        "disk I/O error": "the disk cannot be read or written, it may be full; nothing of the last step was stored",
-        "no such table": "a part of the catalog is missing; delete it and ingest again",
-        "no such column": "a part of the catalog is missing; delete it and ingest again",
-        "decode": "the file is damaged; delete it and ingest again",
-    }
-    hint = next((words for key, words in hints.items() if key in reason), "nothing of the last step was stored")
-    return f"{target}: {reason}; {hint}"
-
-
-def database_error(target: str, error: sa.exc.DBAPIError) -> CatalogError:
-    """A database error in words, with what to do."""
-    return CatalogError(driver_message(target, error.orig))
-
-
-def damage_error(target: str, error: Exception) -> CatalogError:
-    """A stored value that cannot be decoded."""
-    return CatalogError(f"{target}: a value cannot be read ({error}); the file is damaged; delete it and ingest again")
-
-
 class DriverQuery:
-    """Runs ``?`` statements on the driver itself, on a connection of its own, for one thread at a time.
+    """Runs ``?`` statements on the driver of an SQLite catalog, on a connection of its own, for one thread at a time.
 
     The connection stays open until :meth:`close`, and sees what others commit. The statements raise
     :class:`CatalogError`.
     """
 
-    def __init__(self, engine: sa.Engine, target: str) -> None:
+    def __init__(self, engine: sa.Engine) -> None:
         self._connection = engine.connect().execution_options(isolation_level="AUTOCOMMIT")
         driver: Any = self._connection.connection.driver_connection
-        dbapi: Any = engine.dialect.loaded_dbapi
         self._execute = driver.execute
-        self._driver_error: type[Exception] = dbapi.Error
-        self._target = target
-        self._is_marked = engine.dialect.paramstyle == "qmark"
+        self._shown = shown_url(engine.url)
         self._lock = threading.Lock()
 
     def __call__(self, sql: str, values: tuple[Any, ...]) -> list[tuple[Any, ...]]:
         """All rows of a statement."""
-        statement = sql if self._is_marked else sql.replace("?", "%s")
         try:
             with self._lock:
-                found: list[tuple[Any, ...]] = self._execute(statement, values).fetchall()
-        except self._driver_error as error:
-            raise CatalogError(driver_message(self._target, error)) from error
+                found: list[tuple[Any, ...]] = self._execute(sql, values).fetchall()
+        except sqlite3.Error as error:
+            raise CatalogError(driver_message(self._shown, error)) from error
         return found
 
     def close(self) -> None:
         """Give the connection back to the engine, which may close it."""
         self._connection.close()
 
-    def changes(self) -> int | None:
-        """A number that grows whenever others have committed; None from a server, which has none."""
-        return int(self("PRAGMA data_version", ())[0][0]) if self._is_marked else None
+    def changes(self) -> int:
+        """A number that grows whenever others have committed."""
+        return int(self("PRAGMA data_version", ())[0][0])
 
 
 class ConnectionQuery:
@@ -322,15 +292,15 @@ class ConnectionQuery:
 
 def schema_version(connection: sa.Connection) -> str | None:
     """The migration a database stands at; None for an empty database; an error for a foreign one."""
-    database = connection.engine.url.database
+    shown = shown_url(connection.engine.url)
     names = set(sa.inspect(connection).get_table_names())
     if "alembic_version" in names and "device_sources" in names:
         versions = connection.execute(sa.text("SELECT version_num FROM alembic_version")).scalars().all()
         if len(versions) != 1:
-            raise CatalogError(f"{database}: does not say its schema version; delete it and ingest again")
+            raise CatalogError(f"{shown}: does not say its schema version; delete it and ingest again")
         return str(versions[0])
     if names:
-        raise CatalogError(f"{database}: the database holds other tables than a catalog's; name another one")
+        raise CatalogError(f"{shown}: the database holds other tables than a catalog's; name another one")
     return None
 
 
@@ -354,15 +324,17 @@ def upgrade(engine: sa.Engine, only_new: bool = False) -> None:
     config.set_main_option("script_location", str(resource("migrations")))
     with engine.begin() as connection:
         if connection.dialect.name == "sqlite":
+            # A table that is made anew has its name last: views that others have made refer to it all the time.
+            connection.exec_driver_sql("PRAGMA legacy_alter_table = ON")
             _begin_upgrade(connection)
         is_new = schema_version(connection) is None
         if only_new and not is_new:
             return
         if not is_new:
             take_turn(connection)
+            views.drop_views(connection)
         elif connection.dialect.name != "sqlite":
             _require_unicode(connection)
-        views.drop_views(connection)
         config.attributes["connection"] = connection
         command.upgrade(config, "head")
         if not is_new:

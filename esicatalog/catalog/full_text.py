@@ -6,7 +6,7 @@ Other databases search the same words by :mod:`esicatalog.catalog.word_search`.
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import sqlalchemy as sa
@@ -18,6 +18,7 @@ from esicatalog.catalog.views import FULL_TEXT
 _WORD = re.compile(r"\w+")
 _SHORTEST_ENDING = 3
 _NOTHING = '""'
+_FTS5_TABLE = sa.table(FULL_TEXT, *map(sa.column, ("rowid", "vendor", "type", "name", "identity", "words")))
 
 
 def search_expression(text: str) -> str:
@@ -68,8 +69,40 @@ def word_endings(text: str) -> list[str]:
 
 def index_devices(connection: sa.Connection, device_ids: Iterable[int]) -> None:
     """Write the search rows of these devices anew; rows of devices that are gone disappear."""
-    is_sqlite = connection.dialect.name == "sqlite"
-    columns = schema.devices.c
+    table = search_table(connection)
+    for part in chunks(device_ids):
+        rows = _search_rows(connection, part)
+        if connection.dialect.name != "sqlite":
+            word_search.write(connection, part, rows)
+            continue
+        connection.exec_driver_sql(
+            f"DELETE FROM {FULL_TEXT} WHERE rowid IN ({', '.join('?' * len(part))})", tuple(part)
+        )
+        if rows:
+            columns, marks = ", ".join(table.columns.keys()), ", ".join("?" * len(table.columns))
+            connection.exec_driver_sql(f"INSERT INTO {FULL_TEXT} ({columns}) VALUES ({marks})", rows)
+
+
+def outdated_devices(connection: sa.Connection) -> list[int]:
+    """Devices that the search does not know, or not as they are."""
+    table = search_table(connection)
+    found: list[int] = []
+    for part in chunks(connection.execute(sa.select(schema.devices.c.id)).scalars()):
+        rows = _search_rows(connection, part)
+        expected = rows if connection.dialect.name == "sqlite" else word_search.table_rows(rows)
+        held = connection.execute(sa.select(table).where(next(iter(table.columns)).in_(part))).all()
+        found += {row[0] for row in {*expected} - {*map(tuple, held)}}
+    return found
+
+
+def search_table(connection: sa.Connection) -> sa.TableClause:
+    """The table that is searched; its first column is the number of the device."""
+    return _FTS5_TABLE if connection.dialect.name == "sqlite" else word_search.TABLE
+
+
+def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[tuple[Any, ...]]:
+    """What is searched of devices: (device number, vendor, type, name, identity, endings of words)."""
+    columns, texts = schema.devices.c, schema.device_names.c
     query = (
         sa.select(
             columns.id,
@@ -80,31 +113,25 @@ def index_devices(connection: sa.Connection, device_ids: Iterable[int]) -> None:
             columns.revision_no,
         )
         .outerjoin(schema.vendors, schema.vendors.c.vendor_id == columns.vendor_id)
+        .where(columns.id.in_(device_ids))
         .order_by(columns.id)
     )
-    texts = schema.device_names.c
-    for part in chunks(device_ids):
-        names: dict[int, list[str]] = {}
-        named = sa.select(texts.device_id, texts.text).where(texts.device_id.in_(part), texts.kind == "name")
-        for number, text in connection.execute(named).all():
-            names.setdefault(number, []).append(text)
-        rows = []
-        for row in connection.execute(query.where(columns.id.in_(part))).all():
-            identity = [
-                notation
-                for number in (row.vendor_id, row.product_code, row.revision_no)
-                for notation in identity_notations(number)
-            ]
-            name = " ".join(dict.fromkeys(names.get(row.id, [])))
-            endings = word_endings(f"{row.type or ''} {name}")
-            rows.append((row.id, row.vendor, row.type, name, " ".join(identity), " ".join(endings)))
-        if not is_sqlite:
-            word_search.write(connection, part, rows)
-            continue
-        connection.exec_driver_sql(
-            f"DELETE FROM {FULL_TEXT} WHERE rowid IN ({', '.join('?' * len(part))})", tuple(part)
-        )
-        if rows:
-            connection.exec_driver_sql(
-                f"INSERT INTO {FULL_TEXT} (rowid, vendor, type, name, identity, words) VALUES (?, ?, ?, ?, ?, ?)", rows
-            )
+    names: dict[int, list[str]] = {}
+    named = (
+        sa.select(texts.device_id, texts.text)
+        .where(texts.device_id.in_(device_ids), texts.kind == "name")
+        .order_by(texts.id)
+    )
+    for number, text in connection.execute(named).all():
+        names.setdefault(number, []).append(text)
+    rows = []
+    for row in connection.execute(query).all():
+        identity = [
+            notation
+            for number in (row.vendor_id, row.product_code, row.revision_no)
+            for notation in identity_notations(number)
+        ]
+        name = " ".join(dict.fromkeys(names.get(row.id, [])))
+        endings = word_endings(f"{row.type or ''} {name}")
+        rows.append((row.id, row.vendor, row.type, name, " ".join(identity), " ".join(endings)))
+    return rows

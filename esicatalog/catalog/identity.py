@@ -175,7 +175,12 @@ class IdentityLookup:
         """The descriptions of an identity, preferred first, or the nearest ones; see :func:`rank` for the order."""
         query = (vendor_id, product_code, revision_no)
         changes = self._changes()
-        return self._answers.get(query, changes, lambda: self._identify(query, changes))
+        return self._answers.get(query, changes, lambda: self._of_one_state(query, changes))
+
+    def _of_one_state(self, query: tuple[int, int, int | None], changes: int | None) -> Identification:
+        """Answer again what others have changed meanwhile: a row number is another description's afterwards."""
+        answer = self._identify(query, changes)
+        return answer if self._changes() == changes else self.identify(*query)
 
     def _identify(self, query: tuple[int, int, int | None], changes: int | None) -> Identification:
         vendor_id, product_code, revision_no = query

@@ -16,7 +16,7 @@ from contextlib import contextmanager
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
-from esicatalog.catalog.deferred_keys import are_keys_pending, broken_reference, drop_keys, is_empty, restore_keys
+from esicatalog.catalog.deferred_keys import broken_reference, drop_keys, is_empty, restore_keys
 from esicatalog.catalog.state import CONTENT_HASH, read_state, store_hashes, write_state
 from esicatalog.catalog.turns import take_turn
 
@@ -71,9 +71,9 @@ def _prepare_file(connection: sa.Connection, fills_empty: bool) -> None:
         _enforce_foreign_keys(connection, False)
 
 
-def is_unfinished(connection: sa.Connection) -> bool:
-    """Whether a load into an empty catalog was cut short before its end, or has not come there yet."""
-    return read_state(connection, _INDEXES_PENDING) is not None or are_keys_pending(connection)
+def are_indexes_pending(connection: sa.Connection) -> bool:
+    """Whether a load into an empty SQLite file was cut short before its end, or has not come there yet."""
+    return read_state(connection, _INDEXES_PENDING) is not None
 
 
 def finish_indexes(connection: sa.Connection) -> None:
@@ -81,7 +81,7 @@ def finish_indexes(connection: sa.Connection) -> None:
 
     Foreign keys are checked meanwhile, and enforced from then on. Raises :class:`~esicatalog.errors.CatalogError`.
     """
-    is_pending = read_state(connection, _INDEXES_PENDING)
+    is_pending = are_indexes_pending(connection)
     connection.commit()
     if not is_pending:
         return

@@ -12,7 +12,8 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import RowBuffer
-from esicatalog.catalog.database import database_error, open_catalog, sqlite_path
+from esicatalog.catalog.database import open_catalog, shown_target, shown_url, sqlite_path
+from esicatalog.catalog.driver_errors import database_error
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.inspect_data import inspect_data, inspect_path, read_inspect_data
 from esicatalog.catalog.load import end_load, finish_load, prepare_load
@@ -52,7 +53,7 @@ def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
     if expected is None:
         raise CatalogError("an ingest is under way or was cut short: wait for it or repeat it, then take the snapshot")
     if "://" in name:
-        raise InputError(f"{name}: a snapshot is a file; name one, for example catalog-{HASH_PLACE}.db")
+        raise InputError(f"{shown_target(name)}: a snapshot is a file; name one, for example catalog-{HASH_PLACE}.db")
     state = state_hash(source)
     named = name.replace(HASH_PLACE, expected).replace(STATE_PLACE, state[:_STATE_DIGITS])
     unknown = _PLACE.search(named)
@@ -146,7 +147,7 @@ def _batches(source: sa.Connection) -> Iterator[tuple[str, Sequence[sa.Row[Any]]
             for rows in source.execute(query).partitions():
                 yield table.name, rows
     except sa.exc.DBAPIError as error:
-        raise database_error(str(source.engine.url.database), error) from error
+        raise database_error(shown_url(source.engine.url), error) from error
 
 
 def _publish(unfinished: Path, path: Path) -> None:

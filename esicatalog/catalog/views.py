@@ -366,8 +366,7 @@ def _problems(dialect: str) -> list[View]:
 
 
 def create_views(connection: sa.Connection) -> None:
-    """Make all views and the full-text table anew; the caller fills it."""
-    drop_views(connection)
+    """Make all views and the full-text table, which the caller fills."""
     for view in views(connection.dialect.name):
         connection.execute(sa.text(f"CREATE VIEW {view.name} AS {view.select}"))
     if connection.dialect.name == "sqlite":
@@ -382,7 +381,11 @@ def create_views(connection: sa.Connection) -> None:
 
 
 def drop_views(connection: sa.Connection) -> None:
-    """Drop all views, those of older versions too, and the full-text table."""
-    for name in sa.inspect(connection).get_view_names():
-        connection.exec_driver_sql(f"DROP VIEW IF EXISTS {name}")
-    connection.exec_driver_sql(f"DROP TABLE IF EXISTS {FULL_TEXT}")
+    """Drop the catalog's views, which no version has named otherwise, and the full-text table.
+
+    Views that others have made beside them stay, and so does what has these names in another schema of the database.
+    """
+    own = connection.dialect.identifier_preparer.quote(str(sa.inspect(connection).default_schema_name))
+    for view in views(connection.dialect.name):
+        connection.exec_driver_sql(f"DROP VIEW IF EXISTS {own}.{view.name}")
+    connection.exec_driver_sql(f"DROP TABLE IF EXISTS {own}.{FULL_TEXT}")

@@ -15,7 +15,7 @@ from esicatalog.catalog.schema import devices
 from esicatalog.catalog.views import FULL_TEXT, TOKENIZER
 
 _COLUMNS = ("device_id", "named", "identity", "words")
-_TABLE = sa.table(FULL_TEXT, *map(sa.column, _COLUMNS))
+TABLE = sa.table(FULL_TEXT, *map(sa.column, _COLUMNS))
 _BETWEEN_TEXTS = " | "
 """A phrase never reaches from one text into another."""
 
@@ -25,7 +25,7 @@ def condition(search_words: Sequence[tuple[str, bool]]) -> sa.ColumnElement[bool
 
     Beside each word stands whether it may also match the inside of a word in types and names.
     """
-    columns = _TABLE.c
+    columns = TABLE.c
     found: list[sa.ColumnElement[bool]] = []
     for (_, inside), words in zip(search_words, _words([word for word, _ in search_words]), strict=True):
         places = [columns.named.like(f"% {words}%"), columns.identity.like(f"% {words} %")]
@@ -37,14 +37,20 @@ def condition(search_words: Sequence[tuple[str, bool]]) -> sa.ColumnElement[bool
 
 def write(connection: sa.Connection, device_ids: Sequence[int], rows: Sequence[Sequence[Any]]) -> None:
     """Replace the rows of devices: (device number, vendor, type, name, identity, endings of words)."""
-    connection.execute(sa.delete(_TABLE).where(_TABLE.c.device_id.in_(device_ids)))
+    connection.execute(sa.delete(TABLE).where(TABLE.c.device_id.in_(device_ids)))
+    if rows:
+        values = [dict(zip(_COLUMNS, row, strict=True)) for row in table_rows(rows)]
+        connection.execute(sa.insert(TABLE), values)
+
+
+def table_rows(rows: Sequence[Sequence[Any]]) -> list[tuple[Any, ...]]:
+    """Rows as the table holds them, with texts as words between blanks."""
     if not rows:
-        return
+        return []
     numbers, *texts = zip(*rows, strict=True)
     vendors, types, names, identities, endings = map(_words, texts)
     named = [f" {_BETWEEN_TEXTS.join(parts)} " for parts in zip(vendors, types, names, strict=True)]
-    values = zip(numbers, named, (f" {i} " for i in identities), (f" {e} " for e in endings), strict=True)
-    connection.execute(sa.insert(_TABLE), [dict(zip(_COLUMNS, row, strict=True)) for row in values])
+    return list(zip(numbers, named, (f" {i} " for i in identities), (f" {e} " for e in endings), strict=True))
 
 
 def _words(texts: Sequence[str | None]) -> list[str]:

@@ -9,7 +9,8 @@ from itertools import islice
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
-from esicatalog.catalog.database import database_error, sqlite_path
+from esicatalog.catalog.database import shown_url, sqlite_path
+from esicatalog.catalog.driver_errors import database_error
 from esicatalog.catalog.load import end_load, finish_indexes, finish_load, prepare_load
 from esicatalog.catalog.lock import only_writer
 from esicatalog.catalog.own_files import own_files
@@ -71,11 +72,11 @@ def ingest(
             finally:
                 is_in_file = end_load(connection)
     except sa.exc.DBAPIError as error:
-        raise database_error(str(engine.url.database), error) from error
+        raise database_error(shown_url(engine.url), error, is_writing=True) from error
     except OverflowError as error:  # from the driver, which has many documents at once and does not say which
         raise CatalogError(
-            f"{engine.url.database}: a document brings a number or text that no database takes; please report it with "
-            "the documents since the last commit, and ingest the others without them"
+            f"{shown_url(engine.url)}: a document brings a number or text that no database takes; please report it "
+            "with the documents since the last commit, and ingest the others without them"
         ) from error
     lines.sort(key=lambda line: line.path)
     return IngestReport(lines, time.monotonic() - started, stages.seconds, is_in_file)
