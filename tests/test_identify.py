@@ -24,6 +24,7 @@ from test_search import catalog_of
 from web_client import client, new_client
 
 from esicatalog import Catalog, CatalogError, InputError, NotFound, parse_identity
+from esicatalog.catalog import description
 from esicatalog.catalog.filter_texts import SHARPENS, filter_of_texts
 from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.results import json_bytes
@@ -1110,8 +1111,8 @@ def test_a_description_is_read_once_for_all_slaves_that_have_it(tmp_path, monkey
     printed = [msgspec.structs.replace(one_slave, position=position) for position in range(3)]
     read: list[Identity] = []
     with Catalog.open(db) as catalog:
-        ask = catalog.device
-        monkeypatch.setattr(catalog, "device", lambda identity: read.append(identity) or ask(identity))
+        ask = description.read_description
+        monkeypatch.setattr(description, "read_description", lambda *asked: read.append(asked[-1]) or ask(*asked))
         (bus,) = catalog.identify_scan(scan, printed)
     assert len(bus.slaves) == 3
     assert sorted(identity.variant for identity in read) == [1, 2]
