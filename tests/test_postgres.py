@@ -299,8 +299,8 @@ def test_what_stands_in_the_way_is_one_line_without_the_password(postgres, data,
         "sqlite:///c.db?password=secret": "take no options",
         "postgresql://me:pass@secret@127.0.0.1:1/c": "write one in a password as %40",
         "postgresql://me:pass@secret/word@127.0.0.1/c": "write one in a password as %40",
-        f"postgresql+psycopg_async://me:secret@/c?{host}": "write postgresql+psycopg://",
-        f"postgresql+asyncpg://me:secret@/c?{host}": "write postgresql+psycopg://",
+        f"postgresql+psycopg2://me:secret@/c?{host}": "write the path of an SQLite file or postgresql+psycopg://",
+        f"postgresql+asyncpg://me:secret@/c?{host}": "write the path of an SQLite file or postgresql+psycopg://",
     }
     for target, words_expected in cases.items():
         result = words("devices", "--db", target)
