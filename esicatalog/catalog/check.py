@@ -7,6 +7,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.check_rows import rules
+from esicatalog.catalog.full_text import searched
 from esicatalog.catalog.load import is_unfinished, secondary_indexes
 from esicatalog.catalog.schema import devices, vendors
 from esicatalog.catalog.state import CONTENT_HASH, STATE_HASH, content_hash, read_state, state_hash
@@ -95,8 +96,8 @@ def _full_text_problems(connection: sa.Connection) -> Iterator[str]:
         .where(
             sa.or_(
                 indexed.c.rowid.is_(None),
-                indexed.c.type.is_distinct_from(devices.c.type),
-                indexed.c.vendor.is_distinct_from(vendors.c.name),
+                indexed.c.type.is_distinct_from(searched(devices.c.type)),
+                indexed.c.vendor.is_distinct_from(searched(vendors.c.name)),
             )
         )
     )
