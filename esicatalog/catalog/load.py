@@ -41,7 +41,7 @@ _KEPT_WHILE_LOADING = frozenset(
 
 
 def prepare_load(connection: sa.Connection) -> None:
-    """Get ready to write: repair what a killed load left, put off what a load into a new one does late."""
+    """Get ready to write: repair what a killed load left, put off what a load into a new catalog does late."""
     fills_empty = is_empty(connection)
     was_filled = read_state(connection, CONTENT_HASH) is not None
     connection.commit()
