@@ -440,7 +440,14 @@ def test_ingest_leaves_alone_what_is_no_catalog_of_its_version(tmp_path, data, d
         ("sqlite:///file:c.db?uri=true", "give the path of the catalog"),
         ("sqlite:///file:c.db", "give the path of the catalog"),
         ("sqlite:///c.db?mode=ro", "give the path of the catalog"),
-        ("nonsense://c", "a catalog is an SQLite file or lies at postgresql"),
+        ("nonsense://c", "at nonsense://; write the path of an SQLite file or postgresql+psycopg://…"),
+        (
+            "postgresql+psycopg2://h/c",
+            "at postgresql+psycopg2://; write the path of an SQLite file or postgresql+psycopg:",
+        ),
+        ("postgresql+psycopg_async://h/c", "at postgresql+psycopg_async://; write the path"),
+        ("cockroachdb+psycopg2://h/c", "at cockroachdb+psycopg2://; write the path"),
+        ("sqlite+aiosqlite:///c", "at sqlite+aiosqlite://; write the path"),
     ],
 )
 def test_a_name_that_is_no_catalog_is_refused(tmp_path, monkeypatch, target, says, words):

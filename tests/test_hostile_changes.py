@@ -23,9 +23,12 @@ from esicatalog.esi.reader import Reader
 from esicatalog.ingest import plan as planning
 from esicatalog.ingest import run as _run  # noqa: F401  (it must not be loaded while a test has changed the plan)
 from esicatalog.ingest.pool import Pool
+from esicatalog.ingest.process import Helper
 from esicatalog.ingest.tasks import Known, Task
 
 GOOD = "good.xml"
+KEPT = "; the catalog keeps what it has of it"
+DIED = "the reading process died (out of memory or a crash)"
 
 
 def ingest_changed(tmp_path, monkeypatch, change, jobs: int = 2) -> dict[str, tuple[str, str | None]]:
@@ -193,7 +196,7 @@ def test_a_killed_worker_costs_one_document(tmp_path):
     output, _ = process.communicate(timeout=120)
     documents = json.loads(output)["documents"]
     failed = [line for line in documents if line["status"] == "failed"]
-    assert [line["message"] for line in failed] == ["the reading process died (out of memory or a crash)"]
+    assert [line["message"] for line in failed] == [DIED]
     assert [line["status"] for line in documents].count("stored") == len(names) - 1
     assert process.returncode == 1
     with Catalog.open(tmp_path / "c.db") as catalog:
@@ -262,8 +265,8 @@ def products(catalog: Catalog) -> list[int | None]:
     return sorted(found.product_code for found in catalog.devices())
 
 
-def reported(catalog: Catalog, *paths: Path, prune: bool = False) -> dict[str, tuple[str, str | None]]:
-    report = catalog.ingest(paths, jobs=1, prune=prune)
+def reported(catalog: Catalog, *paths: Path, prune: bool = False, jobs: int = 1) -> dict[str, tuple[str, str | None]]:
+    report = catalog.ingest(paths, jobs=jobs, prune=prune)
     assert catalog.check().problems == []
     return {line.path: (line.status, line.message) for line in report.documents}
 
@@ -294,11 +297,53 @@ def test_what_an_unreadable_file_brought_before_stays(folder, stored, monkeypatc
     with monkeypatch.context() as changed:
         closed_to_us(changed, folder / "victim.xml", folder / "sub" / "a.zip")
         lines = reported(stored, folder, prune=prune)
-    assert lines["victim.xml"] == ("failed", "cannot be read: Permission denied")
+    assert lines["victim.xml"] == ("failed", f"cannot be read: Permission denied{KEPT}")
     assert lines["sub/a.zip"] == ("failed", "cannot be read: Permission denied")
     assert products(stored) == [1, 2, 3, 5]
     assert {status for status, _ in reported(stored, folder, prune=True).values()} == {"unchanged"}
     assert stored.content_hash() == before
+
+
+def raising(error: BaseException):
+    def raised(*arguments):
+        raise error
+
+    return raised
+
+
+@pytest.mark.parametrize("packs", [False, True])
+@pytest.mark.parametrize(
+    ("jobs", "owner", "name", "reading", "words"),
+    [
+        (2, Helper, "receive", lambda *arguments: None, DIED),
+        (2, Helper, "receive", raising(TimeoutError()), "gave up after 120 s"),
+        (1, Reader, "read_tree", raising(MemoryError()), "needs more memory than a document may take"),
+    ],
+)
+def test_what_a_document_brought_stays_when_it_is_not_read_to_its_end(
+    folder, stored, monkeypatch, packs, jobs, owner, name, reading, words
+):
+    def changed(product: str) -> list[str]:
+        content = esi(device(product=product)).encode()
+        if packs:
+            (folder / "sub" / "a.zip").write_bytes(zipped(a=content, b=content))
+            return ["sub/a.zip!a.xml", "sub/a.zip!b.xml"]
+        write(folder, {GOOD: esi(device(product=product)), "victim.xml": esi(device(product=product))})
+        return [GOOD, "victim.xml"]
+
+    changed("#x6")
+    reported(stored, folder)
+    before = stored.content_hash()
+    names = changed("#x7")
+    with monkeypatch.context() as broken:
+        broken.setattr(owner, name, reading)
+        lines = reported(stored, folder, prune=True, jobs=jobs)
+        assert {lines[name] for name in names} == {("failed", words + KEPT)}
+        assert stored.content_hash() == before
+    lines = reported(stored, folder)
+    assert {lines[name] for name in names} == {("stored", None)}
+    assert 6 not in products(stored)
+    assert 7 in products(stored)
 
 
 def zipped(**members: bytes) -> bytes:
@@ -336,7 +381,8 @@ def test_what_an_unreadable_part_of_a_changed_archive_brought_before_stays(tmp_p
             changed.setattr(containers._Guarded, "read", read if name else refused)
             lines = reported(catalog, folder, prune=True)
         why = getattr(error, "strerror", None) or "not enough memory"
-        assert lines[f"a.zip!{name}" if name else "a.zip"] == ("failed", f"cannot be read: {why}")
+        told = f"cannot be read: {why}{KEPT if name == 'a.xml' else ''}"
+        assert lines[f"a.zip!{name}" if name else "a.zip"] == ("failed", told)
         assert products(catalog) == [1, 2, 3, 4]
         read_again = reported(catalog, folder, prune=True)
         assert {status for status, _ in read_again.values()} == {"unchanged", "skipped"}

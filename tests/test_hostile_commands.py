@@ -13,6 +13,7 @@ from click.testing import CliRunner
 from snippets import REPEATED_ATTRIBUTE, UNDECLARED_PREFIX, device, esi, faulty_vendor_texts, write
 
 from esicatalog.cli.main import cli
+from esicatalog.esi import documents
 
 LAUGHS = "".join(f'<!ENTITY a{n} "{f"&a{n - 1};" * 10}">' for n in range(1, 12))
 FILES = {
@@ -122,3 +123,30 @@ def test_a_pipe_that_a_master_writes_into_is_read(tmp_path, data_db):
         check=False,
     )
     assert "0x00000005:0x0d080808:0x00000001" in run.stdout
+
+
+READING = [["lint", "FILE"], ["export", "igh", "--esi", "FILE"], ["diff", "--esi", "FILE", "GOOD"]]
+
+
+@pytest.mark.parametrize("words", READING, ids=["lint", "export", "diff"])
+def test_a_document_is_read_in_as_little_memory_as_in_an_ingest(data_db, data, monkeypatch, words):
+    resource = pytest.importorskip("resource")
+    limits = []
+
+    def looked_at(root) -> bool:
+        limits.append(resource.getrlimit(resource.RLIMIT_AS)[0])
+        return False
+
+    monkeypatch.setattr(documents, "_HAS_TOO_MANY_ATTRIBUTES", looked_at)
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    CliRunner().invoke(cli, arguments(words, data / "l6n_drive.xml", data_db, data))
+    assert set(limits) == {3 * 1024**3}
+    assert resource.getrlimit(resource.RLIMIT_AS) == before
+
+
+@pytest.mark.parametrize("words", READING, ids=["lint", "export", "diff"])
+def test_more_elements_than_libxml2_puts_into_a_set(data_db, data, monkeypatch, words):
+    """10,000,000, which take 50 MB at least: here the expression fails at any document."""
+    monkeypatch.setattr(documents, "_HAS_TOO_MANY_ATTRIBUTES", documents.etree.XPath("unknown()"))
+    line, *_ = lines_of_failure(arguments(words, data / "l6n_drive.xml", data_db, data))
+    assert "too large or too deep" in line

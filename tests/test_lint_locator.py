@@ -140,11 +140,13 @@ def test_nothing_to_report_asks_for_no_tree():
     assert Linter().document(read, tree) == []
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
 @pytest.mark.parametrize("end", ["\r\n", "\r"])
-def test_lines_are_those_of_any_line_end(end):
-    """XML 1.0 section 2.11: a carriage return alone ends a line, too."""
-    text = "\n".join(["<?xml version='1.0'?>", esi("\n" + device("\n<Junk/>\n<Sm\nJunk='1'/>") + "\n")])
-    expected, found = (Reader().read(text.replace("\n", way).encode()) for way in ("\n", end))
+def test_lines_are_those_of_any_line_end(end, encoding):
+    """XML 1.0 section 2.11: a carriage return alone ends a line, too; U+010A and U+0D3E hold such bytes in UTF-16."""
+    described = device("\n<Junk/>\n<Sm\nJunk='1'/>", name="\u010a\u0d3e")
+    text = "\n".join(["<?xml version='1.0'?>", esi("\n" + described + "\n")])
+    expected, found = (Reader().read(text.replace("\n", way).encode(encoding)) for way in ("\n", end))
     assert [(finding.line, finding.path) for finding in found.findings] == [
         (4, f"{DEVICES}/Device/Junk"),
         (6, f"{DEVICES}/Device/Sm"),

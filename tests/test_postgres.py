@@ -390,8 +390,9 @@ def test_what_stands_in_the_way_is_one_line_without_the_password(postgres, data,
         "postgres//me:secret@h/c": "neither a file nor a URL",
         "host=db dbname=c password=secret": "neither a file nor a URL",
         "user=me password = secret": "neither a file nor a URL",
-        f"postgresql+psycopg_async://me:secret@/c?{host}": "write postgresql+psycopg://",
-        f"postgresql+asyncpg://me:secret@/c?{host}": "write postgresql+psycopg://",
+        f"postgresql+psycopg2://me:secret@/c?{host}": "write the path of an SQLite file or postgresql+psycopg://",
+        f"postgresql+asyncpg://me:secret@/c?{host}": "write the path of an SQLite file or postgresql+psycopg://",
+        f"postgresql+psycopg_async://me:secret@/c?{host}": "write the path of an SQLite file or postgresql+psycopg://",
     }
     for target, words_expected in cases.items():
         result = words("devices", "--db", target)

@@ -136,6 +136,20 @@ def test_words(tmp_path_factory, text, found):
     assert types(db / "c.db", text=text) == found
 
 
+def test_texts_of_megabytes_are_found_by_their_beginning(tmp_path):
+    """The endings of a word grow with its square: of 2 MB they would be more than any disk holds.
+
+    Of the 64 characters whose inside is searched there are endings of 63 to 3 characters, with a blank between two.
+    """
+    long = "x" * 2_000_000
+    vendor = f"<Id>1</Id><Name>maker {long} inc</Name>"
+    db = catalog_of(tmp_path, esi(device(type_text=f"type {long}", name=f"name {long}"), vendor=vendor))
+    assert [len(types(db, text=text)) for text in ("maker", "type xxx", "name", "inc")] == [1, 1, 1, 0]
+    assert rows(db, "SELECT length(words) FROM device_search") == [(len("ype ame ") + sum(range(3, 64)) + 60,)]
+    with Catalog.open(db) as catalog:
+        assert catalog.check().problems == []
+
+
 async def test_a_blank_text_is_no_filter_at_any_door(tmp_path):
     """Every field of a form is sent, and what is left blank there is not asked."""
     db = catalog_of(tmp_path, WORDS)

@@ -57,3 +57,16 @@ def test_every_value_is_found_by_its_text(full, view):
                 if by_value != by_text or by_value == (0,):
                     lost.append((name, value, by_value, by_text))
         assert lost == []
+
+
+def test_a_document_that_carries_a_description_twice_is_one_source(tmp_path):
+    """a.xml has the first one twice, b.xml once; c.xml has another one of the same identity."""
+    first, other = device(), device(pdo("TxPdo", "#x1A00", 16))
+    documents = write(tmp_path / "in", {"a.xml": esi(first + first), "b.xml": esi(first), "c.xml": esi(other)})
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([documents], jobs=1)
+    with closing(sqlite3.connect(tmp_path / "c.db")) as connection:
+        assert connection.execute("SELECT count(*) FROM device_sources").fetchone() == (4,)
+        for view in ("device_overview", "conflicting_descriptions"):
+            found = connection.execute(f"SELECT sources FROM {view} ORDER BY sources").fetchall()
+            assert found == [(1,), (2,)], view

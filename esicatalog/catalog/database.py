@@ -25,9 +25,16 @@ NEW_CATALOG = "new_catalog.sql"
 STATEMENT_END = ";\n\n"
 """Between the statements in there."""
 
-_DRIVERS = {"postgresql": "postgresql+psycopg", "postgres": "postgresql+psycopg"}
-"""What a URL without driver means."""
-_BACKENDS = ("sqlite", "postgresql", "cockroachdb")
+_DRIVERS = {
+    "sqlite": "sqlite",
+    "sqlite+pysqlite": "sqlite",
+    "postgres": "postgresql+psycopg",
+    "postgresql": "postgresql+psycopg",
+    "postgresql+psycopg": "postgresql+psycopg",
+    "cockroachdb": "cockroachdb+psycopg",
+    "cockroachdb+psycopg": "cockroachdb+psycopg",
+}
+"""How a URL may begin, and what that means; others are refused."""
 _SECRET_OPTION = re.compile(r"(?<=[?&])(\w*(?:pass|secret)\w*)=[^&]*")
 """What libpq takes as an option that no message may show: password, sslpassword, passfile, oauth_client_secret."""
 _NO_FILE = re.compile(
@@ -54,14 +61,17 @@ def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
     if any("@" in (part or "") for part in (url.host, url.database if url.password is not None else None)):
         # What stands before that @ is the end of a password, which messages would show.
         raise CatalogError("the database URL has more than one @; write one in a password as %40")
-    if url.get_backend_name() not in _BACKENDS and url.drivername not in _DRIVERS:
-        raise CatalogError(f"{shown_url(url)}: a catalog is an SQLite file or lies at postgresql+psycopg://…")
+    if url.drivername not in _DRIVERS:
+        raise CatalogError(
+            f"{shown_url(url)}: no catalog can be at {url.drivername}://; write the path of an SQLite file or "
+            "postgresql+psycopg://…"
+        )
     if url.get_backend_name() == "sqlite" and (url.query or (url.database or "").startswith("file:")):
         # Left alone, an option such as mode=ro would silently be ignored.
         raise CatalogError(
             f"{shown_url(url)}: SQLite URLs take no options and no file: names; give the path of the catalog"
         )
-    return url.set(drivername=_DRIVERS.get(url.drivername, url.drivername))
+    return url.set(drivername=_DRIVERS[url.drivername])
 
 
 def shown_target(target: str | os.PathLike[str]) -> str:
@@ -85,7 +95,7 @@ def sqlite_path(url: sa.URL) -> Path | None:
 def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
     """An engine with foreign keys enforced and short waits for locks; ``read_only`` refuses every write.
 
-    Raises :class:`CatalogError` where the driver is missing or works asynchronously.
+    Raises :class:`CatalogError` where the driver is missing.
     """
     options: dict[str, Any] = {}
     if url.get_backend_name() != "sqlite":
@@ -96,8 +106,6 @@ def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
             "connect_args": {"client_encoding": "utf8"},
         }
     try:
-        if url.get_dialect().is_async:
-            raise CatalogError(f"{shown_url(url)}: {url.drivername} is asynchronous; write postgresql+psycopg://…")
         engine = sa.create_engine(url, **options)
     except (ModuleNotFoundError, sa.exc.NoSuchModuleError) as error:
         raise CatalogError(

@@ -17,6 +17,12 @@ from esicatalog.catalog.views import FULL_TEXT
 
 _WORD = re.compile(r"\w+")
 _SHORTEST_ENDING = 3
+_MOST_SEARCHED = 1_000
+"""Characters of the vendor, the type and the names of a device that are searched; real ones have up to 150."""
+_MOST_INSIDE = 64
+"""Characters of a word whose inside is searched: the endings of all its characters would be as many as their square.
+The longest real word has 26.
+"""
 _NOTHING = '""'
 _FTS5_TABLE = sa.table(FULL_TEXT, *map(sa.column, ("rowid", "vendor", "type", "name", "identity", "words")))
 
@@ -62,9 +68,14 @@ def word_endings(text: str) -> list[str]:
     """Endings of the words of a text, so that a prefix search finds the inside of a word."""
     found: dict[str, None] = {}
     for word in _WORD.findall(text):
-        for start in range(1, len(word) - _SHORTEST_ENDING + 1):
-            found[word[start:]] = None
+        for start in range(1, min(len(word), _MOST_INSIDE) - _SHORTEST_ENDING + 1):
+            found[word[start:_MOST_INSIDE]] = None
     return list(found)
+
+
+def _searched(text: sa.ColumnElement[str | None]) -> sa.ColumnElement[str | None]:
+    """What of a text the search finds: its beginning, which is all of it but for texts that no vendor writes."""
+    return sa.func.substr(text, 1, _MOST_SEARCHED)
 
 
 def index_devices(connection: sa.Connection, device_ids: Iterable[int]) -> None:
@@ -107,8 +118,8 @@ def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[t
         sa.select(
             columns.id,
             columns.vendor_id,
-            schema.vendors.c.name.label("vendor"),
-            columns.type,
+            _searched(schema.vendors.c.name).label("vendor"),
+            _searched(columns.type).label("type"),
             columns.product_code,
             columns.revision_no,
         )
@@ -118,7 +129,7 @@ def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[t
     )
     names: dict[int, list[str]] = {}
     named = (
-        sa.select(texts.device_id, texts.text)
+        sa.select(texts.device_id, _searched(texts.text))
         .where(texts.device_id.in_(device_ids), texts.kind == "name")
         .order_by(texts.id)
     )
@@ -131,7 +142,7 @@ def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[t
             for number in (row.vendor_id, row.product_code, row.revision_no)
             for notation in identity_notations(number)
         ]
-        name = " ".join(dict.fromkeys(names.get(row.id, [])))
+        name = " ".join(dict.fromkeys(names.get(row.id, [])))[:_MOST_SEARCHED]
         endings = word_endings(f"{row.type or ''} {name}")
         rows.append((row.id, row.vendor, row.type, name, " ".join(identity), " ".join(endings)))
     return rows

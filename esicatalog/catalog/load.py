@@ -1,4 +1,4 @@
-"""Loading many documents: indexes are built late in a load into an empty catalog; a killed load is repaired.
+"""Loading many documents: indexes are built late in a load into a new catalog; a killed load is repaired.
 
 A server keeps its indexes, which cost it less than they spare several that load at once, and checks foreign keys last.
 
@@ -41,17 +41,19 @@ _KEPT_WHILE_LOADING = frozenset(
 
 
 def prepare_load(connection: sa.Connection) -> None:
-    """Get ready to write: repair what a killed load left, put off what a load into an empty catalog does late."""
+    """Get ready to write: repair what a killed load left, put off what a load into a new catalog does late."""
     fills_empty = is_empty(connection)
+    was_filled = read_state(connection, CONTENT_HASH) is not None
     connection.commit()
     if connection.dialect.name == "sqlite":
-        _prepare_file(connection, fills_empty)
+        # Who has a catalog open that was emptied goes on reading it; of a new one there is nothing to read.
+        _prepare_file(connection, fills_empty and not was_filled)
     elif fills_empty:
         drop_keys(connection)
 
 
-def _prepare_file(connection: sa.Connection, fills_empty: bool) -> None:
-    if fills_empty:
+def _prepare_file(connection: sa.Connection, is_new: bool) -> None:
+    if is_new:
         _end_log(connection)
     else:
         connection.exec_driver_sql("PRAGMA journal_mode = WAL")
@@ -59,15 +61,15 @@ def _prepare_file(connection: sa.Connection, fills_empty: bool) -> None:
     connection.commit()
     finish_indexes(connection)
     # A catalog that is being made has nothing to lose yet; it is written through with its indexes.
-    connection.exec_driver_sql(f"PRAGMA synchronous = {'OFF' if fills_empty else 'NORMAL'}")
+    connection.exec_driver_sql(f"PRAGMA synchronous = {'OFF' if is_new else 'NORMAL'}")
     connection.commit()
-    if fills_empty:
+    if is_new:
         write_state(connection, _INDEXES_PENDING, "1")
         for index in secondary_indexes():
             if (index.table.name, index.columns[0].name) not in _KEPT_WHILE_LOADING:  # type: ignore[union-attr]
                 connection.execute(sa.schema.DropIndex(index, if_exists=True))
     connection.commit()
-    if fills_empty:
+    if is_new:
         _enforce_foreign_keys(connection, False)
 
 
@@ -77,7 +79,7 @@ def are_indexes_pending(connection: sa.Connection) -> bool:
 
 
 def finish_indexes(connection: sa.Connection) -> None:
-    """Build the indexes that a load into an empty SQLite file has put off, if it has; nothing may be left to commit.
+    """Build the indexes that a load into a new SQLite file has put off, if it has; nothing may be left to commit.
 
     Foreign keys are checked meanwhile, and enforced from then on. Raises :class:`~esicatalog.errors.CatalogError`.
     """
@@ -145,7 +147,7 @@ def _end_log(connection: sa.Connection) -> None:
 
 
 def _enforce_foreign_keys(connection: sa.Connection, enforce: bool) -> None:
-    """A load into an empty catalog checks all keys at once, in a tenth of the time."""
+    """A load into a new catalog checks all keys at once, in a tenth of the time."""
     if connection.dialect.name == "sqlite":
         connection.exec_driver_sql(f"PRAGMA foreign_keys = {'ON' if enforce else 'OFF'}")
         connection.commit()

@@ -125,6 +125,9 @@ def _module_identity(dialect: str) -> str:
     )
 
 
+_SOURCES = _integer("(SELECT count(DISTINCT x.source_id) FROM device_sources x WHERE x.device_id = d.id)")
+"""SQL for the number of documents that carry a device; one may carry its description twice."""
+
 _DEVICES = "FROM devices d LEFT JOIN vendors v ON v.vendor_id = d.vendor_id"
 _MODULES = "FROM modules m LEFT JOIN vendors v ON v.vendor_id = m.vendor_id"
 
@@ -335,7 +338,7 @@ def _overview(dialect: str) -> View:
         f"{count('dc_modes')} AS dc_modes, {_flag('f.supports_sync0')} AS sync0, {_flag('f.supports_sync1')} AS sync1, "
         f"""{count("pdos", " AND x.direction = 'RxPdo'")} AS rx_pdos, """
         f"""{count("pdos", " AND x.direction = 'TxPdo'")} AS tx_pdos, """
-        f"{count('slots')} AS slots, {count('device_modules')} AS modules, {count('device_sources')} AS sources "
+        f"{count('slots')} AS slots, {count('device_modules')} AS modules, {_SOURCES} AS sources "
         f"{_DEVICES} JOIN device_facts f ON f.device_id = d.id LEFT JOIN mailboxes b ON b.device_id = d.id",
     )
 
@@ -357,7 +360,7 @@ def _problems(dialect: str) -> list[View]:
             f"SELECT {_device_identity(dialect)}, d.element_count, d.recovered, d.file_version, "
             "(SELECT min(s.member) FROM device_sources x JOIN sources s ON s.id = x.source_id "
             "WHERE x.device_id = d.id) AS first_source, "
-            f"{_integer('(SELECT count(*) FROM device_sources x WHERE x.device_id = d.id)')} AS sources "
+            f"{_SOURCES} AS sources "
             f"{_DEVICES} WHERE d.product_code IS NOT NULL AND d.revision_no IS NOT NULL AND EXISTS ("
             "SELECT 1 FROM devices o WHERE o.vendor_id = d.vendor_id AND o.product_code = d.product_code "
             "AND o.revision_no = d.revision_no AND o.variant <> d.variant)",

@@ -16,6 +16,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.esi.records.common import display_text
 from esicatalog.identity import Identity
+from esicatalog.ingest.process import limited_memory
 from esicatalog.model.compare import compare_devices, images_are_known, summary_words
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.model.compare_documents import DescribedDevice, described_devices, paired_devices
@@ -123,7 +124,8 @@ def _of_files(left: Path, right: Path) -> _Comparison:
 
 
 def _devices(path: Path) -> list[DescribedDevice]:
-    read = read_esi(path)
+    with limited_memory():
+        read = read_esi(path)
     for finding in read.findings:
         if finding.rule in _TOLD:
             click.echo(f"{path}, line {finding.line}: {finding.message}", err=True)

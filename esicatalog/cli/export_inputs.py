@@ -132,8 +132,10 @@ def _subject_of_file(name: str, identity: Identity | None) -> "tuple[Subject, li
     """The device of a file, and the members beside it that the file pulls in."""
     from esicatalog.esi.reader import read_esi
     from esicatalog.export.subject import choose_subject, subjects_of_document
+    from esicatalog.ingest.process import limited_memory
 
     file_name = Path(name).name
-    document = read_esi(name).document
+    with limited_memory():
+        document = read_esi(name).document
     references = [reference.location for reference in document.references if reference.location is not None]
     return choose_subject(subjects_of_document(document, file_name), identity, file_name), references

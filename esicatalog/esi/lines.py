@@ -1,5 +1,6 @@
 """Lines of elements: libxml2 counts line feeds, to 65535 only, and then goes by the texts around an element."""
 
+import codecs
 import re
 from collections.abc import Mapping
 from functools import cached_property
@@ -8,6 +9,7 @@ from typing import NamedTuple
 
 from lxml import etree
 
+_UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 _LAST_COUNTED = 65_535
 _MOST_BYTES = 1_000_000_000
 """That are looked through for one tree, once a tag: some seconds. Elements of further tags keep the parser's line."""
@@ -18,19 +20,24 @@ def has_bare_returns(content: bytes) -> bool:
     return b"\n" not in content and b"\r" in content
 
 
+def _in_ascii(content: bytes) -> bytes:
+    """A document in an encoding based on ASCII."""
+    return content.decode("utf-16", "replace").encode() if content.startswith(_UTF_16) else content
+
+
 class Lines:
     """Lines of the elements of one tree, given the bytes that it was parsed from."""
 
     def __init__(self, content: bytes) -> None:
-        self._content = content
-        self._line_end = b"\r" if has_bare_returns(content) else b"\n"
+        self._content = _in_ascii(content)
+        self._line_end = b"\r" if has_bare_returns(self._content) else b"\n"
         self._counted: dict[str, Mapping[etree._Element, int]] = {}
         self._most_tags = _MOST_BYTES // max(1, len(content))
 
     def of(self, element: etree._Element) -> int:
         """The line on which the start tag of an element ends, 0 = unknown.
 
-        Where libxml2 does not count start tags are counted in the bytes, if these are of an encoding based on ASCII.
+        Where libxml2 does not count start tags are counted in the bytes, of UTF-16 and encodings based on ASCII.
         """
         line = element.sourceline or 0
         if line < _LAST_COUNTED and self._line_end == b"\n":

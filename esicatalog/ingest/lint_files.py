@@ -13,6 +13,7 @@ from esicatalog.esi.reader import Reader
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_members, discover
+from esicatalog.ingest.process import limited_memory
 from esicatalog.lint.library import DeviceFact, facts_of_document, lint_library
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.registry import Rule
@@ -46,7 +47,9 @@ class FilesRun:
         for found in self._found():
             shown = _shown(found.location)
             try:
-                for finding in self._document(found, shown):
+                with limited_memory():
+                    findings = self._document(found, shown)
+                for finding in findings:
                     yield DocumentFinding(shown, finding)
             except NotAnEsiDocument as error:
                 if found.location in self._named:

@@ -34,7 +34,8 @@ class HeldDocument(NamedTuple):
 
     def unreadable_line(self, message: str | None) -> DocumentLine:
         """Its line in a report when it could not be read: the catalog keeps what it holds of it."""
-        return DocumentLine(self.member, "failed", message, self.devices, self.modules)
+        words = f"{message}; the catalog keeps what it has of it"
+        return DocumentLine(self.member, "failed", words, self.devices, self.modules)
 
     def removed_line(self) -> DocumentLine:
         """Its line in a report when the catalog drops it."""

@@ -170,7 +170,7 @@ class Pool:
         if answer is not None:
             return _decode_answer(answer)
         worker.end()
-        return Answer.to(Outcome(task.number, "failed", problem))
+        return Answer.to(Outcome(task.number, "failed", problem, is_unreadable=True))
 
 
 def _place(task: Task) -> tuple[str, tuple[str, ...], str]:

@@ -59,17 +59,34 @@ def settle_in() -> None:
 
     Ctrl-C goes to all processes of a terminal; who started a helper ends it.
     """
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource
-
-        limits = [limit for limit in resource.getrlimit(resource.RLIMIT_AS) if limit != resource.RLIM_INFINITY]
-        limit = min([MEMORY_LIMIT_BYTES, *limits])
-        resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+    _limit_memory()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # Records and rows hold no cycles: looking for some again and again costs more than reading many a document. Who
     # lives long looks now and then, though the process that it is a copy of may not.
     gc.set_threshold(1_000_000, 20, 100)
     gc.enable()
+
+
+def _limit_memory() -> Callable[[], None]:
+    """Let this process have no more memory than a document may take; returns what undoes that."""
+    with contextlib.suppress(ImportError, ValueError, OSError):
+        import resource
+
+        soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+        limit = min(limit for limit in (MEMORY_LIMIT_BYTES, soft, hard) if limit != resource.RLIM_INFINITY)
+        resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
+        return lambda: resource.setrlimit(resource.RLIMIT_AS, (soft, hard))
+    return lambda: None
+
+
+@contextlib.contextmanager
+def limited_memory() -> Iterator[None]:
+    """Documents that this process itself reads take no more memory than in a helper: :class:`MemoryError` beyond."""
+    undo = _limit_memory()
+    try:
+        yield
+    finally:
+        undo()
 
 
 @contextlib.contextmanager

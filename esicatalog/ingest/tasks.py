@@ -36,7 +36,7 @@ class Outcome(msgspec.Struct):
     seconds: dict[str, float] = {}
     """Processor time by stage."""
     is_unreadable: bool = False
-    """Whether the document is there and only could not be read now."""
+    """Whether the document is there and only could not be read now, or whoever read it did not come to its end."""
 
 
 class Answer(msgspec.Struct):

@@ -48,7 +48,11 @@ class DocumentWorker:
 
     def handle(self, task: Task) -> Outcome:
         """Read one document; whatever is wrong with it becomes the outcome's status and message."""
-        outcome = self._handle(task)
+        try:
+            outcome = self._handle(task)
+        except MemoryError:
+            message = "needs more memory than a document may take"
+            outcome = Outcome(task.number, "failed", message, is_unreadable=True)
         outcome.seconds = self.stages.take()
         return outcome
 
@@ -63,8 +67,6 @@ class DocumentWorker:
         except EsiCatalogError as error:
             unreadable = isinstance(error, UnreadableDocument)
             return Outcome(task.number, "failed", str(error), is_unreadable=unreadable)
-        except MemoryError:
-            return Outcome(task.number, "failed", "needs more memory than a document may take", is_unreadable=True)
         outcome = Outcome(task.number, "stored", None, sha256, byte_count)
         if task.known is not None and is_unchanged(task.known, sha256, task.member, hashes):
             outcome.status = "unchanged"
@@ -88,11 +90,10 @@ class DocumentWorker:
         except DocumentError as error:
             place = f"line {error.line}: " if error.line else ""
             outcome.status, outcome.message = "failed", f"{place}{error}"
-        except (MemoryError, RecursionError) as error:
-            outcome.status, outcome.message = (
-                "failed",
-                f"takes too much memory or is nested too deep ({type(error).__name__})",
-            )
+        except MemoryError:
+            raise
+        except RecursionError:
+            outcome.status, outcome.message = "failed", "is nested too deep"
         except Exception as error:  # a fault of the reader costs its document, not the run
             outcome.status = "failed"
             where = f"{type(error).__name__} in {_place(error)}"
