@@ -1,5 +1,6 @@
 """Ingest: idempotent, resumable, the same catalog whatever the order, and nothing left of what went."""
 
+import io
 import shutil
 import sqlite3
 import zipfile
@@ -529,29 +530,47 @@ def test_a_missing_path_leaves_the_catalog_as_it_is(tmp_path, library):
     assert db.read_bytes() == before
 
 
+def archived(**members: str | bytes) -> bytes:
+    """An archive of XML documents and, where they are bytes, of archives."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        for name, content in members.items():
+            archive.writestr(f"{name}.{'zip' if isinstance(content, bytes) else 'xml'}", content)
+    return stream.getvalue()
+
+
+DICTIONARIES = [EXTERNAL.format(name) for name in ("O", "Another")]
+CONTENTS = [
+    *(esi(content, RICH_MODULE) for content in (rich("#x1", value="01"), rich("#x1", value="02"), rich("#x2"))),
+    REFERRING,
+    carrier("a.xml"),
+    module_document(WITH_DICTIONARY.format("d.xml")),
+    *DICTIONARIES,
+    "<EtherCATInfo>",
+]
+ARCHIVES = [archived(a=REFERRING, d=text, more=archived(b=REFERRING, d=DICTIONARIES[0])) for text in DICTIONARIES]
+PLACES = ["r/a.xml", "r/A.xml", "r/b.xml", "r/d.xml", "s/a.xml", "s/D.XML", "s/z.zip"]
 STEPS = st.lists(
-    st.tuples(
-        st.sampled_from("abc"), st.sampled_from(["", *(rich("#x1", value=v) for v in ("01", "02")), rich("#x2")])
-    ),
-    min_size=1,
-    max_size=6,
+    st.tuples(st.sampled_from(PLACES), st.sampled_from([None, *CONTENTS, *ARCHIVES])), min_size=1, max_size=8
 )
 
 
 @settings(max_examples=4, deadline=None, phases=[Phase.explicit, Phase.generate])
 @given(STEPS)
 def test_any_history_equals_a_fresh_ingest(tmp_path_factory, steps):
+    """None: what is there is removed."""
     tmp_path = tmp_path_factory.mktemp("history")
-    folder = write(tmp_path / "in", {})
-    folder.mkdir()
+    folder = tmp_path / "in"
+    roots = [folder / "r", folder / "s"]
+    for root in roots:
+        root.mkdir(parents=True)
     for name, content in steps:
-        file = folder / f"{name}.xml"
-        if content:
-            write(folder, {file.name: esi(content, RICH_MODULE)})
+        if content is None:
+            (folder / name).unlink(missing_ok=True)
         else:
-            file.unlink(missing_ok=True)
-        _, last = ingest(tmp_path / "c.db", folder, prune=True)
-    assert ingest(tmp_path / "fresh.db", folder)[1] == last
+            write(folder, {name: content})
+        _, last = ingest(tmp_path / "c.db", *roots, prune=True)
+    assert ingest(tmp_path / "fresh.db", *roots)[1] == last
     for table in CONTENT_TABLES:
         query = f"SELECT count(*) FROM {table}"
         assert one(tmp_path / "c.db", query) == one(tmp_path / "fresh.db", query), table
