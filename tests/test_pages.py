@@ -621,12 +621,81 @@ async def test_numbers_of_exports_are_the_same_at_every_door(data_db):
     assert (refused.status_code, "is larger than 0xffffffff" in refused.json()["error"]) == (400, True)
 
 
-@pytest.mark.parametrize("target", ["sii", "esi"])
-@pytest.mark.parametrize("query", ["op-mode=nonsense", "module=0%3D0x219800", "cycle-ns=1", "alias=1"])
-async def test_exports_of_the_description_itself_take_no_choices(data_db, target, query):
-    refused = await (await client(data_db)).get(f"{EYOU}/export/{target}?{query}")
-    assert refused.status_code == 400
-    assert refused.json()["error"] == f"unknown parameter {query.partition('=')[0]!r}; there are none"
+@pytest.mark.parametrize(
+    ("target", "unheeded", "there_are"),
+    [
+        ("esi", ("op-mode", "module", "cycle-ns", "alias", "fit"), "there are none"),
+        ("sii", ("op-mode", "module", "cycle-ns", "alias"), "there is only fit"),
+        ("cstruct", ("cycle-ns", "name", "alias", "fit"), "there are pdo, module, op-mode, position"),
+        ("soem", ("alias", "position"), "there are pdo, module, op-mode, cycle-ns, name"),
+        ("pysoem", ("alias", "position"), "there are pdo, module, op-mode, cycle-ns, name"),
+    ],
+)
+async def test_what_a_target_does_not_heed_is_refused_at_every_door(data_db, target, unheeded, there_are):
+    """An EEPROM image and ESI XML are of the description itself, SOEM's application says which slave it means, and
+    what ``ethercat cstruct`` prints has no cycle in it."""
+    web = await client(data_db)
+    for name in unheeded:
+        refused = await web.get(f"{L6N}/export/{target}?{name}=1")
+        assert (refused.status_code, refused.json()) == (400, {"error": f"unknown parameter {name!r}; {there_are}"})
+        done = run("export", target, "0x4321:0xe2:1", f"--{name}", "1", db=data_db)
+        assert (done.exit_code, "no such option" in done.stderr) == (2, True), name
+
+
+async def test_the_fields_of_a_form_are_those_that_its_targets_heed(tmp_path, data_db):
+    """The second OpMode assigns another PDO, which changes what cstruct prints; the cycle never does."""
+    modes = "".join(
+        f"<OpMode><Name>{name}</Name><AssignActivate>#x300</AssignActivate><CycleTimeSync0>0</CycleTimeSync0>"
+        f'<Sm No="0"><Pdo>{index}</Pdo></Sm></OpMode>'
+        for name, index in (("A", "#x1600"), ("B", "#x1601"))
+    )
+    mapped = '<Sm StartAddress="#x1000" ControlByte="#x24" Enable="1">Outputs</Sm>' + "".join(
+        pdo("RxPdo", index, 8, attributes=f'Sm="{sm}"') for index, sm in (("#x1600", 0), ("#x1601", 0))
+    )
+    db = catalog_of(tmp_path, esi(device(f"{mapped}<Dc>{modes}</Dc>")))
+    forms = {
+        tuple(field.get("name") for field in form.cssselect("input, select")): {
+            button.get("formaction").rpartition("/")[2] for button in form.cssselect("button")
+        }
+        for form in (await page(db, "/-/esi/device/0xe5c/1/1")).cssselect("section[aria-labelledby=exports] form")
+    }
+    masters = {"igh", "soem", "pysoem", "ros2", "linuxcnc"}
+    assert forms == {("op-mode", "cycle-ns"): masters, ("op-mode",): {"cstruct"}}
+    web = await client(db)
+    printed = [(await web.get(f"/-/esi/device/0xe5c/1/1/export/cstruct?op-mode=%23{n}")).text for n in (0, 1)]
+    assert ["0x1600" in text for text in printed] == [True, False]
+    (form,) = (await page(data_db, EYOU)).cssselect("section[aria-labelledby=exports] form")
+    assert {button.get("formaction").rpartition("/")[2] for button in form.cssselect("button")} == masters
+
+
+async def test_an_image_that_is_too_long_is_offered_as_one_that_fits_with_what_it_leaves_out(tmp_path):
+    """Of 256 bytes 128 are the header; the strings of two entries with 63 letters each are too much for the rest."""
+    names = "".join(
+        f"<Entry><Index>#x7000</Index><SubIndex>{n}</SubIndex><BitLen>8</BitLen><Name>{letter * 63}</Name>"
+        "<DataType>USINT</DataType></Entry>"
+        for n, letter in ((1, "a"), (2, "b"))
+    )
+    mapped = (
+        '<Sm StartAddress="#x1000" ControlByte="#x24" Enable="1">Outputs</Sm>'
+        f'<RxPdo Sm="0"><Index>#x1600</Index><Name>P</Name>{names}</RxPdo>'
+    )
+    small = "<Eeprom><ByteSize>256</ByteSize></Eeprom>"
+    described = device(mapped + small) + device(mapped, product="2")
+    db = catalog_of(tmp_path, esi(described))
+    section = (await page(db, "/-/esi/device/0xe5c/1/1")).cssselect("section[aria-labelledby=exports]")[0]
+    (link,) = section.xpath(".//a[contains(@href, 'fit=')]")
+    assert "One that fits leaves out names of entries: 2." in " ".join(section.text_content().split())
+    made = await (await client(db)).get(link.get("href"))
+    said = run("export", "sii", "0xe5c:1:1", "--fit", "-o", tmp_path / "image.bin", db=db)
+    assert (made.status_code, len(made.content)) == (200, 256)
+    assert made.content == (tmp_path / "image.bin").read_bytes()
+    assert "names of entries: 2" in said.stderr
+    assert not (await page(db, "/-/esi/device/0xe5c/2/1")).xpath("//a[contains(@href, 'fit=')]")
+    for query, status in (("fit=0", 400), ("fit=", 400), ("fit=x", 400), ("fit=1&fit=1", 400), ("fit=yes", 200)):
+        answer = await (await client(db)).get(f"/-/esi/device/0xe5c/1/1/export/sii?{query}")
+        assert answer.status_code == status, query
+    wrong = await (await client(db)).get("/-/esi/device/0xe5c/1/1/export/sii?fit=x")
+    assert wrong.json() == {"error": "fit: 'x' is neither 1 nor 0"}
 
 
 async def test_chosen_modules_go_to_the_exports_that_take_them(data_db):
@@ -897,7 +966,7 @@ async def test_op_mode_and_cycle_are_chosen_in_a_form(tmp_path):
     form = section.cssselect("form")[0]
     assert [option.get("value") for option in form.cssselect("option")] == ["", "#0", "#1"]
     buttons = [button.get("formaction") for button in form.cssselect("button")]
-    assert {target.rpartition("/")[2] for target in buttons} == {*EXPORTS} - {"sii", "esi"}
+    assert {target.rpartition("/")[2] for target in buttons} == {*EXPORTS} - {"sii", "esi", "cstruct"}
     for target in buttons:
         for chosen, status in (
             ({}, 200),

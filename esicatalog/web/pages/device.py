@@ -7,17 +7,18 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription, description_json
 from esicatalog.catalog.mapping import image_key
-from esicatalog.catalog.results import FoundDevice, hex32
-from esicatalog.errors import InputError, NotFound
+from esicatalog.catalog.results import hex32
+from esicatalog.errors import EsiCatalogError, InputError, NotFound
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
+from esicatalog.export.eeprom import eeprom_image
 from esicatalog.export.sii_remarks import image_remarks
 from esicatalog.export.sii_summary import WHY_MERGE
-from esicatalog.export.subject import subject_of_description
+from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.counting import counted
 from esicatalog.model.derivation import derive
@@ -40,7 +41,7 @@ from esicatalog.model.words import (
     profile_words,
 )
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
-from esicatalog.web.exports import TARGETS, asked_modules, modules_query
+from esicatalog.web.exports import TARGETS, asked_modules, modules_query, parameters_of
 from esicatalog.web.http import Page, status_of
 from esicatalog.web.links import BASE, asked_identity, device_path
 from esicatalog.web.pages.nearest import nearest, nearest_json
@@ -50,6 +51,8 @@ _LONGEST_NUMBER = 8
 _MOST_SLOTS = 24
 """How many slots are offered; a station has hundreds, and each of them takes hundreds of modules."""
 _MOST_ALIKE = 12
+_FORM_FIELDS = {"op-mode": "OpMode", "cycle-ns": "cycle"}
+"""Parameters of exports that the page has fields for, and what they choose."""
 
 
 async def device_page(request: Any, catalog: Catalog) -> Page:
@@ -91,13 +94,21 @@ def _asked(request: Any) -> tuple[Identity, Mapping[int, ModuleChoice]]:
     return asked_identity(request), choice
 
 
-def _image_remarks(description: DeviceDescription) -> tuple[str, ...]:
+def _eeprom_image(description: DeviceDescription) -> dict[str, Any]:
     """What is told beside the EEPROM image, of which there is one only for a device with all codes."""
     found = description.found
     if None in (found.vendor_id, found.product_code, found.revision_no):
-        return ()
+        return {"image_remarks": (), "left_out": ()}
     subject = subject_of_description(found, description.sources, description.device, description.modules)
-    return (WHY_MERGE, *image_remarks(subject))
+    return {"image_remarks": (WHY_MERGE, *image_remarks(subject)), "left_out": _left_out(subject)}
+
+
+def _left_out(subject: Subject) -> tuple[str, ...]:
+    """What of the image is left out to fit the EEPROM; nothing where it fits, or where there is none."""
+    try:
+        return eeprom_image(subject, fit=True).dropped
+    except EsiCatalogError:
+        return ()
 
 
 def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
@@ -110,7 +121,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "drawing_css": DRAWING_CSS,
         **_head(description, choice),
         "facts": _facts(description, derived.facts),
-        **_exports(description.found, any(image.pdos for image in images)),
+        **_exports(description, any(image.pdos for image in images)),
         **_module_picker(description, choice),
         "images": [_image(image) for image in images],
         "sync_managers": [
@@ -126,7 +137,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "commands": _commands(device.mailbox),
         "objects": object_counts(description, choice),
         "eeprom": device.eeprom,
-        "image_remarks": _image_remarks(description),
+        **_eeprom_image(description),
         "findings": description.findings,
         "revisions": _revisions(description),
         "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
@@ -207,20 +218,24 @@ def _revisions(description: DeviceDescription) -> list[dict[str, Any]]:
     ]
 
 
-def _exports(found: FoundDevice, has_process_data: bool) -> dict[str, Any]:
-    """What is offered, and the labels of what cannot be made without process data."""
-    targets = {
-        name: target for name, target in TARGETS.items() if found.revision_no is not None or not target.needs_revision
-    }
+def _exports(description: DeviceDescription, has_process_data: bool) -> dict[str, Any]:
+    """What is offered, with fields for what it heeds, and the labels of what cannot be made without process data."""
+    has_revision = description.found.revision_no is not None
+    targets = {name: target for name, target in TARGETS.items() if has_revision or not target.needs_revision}
+    offered = [name for name, target in targets.items() if has_process_data or not target.needs_process_data]
+    fields = [name for name in _FORM_FIELDS if name != "op-mode" or len(description.device.op_modes) > 1]
+    forms: dict[tuple[str, ...], list[str]] = {}
+    for name in offered:
+        forms.setdefault(tuple(field for field in fields if field in parameters_of(name)), []).append(name)
     return {
-        "exports": [
-            {"name": name, "label": target.label, "takes_choices": bool(target.parameters)}
-            for name, target in targets.items()
-            if has_process_data or not target.needs_process_data
+        "labels": {name: target.label for name, target in targets.items()},
+        "exports": [(name, "module" in parameters_of(name)) for name in offered],
+        "export_forms": [
+            (" or ".join(_FORM_FIELDS[field] for field in heeded), heeded, names)
+            for heeded, names in forms.items()
+            if heeded
         ],
-        "not_exported": [
-            target.label for target in targets.values() if target.needs_process_data and not has_process_data
-        ],
+        "not_exported": [target.label for name, target in targets.items() if name not in offered],
     }
 
 
