@@ -221,7 +221,7 @@ async def test_the_scan_page_says_what_the_shell_says(data_db):
     """Which master a bus is of, and for every slave which revision is described instead of its own, and where."""
     of_two = SLAVES.replace("Master 0", "Master 3", 1)
     tree = html.fromstring((await (await client(data_db)).post("/-/esi/scan", data={"scan": of_two})).text)
-    assert texts(tree, "h2") == ["Bus 0, master 3: 1 slaves", "Bus 1, master 0: 2 slaves"]
+    assert texts(tree, "h2") == ["Bus 0, master 3: 1 slave", "Bus 1, master 0: 2 slaves"]
     assert texts(tree, "td[data-label=Revision]") == ["", "0x00110000", ""]
     (line,) = rows(data_db, "SELECT line FROM device_sources x JOIN devices d ON d.id = x.device_id "
         "WHERE d.product_code = 0x0d080808 AND d.revision_no = 0x00110000")[0]  # fmt: skip

@@ -12,6 +12,7 @@ import msgspec
 from esicatalog.api import Catalog
 from esicatalog.catalog.results import hex32
 from esicatalog.cli.common import EXIT_NO, IDENTITY, Command, db_option, format_option, print_json, reporting_errors
+from esicatalog.counting import counted
 from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.esi.records.common import display_text
@@ -20,7 +21,6 @@ from esicatalog.model.compare import compare_devices, images_are_known, summary_
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.model.compare_documents import DescribedDevice, described_devices, paired_devices
 from esicatalog.model.compare_facts import ADDED, CHANGED, REMOVED, Difference, excerpts
-from esicatalog.model.counting import counted
 
 _TOLD = ("L01", "L60")
 """Findings that bear on a comparison: the document had to be repaired, or a part of it was not found."""

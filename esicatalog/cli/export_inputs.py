@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import msgspec
 
 from esicatalog.cli.common import read_text_as
+from esicatalog.counting import counted
 from esicatalog.errors import InputError, NotFound
 from esicatalog.export.choice import Choice
 from esicatalog.identity import Identity
-from esicatalog.model.counting import counted
 
 if TYPE_CHECKING:
     from esicatalog.catalog.results import FoundDevice
