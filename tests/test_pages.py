@@ -1031,3 +1031,15 @@ async def test_exclude_of_one_side_counts_for_both_everywhere(tmp_path):
     tree = await page(db, "/-/esi/device/0xe5c/1/1")
     excluded = [text.partition("excludes ")[2] for text in texts(tree, "summary") if "excludes" in text]
     assert excluded == ["0x1601", "0x1600"]
+
+
+async def test_titles_keep_right_to_left_names_apart(tmp_path):
+    """In a tab the number behind a Hebrew word would stand before it, and an override would turn what follows."""
+    db = catalog_of(tmp_path, esi(device(type_text="מנוע", name="מנוע 5\u202e")))
+    for path, title in (
+        ("device/0xe5c/1/1", "\u2068מנוע\u2069 \u2068מנוע\u2069 5 – esicatalog"),
+        ("device/0xe5c/1/1/objects", "Objects of \u2068מנוע\u2069 – esicatalog"),
+        ("?text=מנוע", "\u2068מנוע\u2069 – esicatalog"),
+    ):
+        tree = await page(db, f"/-/esi/{path}")
+        assert tree.findtext(".//title") == title
