@@ -852,7 +852,7 @@ async def test_pages_and_warnings_name_no_revision_that_is_not_there(tmp_path):
     assert latest.status_code == 200
     facts = html.fromstring(latest.text).cssselect("dl.facts dd")
     assert facts[2].text_content().strip() == "-"
-    assert "  revision  -" in run("show", "0xe5c:1", db=db).stdout.splitlines()
+    assert "  revision         -" in run("show", "0xe5c:1", db=db).stdout.splitlines()
 
 
 def test_pdos_and_objects_beside_a_scan(data_db, tmp_path):

@@ -929,6 +929,37 @@ async def test_the_page_says_of_a_bus_what_the_command_says(data_db, tmp_path):
     assert ("process data", "2 bytes out, 2 bytes in; unknown of slave 2") in shown
 
 
+async def test_the_page_says_of_a_device_what_the_sheet_says(tmp_path):
+    """Each fact under the same name, in the same order, in the same words; the vendor hides revision 1."""
+    content = (
+        "<Profile><ProfileNo>5001</ProfileNo></Profile><Profile><ProfileNo>402</ProfileNo></Profile>"
+        "<Sm StartAddress='#x1000' ControlByte='#x24' Enable='7'>Outputs</Sm>"
+        + pdo("RxPdo", "#x1600", 8, attributes="Sm='0'")
+        + "<Mailbox><CoE SdoInfo='1' CompleteAccess='1'/></Mailbox>"
+        "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
+        "<Eeprom><ByteSize>2048</ByteSize><ConfigData>050C</ConfigData><Fancy/></Eeprom>"
+    )
+    newer = device(revision="#x2", name="N").replace("<Name>N</Name>", "<Name>N</Name><HideType RevisionNo='#x1'/>")
+    db = catalog_of(tmp_path, esi(device(content) + newer), esi(device(content + "<Slots/>")))
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    sheet = run("show", "0xe5c:1:1", db=db).stdout.splitlines()
+    facts = dict(zip(texts(tree, "dl.facts dt"), texts(tree, "dl.facts dd"), strict=True))
+    told = {line[2:17].rstrip(): line[19:] for line in sheet if line.startswith("  ") and line[17:19] == "  "}
+    shared = [name for name in facts if name not in ("vendor", "product", "revision", "described in", "descriptions")]
+    assert shared == [
+        *("group", "profiles", "ports", "mailbox", "CoE", "clocks", "process data", "size", "ConfigData"),
+    ]
+    assert {name: told[name] for name in shared} == {name: facts[name] for name in shared}
+    assert (told["profiles"], told["size"]) == ("5001, 402", "2048 bytes")
+    assert told["process data"] == "1 byte out, 0 bytes in by default"
+    assert "hidden by its vendor" in told["revision"]
+    assert "hidden by its vendor" in facts["revision"]
+    assert told["variant"] == "1 of 2: the preferred description of this identity"
+    (said,) = [text for text in texts(tree, "section[aria-labelledby=findings] td.long") if "Fancy" in text]
+    assert any(said in line for line in sheet)
+    assert "7" in texts(tree, "section[aria-labelledby=sync-managers] td")
+
+
 async def test_entries_without_codes_come_last(tmp_path):
     """Page by page, each device once: 60 with codes, of two vendors, then the 45 of the first vendor without any."""
     caps = "".join(device(product="", type_text=f"cap {number:02}") for number in range(45))

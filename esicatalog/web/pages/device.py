@@ -8,7 +8,6 @@ from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription, description_json
 from esicatalog.catalog.mapping import image_key
 from esicatalog.catalog.results import hex32
-from esicatalog.counting import counted
 from esicatalog.errors import EsiCatalogError, InputError, NotFound
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
@@ -22,7 +21,6 @@ from esicatalog.export.sii_summary import WHY_MERGE
 from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
-from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.module_choice import module_choices, module_labels
 from esicatalog.model.pdo_facts import bits_words, entry_words, index_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.predefined_assignments import predefined_assignments
@@ -31,15 +29,7 @@ from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals, is_superseded
-from esicatalog.model.words import (
-    INIT_CMD_PROTOCOLS,
-    clock_words,
-    coe_details,
-    fsoe_words,
-    init_cmd_target,
-    mailbox_words,
-    profile_words,
-)
+from esicatalog.model.words import INIT_CMD_PROTOCOLS, eeprom_words, fact_words, init_cmd_target
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
 from esicatalog.web.exports import TARGETS, asked_modules, modules_query, parameters_of
 from esicatalog.web.http import Page, status_of
@@ -120,7 +110,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "problem": None,
         "drawing_css": DRAWING_CSS,
         **_head(description, choice),
-        "facts": _facts(description, derived.facts),
+        "facts": fact_words(device, derived.facts),
         **_exports(description, any(image.pdos for image in images)),
         **_module_picker(description, choice),
         "images": [_image(image) for image in images],
@@ -136,7 +126,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "op_modes": _op_modes(device, description.default_position(choice)),
         "commands": _commands(device.mailbox),
         "objects": object_counts(description, choice),
-        "eeprom": device.eeprom,
+        "eeprom": eeprom_words(device),
         **_eeprom_image(description),
         "findings": description.findings,
         "revisions": _revisions(description),
@@ -237,35 +227,6 @@ def _exports(description: DeviceDescription, has_process_data: bool) -> dict[str
         ],
         "not_exported": [target.label for name, target in targets.items() if name not in offered],
     }
-
-
-def _facts(description: DeviceDescription, facts: DeviceFacts) -> list[tuple[str, str]]:
-    device = description.device
-    shown = [
-        ("group", device.group_type),
-        ("profiles", ", ".join(sorted(profile_words(device)))),
-        ("ports", device.physics),
-        ("E-bus current", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
-        ("mailbox", mailbox_words(device)),
-        ("CoE", ", ".join(coe_details(device.mailbox))),
-        ("clocks", clock_words(device, facts)),
-        ("smallest cycle", f"{facts.min_cycle_ns} ns" if facts.min_cycle_ns is not None else None),
-        ("process data", _process_data_words(facts)),
-        ("CheckRevisionNo", device.check_revision_no),
-        ("LRW", "not possible (UseLrdLwr)" if device.use_lrd_lwr else None),
-        ("FSoE", fsoe_words(facts)),
-    ]
-    return [(name, value) for name, value in shown if value]
-
-
-def _process_data_words(facts: DeviceFacts) -> str:
-    if facts.output_bytes is None and facts.input_bytes is None:
-        return "unknown"
-    out, into = (
-        counted(size, "byte") if size is not None else "unknown length"
-        for size in (facts.output_bytes, facts.input_bytes)
-    )
-    return f"{out} out, {into} in by default"
 
 
 def _image(image: SmImage) -> dict[str, Any]:
