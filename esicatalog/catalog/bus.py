@@ -134,7 +134,7 @@ def bus_facts(bus: BusReport) -> list[tuple[str, str]]:
 
 def _slave_words(positions: Sequence[int]) -> str:
     """Ring positions in words; empty without any."""
-    return f"slave {', '.join(map(str, positions))}" if positions else ""
+    return f"slave{'s' * (len(positions) > 1)} {', '.join(map(str, positions))}" if positions else ""
 
 
 def _alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:

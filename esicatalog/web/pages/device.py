@@ -180,9 +180,11 @@ def _modules(modules: Sequence[Module]) -> list[dict[str, Any]]:
 
 
 def _op_modes(device: Device, default: int | None) -> list[dict[str, Any]]:
+    """The OpModes that newer tools ignore come last: of many not all are shown."""
     time_only = device.dc_time_loop_control_only
-    return [
+    shown = [
         {
+            "position": position,
             "mode": mode,
             "signals": generated_signals(mode, time_only),
             "is_default": position == default,
@@ -191,6 +193,7 @@ def _op_modes(device: Device, default: int | None) -> list[dict[str, Any]]:
         }
         for position, mode in enumerate(device.op_modes)
     ]
+    return sorted(shown, key=lambda item: (not item["is_default"], item["is_superseded"]))
 
 
 def _revisions(description: DeviceDescription) -> list[dict[str, Any]]:
