@@ -752,6 +752,11 @@ async def test_no_json_is_made_of_half_a_question(data_db, path):
     assert refused.json()["error"].startswith(("unknown parameter 'modul'; there ", "unknown filter 'modul'; there "))
 
 
+async def test_identities_that_are_posted_are_the_whole_question(data_db):
+    refused = await (await client(data_db)).post("/-/esi/identify.json?revision=0x8f", json=[[0x1097, 0x2406]])
+    assert (refused.status_code, refused.json()) == (400, {"error": "unknown parameter 'revision'; there are none"})
+
+
 async def test_exported_esi_holds_vendor_and_group(data_db):
     text = (await (await client(data_db)).get(f"{EYOU}/export/esi")).content
     (info,) = read(text).document.infos
