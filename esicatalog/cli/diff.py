@@ -11,7 +11,16 @@ import msgspec
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.results import hex32
-from esicatalog.cli.common import EXIT_NO, IDENTITY, Command, db_option, format_option, print_json, reporting_errors
+from esicatalog.cli.common import (
+    EXIT_NO,
+    FILE,
+    IDENTITY,
+    Command,
+    db_option,
+    format_option,
+    print_json,
+    reporting_errors,
+)
 from esicatalog.counting import counted
 from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
@@ -65,7 +74,7 @@ class _Comparison(NamedTuple):
     "files",
     metavar="A B",
     nargs=2,
-    type=click.Path(path_type=Path),
+    type=FILE,
     help="Compare the devices of two ESI files; no catalog is opened.",
 )
 @db_option

@@ -12,7 +12,7 @@ from typing import Any
 import click
 
 from esicatalog.catalog.own_files import own_files
-from esicatalog.cli.common import IDENTITY, NUMBER, OUTPUT, PLUGGED, Group, db_option, read_as, reporting_errors
+from esicatalog.cli.common import FILE, IDENTITY, NUMBER, OUTPUT, PLUGGED, Group, db_option, read_as, reporting_errors
 from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subjects_of_vendor
 from esicatalog.errors import InputError
 from esicatalog.export.choice import DEFAULT_CYCLE_NS, HEEDED, Choice, check_numbers, parse_pdo_choice
@@ -29,7 +29,7 @@ _FILES_OF_TARGETS = ("scan", "sii", "merge")
 _DEVICE: tuple[Option, ...] = (
     click.argument("identity", type=IDENTITY, required=False),
     db_option,
-    click.option("--esi", metavar="FILE", help="Take the device from this ESI file; no catalog is opened."),
+    click.option("--esi", metavar="FILE", type=FILE, help="Take the device from this ESI file; no catalog is opened."),
     click.option(
         "-o",
         "--output",
@@ -96,12 +96,14 @@ def _target(*extra: Option) -> Callable[[Callable[..., str | bytes]], click.Comm
     def decorate(function: Callable[..., str | bytes]) -> click.Command:
         @functools.wraps(function)
         def run(
-            identity: Identity | None, db: str, esi: str | None, output: str | None, accept_revision: bool, **rest: Any
+            identity: Identity | None, db: str, esi: Path | None, output: str | None, accept_revision: bool, **rest: Any
         ) -> None:
             choice = _choice(rest)
             notes: list[str] = []
             named = filter(None, (esi, *(rest.get(option) for option in _FILES_OF_TARGETS)))
-            inputs = Inputs(identity, db, esi, accept_revision, choice, notes, output, [*own_files(db), *named])
+            inputs = Inputs(
+                identity, db, esi, accept_revision, choice, notes, output, [*own_files(db), *map(str, named)]
+            )
             inputs.check_output(output)
             made = function(inputs, **rest)
             _write(made, output)
@@ -127,8 +129,10 @@ def _choice(options: dict[str, Any]) -> Choice:
     )
 
 
-@_target(click.option("--scan", metavar="FILE", help="Slaves of a bus as a master printed them, - for stdin."))
-def igh(inputs: Inputs, scan: str | None) -> str:
+@_target(
+    click.option("--scan", metavar="FILE", type=FILE, help="Slaves of a bus as a master printed them, - for stdin.")
+)
+def igh(inputs: Inputs, scan: Path | None) -> str:
     """C header for the IgH EtherLab master 1.5 and 1.6.
 
     PDO tables, offsets, registration, typed accessors, start-up commands, distributed clocks, checks at compile time.
@@ -145,8 +149,8 @@ def igh(inputs: Inputs, scan: str | None) -> str:
     return header
 
 
-@_target(click.option("--sii", metavar="FILE", help="Print what this EEPROM image holds."))
-def cstruct(inputs: Inputs, sii: str | None) -> bytes:
+@_target(click.option("--sii", metavar="FILE", type=FILE, help="Print what this EEPROM image holds."))
+def cstruct(inputs: Inputs, sii: Path | None) -> bytes:
     """What ``ethercat cstruct`` of IgH EtherLab prints for the device; names begin with slave_POSITION.
 
     Its literal EC_WD_DISABLE switches output watchdogs off; the header of ``export igh`` is the one to use.
@@ -160,7 +164,7 @@ def cstruct(inputs: Inputs, sii: str | None) -> bytes:
     check_numbers(inputs.choice)
     if inputs.choice != Choice(position=inputs.choice.position):
         raise InputError("--sii prints what the image holds: no PDOs, modules or OpMode can be chosen")
-    image = read_as(Path(sii), read_sii)
+    image = read_as(sii, read_sii)
     return cstruct_of_image(image, inputs.choice.position).encode("utf-8", "surrogateescape")
 
 
@@ -202,13 +206,15 @@ def linuxcnc(inputs: Inputs) -> str:
 
 
 @_target(
-    click.option("--merge", metavar="DUMP", help="Keep what is the device's own in this image read from it."),
+    click.option(
+        "--merge", metavar="DUMP", type=FILE, help="Keep what is the device's own in this image read from it."
+    ),
     click.option("--fit", is_flag=True, help="Leave out names, then more, until the image fits; says what."),
     click.option(
         "--language", metavar="LCID", type=NUMBER, help="Texts in this language where the description has it."
     ),
 )
-def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> bytes:
+def sii(inputs: Inputs, merge: Path | None, fit: bool, language: int | None) -> bytes:
     """EEPROM image of the device.
 
     For a device in the field use --merge with its own image: alias, serial number, factory data and private words
@@ -221,7 +227,7 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     from esicatalog.sii.files import read_sii
 
     subject = inputs.subject()
-    dump = read_as(Path(merge), read_sii) if merge is not None else None
+    dump = read_as(merge, read_sii) if merge is not None else None
     made = eeprom_image(subject, language=language, dump=dump, fit=fit)
     click.echo(image_text(subject, made.image, merged=made.merged, dropped=made.dropped), err=True)
     return encode_sii(made.image)
