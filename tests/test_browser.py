@@ -74,14 +74,14 @@ def test_dictionary_is_loaded_and_filtered(page: Page):
     page.get_by_text("objects", exact=False).locator("visible=true").last.click()
     box = page.get_by_label("Filter by index, name or type")
     box.fill("0x6502")
-    expect(page.locator("[data-shown]")).to_have_text("1 objects")
+    expect(page.locator("[data-shown]")).to_have_text("1 object")
     assert page.locator("details[data-object]:visible").count() == 1
 
 
 def test_the_page_of_objects_alone_is_filtered(page: Page):
     page.goto(f"{EYOU}/objects")
     page.get_by_label("Filter by index, name or type").fill("0x6502")
-    expect(page.locator("[data-shown]")).to_have_text("1 objects")
+    expect(page.locator("[data-shown]")).to_have_text("1 object")
     assert page.locator("details[data-object]:visible").count() == 1
 
 

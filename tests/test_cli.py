@@ -370,6 +370,34 @@ def test_an_argument_that_cannot_be_read_is_told_with_its_option(data_db):
         assert one_line_error(run(*words, db=data_db)).startswith(f"esicatalog: {says}"), words
 
 
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (("ingest", "", "--db", "c.db"), "the name is empty; give a file, a folder or an archive"),
+        (("lint", ""), "the name is empty; give a file, a folder or an archive"),
+        (("lint", ".", "--schema", ""), "--schema: the name is empty"),
+        (("identify", "--slaves", ""), "--slaves: the name is empty"),
+        (("identify", "--slaves", "-", "--pdos", "0="), "the name is empty"),
+        (("sii", "decode", ""), "the name is empty"),
+        (("diff", "--esi", "", ""), "--esi: the name is empty"),
+        (("export", "igh", "--esi", ""), "--esi: the name is empty"),
+        (("export", "igh", "--scan", ""), "--scan: the name is empty"),
+        (("export", "sii", "1:1", "--merge", ""), "--merge: the name is empty"),
+        (("snapshot", "--from", "c.db", "--to", ""), "--to: the name is empty"),
+    ],
+)
+def test_an_empty_name_is_not_the_folder_that_we_are_in(words, says, tmp_path, monkeypatch):
+    """As of a variable that is not set: all documents of the folder would be ingested."""
+    write(tmp_path, {"a.xml": esi(device())})
+    monkeypatch.chdir(tmp_path)
+    assert one_line_error(run(*words)).startswith(f"esicatalog: {says}")
+    assert [path.name for path in tmp_path.iterdir()] == ["a.xml"]
+
+
+def test_an_empty_host_is_not_every_address(data_db):
+    assert "the host is empty" in one_line_error(run("serve", "--host", "", db=data_db))
+
+
 def test_one_device_is_no_devices(data_db):
     assert run("devices", "--text", "L6N", "--limit", 1, db=data_db).stderr == "1 device\n"
 

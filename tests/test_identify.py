@@ -873,7 +873,7 @@ async def test_pages_and_warnings_name_no_revision_that_is_not_there(tmp_path):
     assert latest.status_code == 200
     facts = html.fromstring(latest.text).cssselect("dl.facts dd")
     assert facts[2].text_content().strip() == "-"
-    assert "  revision  -" in run("show", "0xe5c:1", db=db).stdout.splitlines()
+    assert "  revision         -" in run("show", "0xe5c:1", db=db).stdout.splitlines()
 
 
 def test_pdos_and_objects_beside_a_scan(data_db, tmp_path):
@@ -1181,7 +1181,7 @@ def test_a_reference_clock_behind_slaves_of_which_nothing_is_known(tmp_path):
     listed = "vendor,product,revision\n0xe5c,1,1\n0xe5c,9,1\n0xe5c,1,1\n0xe5c,2,1\n"
     done = run("identify", "--slaves", "-", db=db, stdin=listed)
     words = "slave 3 is the first known to have distributed clocks; nothing is known of slave 1"
-    silent = "of slave 0, 2 their descriptions say nothing of clocks"
+    silent = "of slaves 0, 2 their descriptions say nothing of clocks"
     assert f"  reference clock  {words}; {silent}" in done.stdout.splitlines()
     excluded = mode.replace("<Dc>", '<Dc PotentialReferenceClock="0">')
     other = catalog_of(tmp_path / "other", esi(device(mode, product="#x1") + device(excluded, product="#x2")))
@@ -1224,7 +1224,7 @@ def test_a_master_configuration_that_expects_an_alias_twice(data_db, tmp_path):
     )
     (tmp_path / "bus.xml").write_text(f"<EtherCATConfig><Config>{slave * 2}</Config></EtherCATConfig>")
     lines = run("identify", "--eni", tmp_path / "bus.xml", db=data_db).stdout.splitlines()
-    assert "  same alias       7: slave 0, 1" in lines
+    assert "  same alias       7: slaves 0, 1" in lines
 
 
 def test_an_eeprom_image(data_db, tmp_path):

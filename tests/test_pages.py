@@ -221,7 +221,7 @@ async def test_the_scan_page_says_what_the_shell_says(data_db):
     """Which master a bus is of, and for every slave which revision is described instead of its own, and where."""
     of_two = SLAVES.replace("Master 0", "Master 3", 1)
     tree = html.fromstring((await (await client(data_db)).post("/-/esi/scan", data={"scan": of_two})).text)
-    assert texts(tree, "h2") == ["Bus 0, master 3: 1 slaves", "Bus 1, master 0: 2 slaves"]
+    assert texts(tree, "h2") == ["Bus 0, master 3: 1 slave", "Bus 1, master 0: 2 slaves"]
     assert texts(tree, "td[data-label=Revision]") == ["", "0x00110000", ""]
     (line,) = rows(data_db, "SELECT line FROM device_sources x JOIN devices d ON d.id = x.device_id "
         "WHERE d.product_code = 0x0d080808 AND d.revision_no = 0x00110000")[0]  # fmt: skip
@@ -621,12 +621,82 @@ async def test_numbers_of_exports_are_the_same_at_every_door(data_db):
     assert (refused.status_code, "is larger than 0xffffffff" in refused.json()["error"]) == (400, True)
 
 
-@pytest.mark.parametrize("target", ["sii", "esi"])
-@pytest.mark.parametrize("query", ["op-mode=nonsense", "module=0%3D0x219800", "cycle-ns=1", "alias=1"])
-async def test_exports_of_the_description_itself_take_no_choices(data_db, target, query):
-    refused = await (await client(data_db)).get(f"{EYOU}/export/{target}?{query}")
-    assert refused.status_code == 400
-    assert refused.json()["error"] == f"unknown parameter {query.partition('=')[0]!r}; there are none"
+@pytest.mark.parametrize(
+    ("target", "unheeded", "there_are"),
+    [
+        ("esi", ("op-mode", "module", "cycle-ns", "alias", "fit"), "there are none"),
+        ("sii", ("op-mode", "module", "cycle-ns", "alias"), "there is only fit"),
+        ("cstruct", ("cycle-ns", "name", "alias", "fit"), "there are pdo, module, op-mode, position"),
+        ("soem", ("alias", "position"), "there are pdo, module, op-mode, cycle-ns, name"),
+        ("pysoem", ("alias", "position"), "there are pdo, module, op-mode, cycle-ns, name"),
+    ],
+)
+async def test_what_a_target_does_not_heed_is_refused_at_every_door(data_db, target, unheeded, there_are):
+    """An EEPROM image and ESI XML are of the description itself, SOEM's application says which slave it means, and
+    what ``ethercat cstruct`` prints has no cycle in it."""
+    web = await client(data_db)
+    for name in unheeded:
+        refused = await web.get(f"{L6N}/export/{target}?{name}=1")
+        assert (refused.status_code, refused.json()) == (400, {"error": f"unknown parameter {name!r}; {there_are}"})
+        done = run("export", target, "0x4321:0xe2:1", f"--{name}", "1", db=data_db)
+        assert (done.exit_code, "no such option" in done.stderr) == (2, True), name
+
+
+async def test_the_fields_of_a_form_are_those_that_its_targets_heed(tmp_path, data_db):
+    """The second OpMode assigns another PDO, which changes what cstruct prints; the cycle never does."""
+    modes = "".join(
+        f"<OpMode><Name>{name}</Name><AssignActivate>#x300</AssignActivate><CycleTimeSync0>0</CycleTimeSync0>"
+        f'<Sm No="0"><Pdo>{index}</Pdo></Sm></OpMode>'
+        for name, index in (("A", "#x1600"), ("B", "#x1601"))
+    )
+    mapped = '<Sm StartAddress="#x1000" ControlByte="#x24" Enable="1">Outputs</Sm>' + "".join(
+        pdo("RxPdo", index, 8, attributes=f'Sm="{sm}"') for index, sm in (("#x1600", 0), ("#x1601", 0))
+    )
+    db = catalog_of(tmp_path, esi(device(f"{mapped}<Dc>{modes}</Dc>")))
+    forms = {
+        tuple(field.get("name") for field in form.cssselect("input, select")): {
+            button.get("formaction").rpartition("/")[2] for button in form.cssselect("button")
+        }
+        for form in (await page(db, "/-/esi/device/0xe5c/1/1")).cssselect("section[aria-labelledby=exports] form")
+    }
+    masters = {"igh", "soem", "pysoem", "ros2", "linuxcnc"}
+    assert forms == {("op-mode", "cycle-ns"): masters, ("op-mode",): {"cstruct"}}
+    web = await client(db)
+    printed = [(await web.get(f"/-/esi/device/0xe5c/1/1/export/cstruct?op-mode=%23{n}")).text for n in (0, 1)]
+    assert ["0x1600" in text for text in printed] == [True, False]
+    (form,) = (await page(data_db, EYOU)).cssselect("section[aria-labelledby=exports] form")
+    assert {button.get("formaction").rpartition("/")[2] for button in form.cssselect("button")} == masters
+
+
+async def test_an_image_that_is_too_long_is_offered_as_one_that_fits_with_what_it_leaves_out(tmp_path):
+    """Of 256 bytes 128 are the header; the strings of two entries with 63 letters each are too much for the rest."""
+    names = "".join(
+        f"<Entry><Index>#x7000</Index><SubIndex>{n}</SubIndex><BitLen>8</BitLen><Name>{letter * 63}</Name>"
+        "<DataType>USINT</DataType></Entry>"
+        for n, letter in ((1, "a"), (2, "b"))
+    )
+    mapped = (
+        '<Sm StartAddress="#x1000" ControlByte="#x24" Enable="1">Outputs</Sm>'
+        f'<RxPdo Sm="0"><Index>#x1600</Index><Name>P</Name>{names}</RxPdo>'
+    )
+    small = "<Eeprom><ByteSize>256</ByteSize></Eeprom>"
+    described = device(mapped + small) + device(mapped, product="2")
+    db = catalog_of(tmp_path, esi(described))
+    section = (await page(db, "/-/esi/device/0xe5c/1/1")).cssselect("section[aria-labelledby=exports]")[0]
+    (link,) = section.xpath(".//a[contains(@href, 'fit=')]")
+    (left_out,) = (await page(db, "/-/esi/device/0xe5c/1/1")).xpath("//h3[@id='left-out']/following-sibling::p")
+    assert left_out.text_content() == "names of entries: 2"
+    made = await (await client(db)).get(link.get("href"))
+    said = run("export", "sii", "0xe5c:1:1", "--fit", "-o", tmp_path / "image.bin", db=db)
+    assert (made.status_code, len(made.content)) == (200, 256)
+    assert made.content == (tmp_path / "image.bin").read_bytes()
+    assert "names of entries: 2" in said.stderr
+    assert not (await page(db, "/-/esi/device/0xe5c/2/1")).xpath("//a[contains(@href, 'fit=')]")
+    for query, status in (("fit=0", 400), ("fit=", 400), ("fit=x", 400), ("fit=1&fit=1", 400), ("fit=yes", 200)):
+        answer = await (await client(db)).get(f"/-/esi/device/0xe5c/1/1/export/sii?{query}")
+        assert answer.status_code == status, query
+    wrong = await (await client(db)).get("/-/esi/device/0xe5c/1/1/export/sii?fit=x")
+    assert wrong.json() == {"error": "fit: 'x' is neither 1 nor 0"}
 
 
 async def test_chosen_modules_go_to_the_exports_that_take_them(data_db):
@@ -680,6 +750,11 @@ async def test_no_json_is_made_of_half_a_question(data_db, path):
     refused = await (await client(data_db)).get(f"/-/esi/{path}?modul=0%3D0x1")
     assert refused.status_code == 400
     assert refused.json()["error"].startswith(("unknown parameter 'modul'; there ", "unknown filter 'modul'; there "))
+
+
+async def test_identities_that_are_posted_are_the_whole_question(data_db):
+    refused = await (await client(data_db)).post("/-/esi/identify.json?revision=0x8f", json=[[0x1097, 0x2406]])
+    assert (refused.status_code, refused.json()) == (400, {"error": "unknown parameter 'revision'; there are none"})
 
 
 async def test_exported_esi_holds_vendor_and_group(data_db):
@@ -860,6 +935,37 @@ async def test_the_page_says_of_a_bus_what_the_command_says(data_db, tmp_path):
     assert ("process data", "2 bytes out, 2 bytes in; unknown of slave 2") in shown
 
 
+async def test_the_page_says_of_a_device_what_the_sheet_says(tmp_path):
+    """Each fact under the same name, in the same order, in the same words; the vendor hides revision 1."""
+    content = (
+        "<Profile><ProfileNo>5001</ProfileNo></Profile><Profile><ProfileNo>402</ProfileNo></Profile>"
+        "<Sm StartAddress='#x1000' ControlByte='#x24' Enable='7'>Outputs</Sm>"
+        + pdo("RxPdo", "#x1600", 8, attributes="Sm='0'")
+        + "<Mailbox><CoE SdoInfo='1' CompleteAccess='1'/></Mailbox>"
+        "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
+        "<Eeprom><ByteSize>2048</ByteSize><ConfigData>050C</ConfigData><Fancy/></Eeprom>"
+    )
+    newer = device(revision="#x2", name="N").replace("<Name>N</Name>", "<Name>N</Name><HideType RevisionNo='#x1'/>")
+    db = catalog_of(tmp_path, esi(device(content) + newer), esi(device(content + "<Slots/>")))
+    tree = await page(db, "/-/esi/device/0xe5c/1/1")
+    sheet = run("show", "0xe5c:1:1", db=db).stdout.splitlines()
+    facts = dict(zip(texts(tree, "dl.facts dt"), texts(tree, "dl.facts dd"), strict=True))
+    told = {line[2:17].rstrip(): line[19:] for line in sheet if line.startswith("  ") and line[17:19] == "  "}
+    shared = [name for name in facts if name not in ("vendor", "product", "revision", "described in", "descriptions")]
+    assert shared == [
+        *("group", "profiles", "ports", "mailbox", "CoE", "clocks", "process data", "size", "ConfigData"),
+    ]
+    assert {name: told[name] for name in shared} == {name: facts[name] for name in shared}
+    assert (told["profiles"], told["size"]) == ("5001, 402", "2048 bytes")
+    assert told["process data"] == "1 byte out, 0 bytes in by default"
+    assert "hidden by its vendor" in told["revision"]
+    assert "hidden by its vendor" in facts["revision"]
+    assert told["variant"] == "1 of 2: the preferred description of this identity"
+    (said,) = [text for text in texts(tree, "section[aria-labelledby=findings] td.long") if "Fancy" in text]
+    assert any(said in line for line in sheet)
+    assert "7" in texts(tree, "section[aria-labelledby=sync-managers] td")
+
+
 async def test_entries_without_codes_come_last(tmp_path):
     """Page by page, each device once: 60 with codes, of two vendors, then the 45 of the first vendor without any."""
     caps = "".join(device(product="", type_text=f"cap {number:02}") for number in range(45))
@@ -897,7 +1003,7 @@ async def test_op_mode_and_cycle_are_chosen_in_a_form(tmp_path):
     form = section.cssselect("form")[0]
     assert [option.get("value") for option in form.cssselect("option")] == ["", "#0", "#1"]
     buttons = [button.get("formaction") for button in form.cssselect("button")]
-    assert {target.rpartition("/")[2] for target in buttons} == {*EXPORTS} - {"sii", "esi"}
+    assert {target.rpartition("/")[2] for target in buttons} == {*EXPORTS} - {"sii", "esi", "cstruct"}
     for target in buttons:
         for chosen, status in (
             ({}, 200),
@@ -928,9 +1034,11 @@ async def test_op_modes_that_newer_tools_ignore_are_marked(tmp_path):
     shown = [line.split()[:3] for line in run("show", "0xe5c:1:1", db=db).stdout.splitlines() if " DC  " in line]
     assert shown == [["0-", "DC", "0x0700"], ["1*", "DC", "0x0300"]]
     tree = await page(db, "/-/esi/device/0xe5c/1/1")
-    superseded, default = (text for text in texts(tree, "summary") if text.startswith("DC"))
+    default, superseded = (text for text in texts(tree, "summary") if text.startswith("DC"))
     assert superseded.startswith("DC (superseded: newer tools ignore it) AssignActivate 0x0700")
     assert default.startswith("DC (default) AssignActivate 0x0300")
+    options = [(option.get("value"), option.text) for option in tree.cssselect("select[name=op-mode] option")]
+    assert options[1:3] == [("#1", "DC (0x0300)"), ("#0", "DC (0x0700)")]
     heading = run("export", "soem", "0xe5c:1:1", db=db).stdout
     assert " ignored by newer tools: 0 'DC'\n" in heading
     assert "others:" not in heading
@@ -962,3 +1070,15 @@ async def test_exclude_of_one_side_counts_for_both_everywhere(tmp_path):
     tree = await page(db, "/-/esi/device/0xe5c/1/1")
     excluded = [text.partition("excludes ")[2] for text in texts(tree, "summary") if "excludes" in text]
     assert excluded == ["0x1601", "0x1600"]
+
+
+async def test_titles_keep_right_to_left_names_apart(tmp_path):
+    """In a tab the number behind a Hebrew word would stand before it, and an override would turn what follows."""
+    db = catalog_of(tmp_path, esi(device(type_text="מנוע", name="מנוע 5\u202e")))
+    for path, title in (
+        ("device/0xe5c/1/1", "\u2068מנוע\u2069 \u2068מנוע\u2069 5 – esicatalog"),
+        ("device/0xe5c/1/1/objects", "Objects of \u2068מנוע\u2069 – esicatalog"),
+        ("?text=מנוע", "\u2068מנוע\u2069 – esicatalog"),
+    ):
+        tree = await page(db, f"/-/esi/{path}")
+        assert tree.findtext(".//title") == title

@@ -227,7 +227,7 @@ def test_a_truncated_list_is_told():
         "not understood or cut off: 'Man: 0000066f ID: 5150'",
     ]
     scan = read_scan(GREETING + COUPLER)
-    assert messages(scan) == ["2 slaves are announced, 1 are listed"]
+    assert messages(scan) == ["2 slaves are announced, 1 is listed"]
     scan = read_scan(GREETING + COUPLER + "\nSlave:1")
     assert "may be cut off, not read: 'Slave:1'" in messages(scan)
     assert len(scan.slaves) == 1

@@ -101,7 +101,10 @@ def test_a_string_table_gives_its_texts_back_or_refuses(texts):
         (SiiImage(categories=(Strings(strings=(SiiString(),) * 256),)), "256 strings"),
         (SiiImage(categories=(Strings(strings=(SiiString(data=bytes(256)),)),)), "string 1 takes 256 bytes"),
         (SiiImage(categories=(Strings(strings=(SiiString(data=b"A"),)),)), "category 10 (STRINGS): 3 bytes"),
-        (SiiImage(categories=(Fmmus(fmmus=(Fmmu(usage_code=1),)),)), "category 40 (FMMU): 1 bytes"),
+        (
+            SiiImage(categories=(Fmmus(fmmus=(Fmmu(usage_code=1),)),)),
+            "category 40 (FMMU): 1 byte is no number",
+        ),
         (SiiImage(categories=(RawCategory(category_type=3, data=bytes(131072)),)), "131072 bytes"),
         (SiiImage(categories=(RawCategory(category_type=0xFFFF),)), "a category type is 0 to 0xFFFE"),
         (SiiImage(categories=(General(e_bus_current_ma=40000),)), "General: e_bus_current_ma 40000"),

@@ -98,6 +98,15 @@ def test_unusual_bytes_after_the_end_mark_are_shown():
     assert "After the end mark: 3 bytes" in sheet(image(end=by_hand.END + b"abc"))
 
 
+def test_one_of_a_thing_is_not_several():
+    """A TxPDO 0x1A00 on SM0 with one entry of type BOOL (0x01) and 1 bit, as a digital input has it."""
+    pdo = bytes.fromhex("001A 01 00 00 00 0000  0060 01 00 01 01 0000")
+    lines = sheet(image((50, pdo), end=by_hand.END + b"a"))
+    assert "TxPDO 0x1A00 : SM0, 1 bit, flags none" in lines
+    assert "0.0 0x6000:01 1 bit BOOL" in lines
+    assert "After the end mark: 1 byte" in lines
+
+
 def test_json_has_numbers_words_and_texts():
     whole = json.loads(json.dumps(sii_json(decode_sii(by_hand.WHOLE))))
     header = whole["header"]

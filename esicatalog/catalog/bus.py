@@ -9,12 +9,12 @@ import msgspec
 
 from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.results import NONE, FoundDevice, Identification, hex32
+from esicatalog.counting import counted
 from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import NO_REVISION
 from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, as_listed, look_at_bus
-from esicatalog.model.counting import counted
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.scan_compare import compare_scanned_objects, compare_scanned_pdos
@@ -134,7 +134,7 @@ def bus_facts(bus: BusReport) -> list[tuple[str, str]]:
 
 def _slave_words(positions: Sequence[int]) -> str:
     """Ring positions in words; empty without any."""
-    return f"slave {', '.join(map(str, positions))}" if positions else ""
+    return f"slave{'s' * (len(positions) > 1)} {', '.join(map(str, positions))}" if positions else ""
 
 
 def _alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:

@@ -157,6 +157,13 @@ def _identity(text: str) -> Identity:
         raise InputError(f"{error}; to find one: esicatalog devices --text {shlex.quote(text)}") from error
 
 
+def named_file(text: str) -> Path:
+    """The file of this name. Raises :class:`InputError` for none, which would be the folder that we are in."""
+    if not text:
+        raise InputError("the name is empty; give a file")
+    return Path(text)
+
+
 def _output(text: str) -> str | None:
     """The file to write, None for standard output."""
     if not text:
@@ -170,6 +177,7 @@ class IntegerRange(click.IntRange):
     name = "integer"
 
 
+FILE = _Parsed("file", named_file)
 OUTPUT = _Parsed("file", _output)
 NUMBER = _Parsed("number", parse_number, takes_name=True)
 IDENTITY = _Parsed("identity", _identity)

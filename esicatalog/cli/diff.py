@@ -11,7 +11,17 @@ import msgspec
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.results import hex32
-from esicatalog.cli.common import EXIT_NO, IDENTITY, Command, db_option, format_option, print_json, reporting_errors
+from esicatalog.cli.common import (
+    EXIT_NO,
+    FILE,
+    IDENTITY,
+    Command,
+    db_option,
+    format_option,
+    print_json,
+    reporting_errors,
+)
+from esicatalog.counting import counted
 from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.esi.records.common import display_text
@@ -21,7 +31,6 @@ from esicatalog.model.compare import compare_devices, images_are_known, summary_
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.model.compare_documents import DescribedDevice, described_devices, paired_devices
 from esicatalog.model.compare_facts import ADDED, CHANGED, REMOVED, Difference, excerpts
-from esicatalog.model.counting import counted
 
 _TOLD = ("L01", "L60")
 """Findings that bear on a comparison: the document had to be repaired, or a part of it was not found."""
@@ -66,7 +75,7 @@ class _Comparison(NamedTuple):
     "files",
     metavar="A B",
     nargs=2,
-    type=click.Path(path_type=Path),
+    type=FILE,
     help="Compare the devices of two ESI files; no catalog is opened.",
 )
 @db_option

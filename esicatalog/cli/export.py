@@ -12,10 +12,10 @@ from typing import Any
 import click
 
 from esicatalog.catalog.own_files import own_files
-from esicatalog.cli.common import IDENTITY, NUMBER, OUTPUT, PLUGGED, Group, db_option, read_as, reporting_errors
+from esicatalog.cli.common import FILE, IDENTITY, NUMBER, OUTPUT, PLUGGED, Group, db_option, read_as, reporting_errors
 from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subjects_of_vendor
 from esicatalog.errors import InputError
-from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, check_numbers, parse_pdo_choice
+from esicatalog.export.choice import DEFAULT_CYCLE_NS, HEEDED, Choice, check_numbers, parse_pdo_choice
 from esicatalog.export.soem import VERSIONS
 from esicatalog.identity import Identity, modules_by_slot
 
@@ -29,7 +29,7 @@ _FILES_OF_TARGETS = ("scan", "sii", "merge")
 _DEVICE: tuple[Option, ...] = (
     click.argument("identity", type=IDENTITY, required=False),
     db_option,
-    click.option("--esi", metavar="FILE", help="Take the device from this ESI file; no catalog is opened."),
+    click.option("--esi", metavar="FILE", type=FILE, help="Take the device from this ESI file; no catalog is opened."),
     click.option(
         "-o",
         "--output",
@@ -39,11 +39,11 @@ _DEVICE: tuple[Option, ...] = (
     ),
     click.option("--accept-revision", is_flag=True, help="Take the nearest revision when the exact one is missing."),
 )
-_CONTENT: tuple[Option, ...] = (
-    click.option(
+_CHOICE: dict[str, Option] = {
+    "pdos": click.option(
         "--pdo", metavar="0x1600,...", help="Assign these PDOs; with chosen entries: 0x1A00=0x6041+0x6064+0x60FE:1."
     ),
-    click.option(
+    "modules": click.option(
         "--module",
         "modules",
         metavar="SLOT=IDENT[/TYPE]",
@@ -51,30 +51,31 @@ _CONTENT: tuple[Option, ...] = (
         type=PLUGGED,
         help="Plug this module, by its Type too where several share the ident: '0=0x1785/KL6021-A'.",
     ),
-    click.option(
+    "op_mode": click.option(
         "--op-mode",
         metavar="POSITION|NAME",
         help="OpMode of the distributed clocks; '#1' is position 1 even where a name is 1. Else the default one.",
     ),
-    click.option(
+    "cycle_ns": click.option(
         "--cycle-ns",
         metavar="N",
         type=NUMBER,
         help=f"Bus cycle in ns; else {DEFAULT_CYCLE_NS}, or what the OpMode fixes where that does not fit.",
     ),
-)
-_NAMES: tuple[Option, ...] = (
-    click.option("--name", metavar="PREFIX", help="Begin all generated names so; else the device's type."),
-    click.option("--alias", metavar="N", type=NUMBER, default=0, show_default=True, help="Configured station alias."),
-)
-
-
-def _position(words: str) -> Option:
-    return click.option("--position", metavar="N", type=NUMBER, default=0, show_default=True, help=words)
-
-
-_CHOICE: tuple[Option, ...] = (*_CONTENT, *_NAMES, _position("Ring position, or behind the alias."))
-"""Everything that can be chosen for one device."""
+    "name": click.option("--name", metavar="PREFIX", help="Begin all generated names so; else the device's type."),
+    "alias": click.option(
+        "--alias", metavar="N", type=NUMBER, default=0, show_default=True, help="Configured station alias."
+    ),
+    "position": click.option(
+        "--position",
+        metavar="N",
+        type=NUMBER,
+        default=0,
+        show_default=True,
+        help="Ring position; with an alias, the number of slaves behind it.",
+    ),
+}
+"""What can be chosen for one device, by the field of :class:`Choice`."""
 
 
 @click.group("export", cls=Group)
@@ -86,23 +87,23 @@ def command() -> None:
     """
 
 
-def _target(
-    *extra: Option, choosing: tuple[Option, ...] = _CHOICE
-) -> Callable[[Callable[..., str | bytes]], click.Command]:
+def _target(*extra: Option) -> Callable[[Callable[..., str | bytes]], click.Command]:
     """Make a command of a function from :class:`Inputs` and its own options to text or bytes.
 
-    ``choosing`` are the options that make its :class:`Choice`; what has none is about the description itself.
+    Its name is that of the target, whose :data:`HEEDED` choices are options too.
     """
 
     def decorate(function: Callable[..., str | bytes]) -> click.Command:
         @functools.wraps(function)
         def run(
-            identity: Identity | None, db: str, esi: str | None, output: str | None, accept_revision: bool, **rest: Any
+            identity: Identity | None, db: str, esi: Path | None, output: str | None, accept_revision: bool, **rest: Any
         ) -> None:
             choice = _choice(rest)
             notes: list[str] = []
             named = filter(None, (esi, *(rest.get(option) for option in _FILES_OF_TARGETS)))
-            inputs = Inputs(identity, db, esi, accept_revision, choice, notes, output, [*own_files(db), *named])
+            inputs = Inputs(
+                identity, db, esi, accept_revision, choice, notes, output, [*own_files(db), *map(str, named)]
+            )
             inputs.check_output(output)
             made = function(inputs, **rest)
             _write(made, output)
@@ -110,7 +111,8 @@ def _target(
                 click.echo(f"esicatalog: {note}", err=True)
 
         callback: Callable[..., Any] = reporting_errors(run)
-        for option in reversed((*_DEVICE, *choosing, *extra)):
+        heeded = (_CHOICE[field] for field in HEEDED[function.__name__])
+        for option in reversed((*_DEVICE, *heeded, *extra)):
             callback = option(callback)
         return command.command(function.__name__)(callback)
 
@@ -127,8 +129,10 @@ def _choice(options: dict[str, Any]) -> Choice:
     )
 
 
-@_target(click.option("--scan", metavar="FILE", help="Slaves of a bus as a master printed them, - for stdin."))
-def igh(inputs: Inputs, scan: str | None) -> str:
+@_target(
+    click.option("--scan", metavar="FILE", type=FILE, help="Slaves of a bus as a master printed them, - for stdin.")
+)
+def igh(inputs: Inputs, scan: Path | None) -> str:
     """C header for the IgH EtherLab master 1.5 and 1.6.
 
     PDO tables, offsets, registration, typed accessors, start-up commands, distributed clocks, checks at compile time.
@@ -145,12 +149,9 @@ def igh(inputs: Inputs, scan: str | None) -> str:
     return header
 
 
-@_target(
-    click.option("--sii", metavar="FILE", help="Print what this EEPROM image holds."),
-    choosing=(*_CONTENT, _position("Ring position N: names begin with slave_N.")),
-)
-def cstruct(inputs: Inputs, sii: str | None) -> bytes:
-    """What ``ethercat cstruct`` of IgH EtherLab prints for the device.
+@_target(click.option("--sii", metavar="FILE", type=FILE, help="Print what this EEPROM image holds."))
+def cstruct(inputs: Inputs, sii: Path | None) -> bytes:
+    """What ``ethercat cstruct`` of IgH EtherLab prints for the device; names begin with slave_POSITION.
 
     Its literal EC_WD_DISABLE switches output watchdogs off; the header of ``export igh`` is the one to use. What other
     exports remark goes to stderr.
@@ -165,8 +166,8 @@ def cstruct(inputs: Inputs, sii: str | None) -> bytes:
     inputs.check_no_device("--sii")
     check_numbers(inputs.choice)
     if inputs.choice != Choice(position=inputs.choice.position):
-        raise InputError("--sii prints what the image holds: no PDOs, modules, OpMode or cycle can be chosen")
-    image = read_as(Path(sii), read_sii)
+        raise InputError("--sii prints what the image holds: no PDOs, modules or OpMode can be chosen")
+    image = read_as(sii, read_sii)
     return cstruct_of_image(image, inputs.choice.position).encode("utf-8", "surrogateescape")
 
 
@@ -208,14 +209,15 @@ def linuxcnc(inputs: Inputs) -> str:
 
 
 @_target(
-    click.option("--merge", metavar="DUMP", help="Keep what is the device's own in this image read from it."),
+    click.option(
+        "--merge", metavar="DUMP", type=FILE, help="Keep what is the device's own in this image read from it."
+    ),
     click.option("--fit", is_flag=True, help="Leave out names, then more, until the image fits; says what."),
     click.option(
         "--language", metavar="LCID", type=NUMBER, help="Texts in this language where the description has it."
     ),
-    choosing=(),
 )
-def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> bytes:
+def sii(inputs: Inputs, merge: Path | None, fit: bool, language: int | None) -> bytes:
     """EEPROM image of the device.
 
     For a device in the field use --merge with its own image: alias, serial number, factory data and private words
@@ -228,7 +230,7 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
     from esicatalog.sii.files import read_sii
 
     subject = inputs.subject()
-    dump = read_as(Path(merge), read_sii) if merge is not None else None
+    dump = read_as(merge, read_sii) if merge is not None else None
     made = eeprom_image(subject, language=language, dump=dump, fit=fit)
     click.echo(image_text(subject, made.image, merged=made.merged, dropped=made.dropped), err=True)
     return encode_sii(made.image)
@@ -242,7 +244,6 @@ def sii(inputs: Inputs, merge: str | None, fit: bool, language: int | None) -> b
         help="All devices of this vendor in place of one, preferred descriptions only.",
     ),
     click.option("--with-files", is_flag=True, help="Dictionary files beside OUT where the description has them."),
-    choosing=(),
 )
 @click.pass_context
 def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: bool) -> bytes:

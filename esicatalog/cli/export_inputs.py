@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import msgspec
 
 from esicatalog.cli.common import read_text_as
+from esicatalog.counting import counted
 from esicatalog.errors import InputError, NotFound
 from esicatalog.export.choice import Choice
 from esicatalog.identity import Identity
-from esicatalog.model.counting import counted
 
 if TYPE_CHECKING:
     from esicatalog.catalog.results import FoundDevice
@@ -24,7 +24,7 @@ class Inputs(NamedTuple):
 
     identity: Identity | None
     db: str
-    esi: str | None
+    esi: Path | None
     accept_revision: bool
     choice: Choice
     notes: list[str]
@@ -47,7 +47,7 @@ class Inputs(NamedTuple):
 
         if self.esi is not None:
             found, references = _subject_of_file(self.esi, self.identity)
-            self.read.extend(str(Path(self.esi).parent / member) for member in references)
+            self.read.extend(str(self.esi.parent / member) for member in references)
             self.check_output(self.output)
             return found
         if self.identity is None:
@@ -73,7 +73,7 @@ class Inputs(NamedTuple):
             raise InputError(f"{option} says itself what it is about: give neither IDENTITY nor --esi")
 
 
-def configurations_of_scan(inputs: Inputs, name: str) -> "BusConfigurations":
+def configurations_of_scan(inputs: Inputs, file: Path) -> "BusConfigurations":
     """Configurations of the slaves that the catalog knows and that can be configured, and words about the others."""
     from esicatalog.api import Catalog
     from esicatalog.export.scan_bus import bus_configurations
@@ -85,7 +85,7 @@ def configurations_of_scan(inputs: Inputs, name: str) -> "BusConfigurations":
         raise InputError("--scan takes the default PDOs, modules and OpModes; choose them for one device at a time")
     if choice.alias or choice.position:
         raise InputError("--scan addresses every slave by its ring position; give --alias or --position for one device")
-    scan = read_text_as(Path(name), read_scan)
+    scan = read_text_as(file, read_scan)
     with Catalog.open(inputs.db) as catalog:
         found = bus_configurations(catalog, scan, accept_revision=inputs.accept_revision, cycle_ns=choice.cycle_ns)
     for configuration in found.configurations:
@@ -128,14 +128,13 @@ def _is_same_file(path: Path, other: Path) -> bool:
     return path.resolve() == other.resolve()
 
 
-def _subject_of_file(name: str, identity: Identity | None) -> "tuple[Subject, list[str]]":
+def _subject_of_file(file: Path, identity: Identity | None) -> "tuple[Subject, list[str]]":
     """The device of a file, and the members beside it that the file pulls in."""
     from esicatalog.esi.reader import read_esi
     from esicatalog.export.subject import choose_subject, subjects_of_document
     from esicatalog.ingest.process import limited_memory
 
-    file_name = Path(name).name
     with limited_memory():
-        document = read_esi(name).document
+        document = read_esi(file).document
     references = [reference.location for reference in document.references if reference.location is not None]
-    return choose_subject(subjects_of_document(document, file_name), identity, file_name), references
+    return choose_subject(subjects_of_document(document, file.name), identity, file.name), references

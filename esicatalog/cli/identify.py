@@ -9,10 +9,12 @@ import msgspec
 
 from esicatalog.cli.common import (
     EXIT_NO,
+    FILE,
     NUMBER,
     Command,
     db_option,
     format_option,
+    named_file,
     print_json,
     read_as,
     read_text_as,
@@ -31,18 +33,14 @@ if TYPE_CHECKING:
 
 Seen = TypeVar("Seen", bound="ScannedPdos | ScannedDictionary", covariant=True)
 
-_FILE = click.Path(path_type=Path, allow_dash=True)
-
 
 @click.command("identify", cls=Command)
 @click.argument("vendor", type=NUMBER, required=False)
 @click.argument("product", type=NUMBER, required=False)
 @click.argument("revision", type=NUMBER, required=False)
-@click.option(
-    "--slaves", metavar="FILE", type=_FILE, help="A scan: ethercat slaves -v, SOEM slaveinfo, CSV; - = stdin."
-)
-@click.option("--eni", metavar="FILE", type=_FILE, help="The slaves of a master configuration (ENI).")
-@click.option("--sii", metavar="FILE", type=_FILE, help="The device of an EEPROM image, raw or Intel HEX.")
+@click.option("--slaves", metavar="FILE", type=FILE, help="A scan: ethercat slaves -v, SOEM slaveinfo, CSV; - = stdin.")
+@click.option("--eni", metavar="FILE", type=FILE, help="The slaves of a master configuration (ENI).")
+@click.option("--sii", metavar="FILE", type=FILE, help="The device of an EEPROM image, raw or Intel HEX.")
 @click.option(
     "--pdos", metavar="[POS=]FILE", multiple=True, help="With --slaves: ethercat pdos, compared with the ESI."
 )
@@ -188,8 +186,8 @@ def _placed(text: str) -> tuple[int | None, Path]:
     """Ring position and file of ``[POSITION=]FILE``."""
     position, equals, path = text.partition("=")
     if equals and position.isdigit():
-        return parse_number(position, "position", 0xFFFF), Path(path)
-    return None, Path(text)
+        return parse_number(position, "position", 0xFFFF), named_file(path)
+    return None, named_file(text)
 
 
 def _of_image(path: Path) -> tuple[tuple[int, int, int], list[str]]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, Command, format_option, print_json, reporting_errors
+from esicatalog.cli.common import EXIT_NO, FILE, Command, format_option, print_json, reporting_errors
 from esicatalog.errors import InputError
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 @click.option(
     "--db", metavar="FILE|URL", help="Say what an ingest found, and how documents of a catalog contradict each other."
 )
-@click.option("--schema", metavar="DIR", type=click.Path(path_type=Path), help="Validate against the XSD files there.")
+@click.option("--schema", metavar="DIR", type=FILE, help="Validate against the XSD files there.")
 @click.option("--select", metavar="L01,…", multiple=True, help="Only these rules.")
 @click.option("--ignore", metavar="L21,…", multiple=True, help="All rules but these.")
 @click.option("--list", "list_rules", is_flag=True, help="Print all rules.")

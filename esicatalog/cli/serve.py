@@ -72,6 +72,8 @@ def _catalog_file(target: str) -> Path:
 
 
 def _listen(host: str, port: int) -> socket.socket:
+    if not host:  # sockets take it for every address
+        raise InputError("the host is empty; 127.0.0.1 is this machine alone, 0.0.0.0 everywhere")
     try:
         listener = socket.create_server((host, port), family=socket.AF_INET6 if ":" in host else socket.AF_INET)
         # Connections inherit it; asyncio sets it only for sockets that name their protocol. Without it an answer in

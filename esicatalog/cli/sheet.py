@@ -1,9 +1,10 @@
 """The sheet of one device as text."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from esicatalog.catalog.description import DeviceDescription
+from esicatalog.catalog.results import FoundDevice
 from esicatalog.cli.common import table_lines
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
@@ -21,14 +22,7 @@ from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, modu
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals, is_superseded
-from esicatalog.model.words import (
-    clock_words,
-    coe_details,
-    fsoe_words,
-    init_cmd_target,
-    mailbox_words,
-    profile_words,
-)
+from esicatalog.model.words import eeprom_words, fact_words, init_cmd_target
 from esicatalog.sii.words import signal_names
 
 _MOST_ALIKE = 10
@@ -46,9 +40,14 @@ def device_sheet_lines(description: DeviceDescription, choice: Mapping[int, Modu
     yield from _pdos(description.device, assigned_sms(images), "PDOs of the device")
     for module, label in zip(description.modules, module_labels(description.modules), strict=True):
         yield from _module(module, label)
-    yield from _mailbox(description.device)
+    yield from _init_cmds(description.device.mailbox, "InitCmds")
     yield from _dc_modes(description.device, description.default_position(choice))
     yield from _drive_modes(derived.modes)
+    eeprom = eeprom_words(description.device)
+    if eeprom:
+        yield from ("", "EEPROM", *_fact_lines(eeprom))
+    findings = [[item.rule, item.message, f"{item.member}, line {item.line}"] for item in description.findings]
+    yield from _section("Findings in the documents", ("rule", "finding", "where"), findings)
     yield from _neighbours(description)
 
 
@@ -113,31 +112,32 @@ def _section(title: str, head: tuple[str, ...], rows: list[list[str]]) -> Iterat
 
 
 def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[str]:
-    found, device = description.found, description.device
-    yield f"{found.type}  {found.name or ''}".rstrip()
-    yield f"  vendor    {_hex(found.vendor_id, 8)}  {found.vendor or ''}".rstrip()
-    yield f"  product   {_hex(found.product_code, 8)}  ({_text(found.product_code)})"
-    if found.revision_no is None:
-        yield "  revision  -"
-    else:
-        style = revision_text(found.vendor_id, found.revision_no)
-        yield f"  revision  {_hex(found.revision_no, 8)}  ({found.revision_no}{f', {style}' if style else ''})"
-    if found.variant != 1:
-        yield f"  variant   {found.variant}: not the preferred description of this identity"
+    found = description.found
+    yield f"{found.shown_type}  {found.name or ''}".rstrip()
     shown = [
-        ("group", device.group_type),
-        ("physics", device.physics),
-        ("E-bus", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
-        ("profiles", ", ".join(profile_words(device)) or None),
-        ("clocks", clock_words(device, facts)),
-        ("cycle", f"{facts.min_cycle_ns} ns at least" if facts.min_cycle_ns is not None else None),
-        ("FSoE", fsoe_words(facts)),
+        ("vendor", f"{_hex(found.vendor_id, 8)}  {found.vendor or ''}"),
+        ("product", f"{_hex(found.product_code, 8)}  ({_text(found.product_code)})"),
+        ("revision", _revision(found)),
+        *fact_words(description.device, facts),
+        *(("described in", f"{source.member}, line {source.line}") for source in description.sources),
     ]
-    for name, value in shown:
-        if value:
-            yield f"  {name:9} {value}"
-    for source in description.sources:
-        yield f"  source    {source.member}, line {source.line}"
+    if description.variant_count > 1:
+        rank = "the preferred description" if found.variant == 1 else "not the preferred description"
+        shown.append(("variant", f"{found.variant} of {description.variant_count}: {rank} of this identity"))
+    yield from _fact_lines(shown)
+
+
+def _fact_lines(facts: Iterable[tuple[str, str]]) -> Iterator[str]:
+    for name, value in facts:
+        yield f"  {name:15}  {value}".rstrip()
+
+
+def _revision(found: FoundDevice) -> str:
+    if found.revision_no is None:
+        return "-"
+    words = (str(found.revision_no), revision_text(found.vendor_id, found.revision_no))
+    hidden = "  hidden by its vendor" if found.hidden else ""
+    return f"{_hex(found.revision_no, 8)}  ({', '.join(filter(None, words))}){hidden}"
 
 
 def _sync_managers(description: DeviceDescription) -> Iterator[str]:
@@ -229,13 +229,6 @@ def _module(module: Module, label: str) -> Iterator[str]:
     yield title
     yield from _pdos(module, module_sms(module), "  PDOs of the module")
     yield from _init_cmds(module.mailbox, "  InitCmds of the module")
-
-
-def _mailbox(device: Device) -> Iterator[str]:
-    details = coe_details(device.mailbox)
-    yield ""
-    yield f"Mailbox: {mailbox_words(device)}" + (f"; CoE: {', '.join(details)}" if details else "")
-    yield from _init_cmds(device.mailbox, "InitCmds")
 
 
 def _init_cmds(mailbox: Mailbox | None, title: str) -> Iterator[str]:

@@ -5,9 +5,7 @@ from pathlib import Path
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, Group, db_option, format_option, print_json, read_as, reporting_errors
-
-_FILE = click.Path(path_type=Path, allow_dash=True)
+from esicatalog.cli.common import EXIT_NO, FILE, Group, db_option, format_option, print_json, read_as, reporting_errors
 
 
 @click.group("sii", cls=Group)
@@ -16,7 +14,7 @@ def command() -> None:
 
 
 @command.command("decode")
-@click.argument("file", type=_FILE)
+@click.argument("file", type=FILE)
 @format_option("table", "json")
 @reporting_errors
 def decode(file: Path, output_format: str) -> None:
@@ -37,7 +35,7 @@ def decode(file: Path, output_format: str) -> None:
 
 
 @command.command("verify")
-@click.argument("file", type=_FILE)
+@click.argument("file", type=FILE)
 @db_option
 @format_option("table", "json")
 @reporting_errors

@@ -1,8 +1,10 @@
 """esicatalog snapshot"""
 
+from pathlib import Path
+
 import click
 
-from esicatalog.cli.common import Command, reporting_errors
+from esicatalog.cli.common import FILE, Command, reporting_errors
 
 
 @click.command("snapshot", cls=Command)
@@ -11,11 +13,12 @@ from esicatalog.cli.common import Command, reporting_errors
     "--to",
     "target",
     metavar="FILE",
+    type=FILE,
     required=True,
     help="The file to make; <hash> = the content hash, <state> = digest of the rest.",
 )
 @reporting_errors
-def command(source: str, target: str) -> None:
+def command(source: str, target: Path) -> None:
     """Copy a catalog into one read-only SQLite file, for `esicatalog serve --immutable`.
 
     Prints the file, which appears only when it is complete and verified; FILE.inspect.json beside it holds its row

@@ -36,6 +36,21 @@ class Choice(NamedTuple):
     """Ring position, or the number of slaves behind the one with the alias."""
 
 
+_CONTENT = ("pdos", "modules", "op_mode")
+HEEDED: Mapping[str, tuple[str, ...]] = {
+    "igh": Choice._fields,
+    "soem": (*_CONTENT, "cycle_ns", "name"),
+    "pysoem": (*_CONTENT, "cycle_ns", "name"),
+    "ros2": Choice._fields,
+    # An alias is heeded by a refusal that says how this driver finds slaves.
+    "linuxcnc": Choice._fields,
+    "cstruct": (*_CONTENT, "position"),
+    "sii": (),
+    "esi": (),
+}
+"""The fields of a :class:`Choice` that a target heeds, by its name; others are not offered for it, and refused."""
+
+
 def check_numbers(choice: Choice) -> None:
     """Raise :class:`InputError` for a bus cycle or a place on the bus that no master can have."""
     if choice.cycle_ns is not None and not 0 < choice.cycle_ns <= UINT32_MAX:

@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Sequence
 
 from esicatalog.catalog.results import hex32
+from esicatalog.counting import counted
 from esicatalog.esi.records.common import display_text
 from esicatalog.export.clocks import Clocks
 from esicatalog.export.configuration import Configuration
-from esicatalog.model.counting import counted
 from esicatalog.model.sync import is_superseded
 from esicatalog.sii.words import signal_names
 from esicatalog.version import __version__

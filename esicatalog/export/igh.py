@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from esicatalog.counting import counted
 from esicatalog.errors import InputError
 from esicatalog.export.c_text import comment_lines
 from esicatalog.export.configuration import Configuration
@@ -11,7 +12,6 @@ from esicatalog.export.igh_limits import lrw_remarks
 from esicatalog.export.igh_startup import register_remarks, timeout_remarks, unsendable_remarks
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
-from esicatalog.model.counting import counted
 from esicatalog.version import __version__
 
 TARGET = "IgH EtherLab 1.5 and 1.6 configuration"

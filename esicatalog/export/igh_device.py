@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
+from esicatalog.counting import counted
 from esicatalog.export.c_access import (
     Function,
     Place,
@@ -22,7 +23,6 @@ from esicatalog.export.configuration import Configuration
 from esicatalog.export.igh_limits import check_limits, pieces
 from esicatalog.export.igh_startup import Startup, startup
 from esicatalog.export.sm_configuration import AssignedPdo, MappedEntry, SmConfiguration
-from esicatalog.model.counting import counted
 from esicatalog.model.sm_facts import OUTPUT, sm_facts
 
 _DIRECTIONS = {OUTPUT: "EC_DIR_OUTPUT"}

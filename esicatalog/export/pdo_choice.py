@@ -5,6 +5,7 @@ from typing import NamedTuple, TypeVar
 
 import msgspec
 
+from esicatalog.counting import counted
 from esicatalog.errors import InputError
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.device import Device
@@ -19,7 +20,6 @@ from esicatalog.model.assignable_pdos import (
     meant_by_index,
     staying_pdos,
 )
-from esicatalog.model.counting import counted
 from esicatalog.model.pdo_assignment import Assignment
 from esicatalog.model.pdo_facts import PDO_FIELDS, mapped_entries, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle

@@ -4,6 +4,7 @@ import keyword
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from esicatalog.counting import counted
 from esicatalog.export.c_access import byte_count
 from esicatalog.export.c_text import comment_lines, comment_text
 from esicatalog.export.clocks import Condition, Notation
@@ -22,7 +23,6 @@ from esicatalog.export.soem_startup import (
     register_remarks,
     soem_clocks,
 )
-from esicatalog.model.counting import counted
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 
 _USED_BY_CLASS = frozenset(("property", "from_address", "from_buffer", "from_buffer_copy", "from_param", "in_dll"))

@@ -6,8 +6,8 @@ from itertools import zip_longest
 from operator import ne
 from typing import Any, NamedTuple
 
+from esicatalog.counting import counted
 from esicatalog.export.sii import NOT_ASSIGNED
-from esicatalog.model.counting import counted
 from esicatalog.sii.encode import category_body
 from esicatalog.sii.files import FILLER
 from esicatalog.sii.image import (

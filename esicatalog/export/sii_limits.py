@@ -6,9 +6,9 @@ from typing import Any, NamedTuple, TypeVar
 
 import msgspec
 
+from esicatalog.counting import counted
 from esicatalog.errors import InputError
 from esicatalog.export.sii import NOT_ASSIGNED
-from esicatalog.model.counting import counted
 from esicatalog.sii.encode import MAX_STRINGS, category_offsets, encode_sii, string_table
 from esicatalog.sii.files import FILLER
 from esicatalog.sii.findings import STRING_NUMBER

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import msgspec
 
+from esicatalog.counting import counted
 from esicatalog.export.sii_changes import Change, image_changes
 from esicatalog.export.sii_limits import behind_end_mark
-from esicatalog.model.counting import counted
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import Category, General, RawCategory, SiiImage

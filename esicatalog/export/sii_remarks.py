@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
+from esicatalog.counting import counted
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
@@ -23,7 +24,6 @@ from esicatalog.export.sii_merge import PDI_BYTES
 from esicatalog.export.sii_texts import storable
 from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
-from esicatalog.model.counting import counted
 from esicatalog.model.pdo_facts import entry_facts, entry_words, has_length, has_object
 from esicatalog.model.ports import port_kind
 from esicatalog.model.sm_facts import is_mailbox, sm_facts

@@ -2,13 +2,13 @@
 
 from collections.abc import Iterable, Iterator
 
+from esicatalog.counting import counted
 from esicatalog.export.sii_changes import stored_otherwise
 from esicatalog.export.sii_limits import used_bytes
 from esicatalog.export.sii_merge import MergedImage
 from esicatalog.export.sii_remarks import image_remarks
 from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
-from esicatalog.model.counting import counted
 from esicatalog.sii.checksum import is_loaded
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import SiiImage

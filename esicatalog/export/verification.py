@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from esicatalog.catalog.results import FoundDevice, Identification
+from esicatalog.counting import counted
 from esicatalog.export.sii_verify import ImageDifference
-from esicatalog.model.counting import counted
 
 
 class Verification(NamedTuple):

@@ -62,6 +62,8 @@ def discover(
 
 
 def _existing(path: str | os.PathLike[str]) -> Path:
+    if not os.fspath(path):  # a variable that is not set; Path would take it for the folder that we are in
+        raise InputError("the name is empty; give a file, a folder or an archive")
     try:
         return Path(path).resolve(strict=True)
     except (OSError, RuntimeError) as error:

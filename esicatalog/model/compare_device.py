@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device, HideType, SyncManager
 from esicatalog.esi.records.diagnostics import CauseRemedy, Diagnostics, joined_diagnostics
 from esicatalog.esi.records.dictionary import EnumInfo
@@ -45,7 +46,6 @@ from esicatalog.model.compare_words import (
     value_of,
     yes_no,
 )
-from esicatalog.model.counting import counted
 from esicatalog.model.revision_check import accepts_revision, is_known
 from esicatalog.model.sm_facts import sm_facts
 

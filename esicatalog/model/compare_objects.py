@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
+from esicatalog.counting import counted
 from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Flags, Object
 from esicatalog.esi.records.profile import Profile, dictionaries_of
 from esicatalog.esi.unreadable import unreadable_values
@@ -36,7 +37,6 @@ from esicatalog.model.compare_words import (
     value_of,
     yes_no,
 )
-from esicatalog.model.counting import counted
 from esicatalog.model.dictionary import (
     OBJECT_CODES,
     ObjectEntry,

@@ -3,6 +3,7 @@
 from collections.abc import Hashable, Iterator, Sequence
 from difflib import SequenceMatcher
 
+from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
@@ -31,7 +32,6 @@ from esicatalog.model.compare_words import (
     value_of,
     yes_no,
 )
-from esicatalog.model.counting import counted
 from esicatalog.model.pdo_facts import (
     Mapped,
     bits_words,

@@ -9,9 +9,9 @@ from typing import Any
 
 import msgspec
 
+from esicatalog.counting import counted
 from esicatalog.esi.binding import Record
 from esicatalog.esi.records.common import Name, display_text
-from esicatalog.model.counting import counted
 
 Show = Callable[[Any], str | None]
 """A value in words, None where it is not there. So ``#x10`` and ``16`` are equal, and an absent flag and ``0``."""

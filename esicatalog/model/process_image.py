@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import msgspec
 
+from esicatalog.counting import counted
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -19,7 +20,6 @@ from esicatalog.esi.records.slots import ModulePdoGroup
 from esicatalog.esi.unreadable import reason_words
 from esicatalog.identity import MAX_INDEX
 from esicatalog.model.assignable_pdos import AvailablePdo, without_rivals
-from esicatalog.model.counting import counted
 from esicatalog.model.pdo_assignment import Assignment, SmAssignment, assigned_pdos, has_default_image
 from esicatalog.model.pdo_facts import (
     has_length,

@@ -8,13 +8,13 @@ import itertools
 from collections import defaultdict
 from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 
+from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import dictionaries_of
 from esicatalog.model.access import STATE_WORDS, access_text
 from esicatalog.model.base_types import base_type
-from esicatalog.model.counting import counted
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews, EntriesBySubindex, counting_view
 from esicatalog.model.pdo_facts import Mapped, has_length, is_described, mapped, mapped_words

@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from esicatalog.counting import counted
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.model.areas import Area, overlaps
-from esicatalog.model.counting import counted
 from esicatalog.model.sm_facts import BUFFERED, sm_facts
 
 MEMORY_START = 0x1000

@@ -1,5 +1,6 @@
 """Words that every sheet and page uses for what a description declares."""
 
+from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.unreadable import unreadable
@@ -100,3 +101,46 @@ def clock_words(device: Device, facts: DeviceFacts) -> str:
 def fsoe_words(facts: DeviceFacts) -> str | None:
     """Evidence of FSoE, which is no statement about safety; None without any."""
     return f"{facts.fsoe} evidence: {facts.fsoe_evidence}" if facts.fsoe is not None else None
+
+
+def fact_words(device: Device, facts: DeviceFacts) -> list[tuple[str, str]]:
+    """The facts at the head of a sheet, each with its name; those that are not given are left out."""
+    current, cycle = device.e_bus_current_ma, facts.min_cycle_ns
+    shown = (
+        ("group", device.group_type),
+        ("profiles", ", ".join(profile_words(device))),
+        ("ports", device.physics),
+        ("E-bus current", f"{current} mA" if current is not None else None),
+        ("mailbox", mailbox_words(device)),
+        ("CoE", ", ".join(coe_details(device.mailbox))),
+        ("clocks", clock_words(device, facts)),
+        ("smallest cycle", f"{cycle} ns" if cycle is not None else None),
+        ("process data", _process_data_words(facts)),
+        ("CheckRevisionNo", device.check_revision_no),
+        ("LRW", "not possible (UseLrdLwr)" if device.use_lrd_lwr else None),
+        ("FSoE", fsoe_words(facts)),
+    )
+    return [(name, value) for name, value in shown if value]
+
+
+def _process_data_words(facts: DeviceFacts) -> str:
+    if facts.output_bytes is None and facts.input_bytes is None:
+        return "unknown"
+    out, into = (
+        counted(size, "byte") if size is not None else "unknown length"
+        for size in (facts.output_bytes, facts.input_bytes)
+    )
+    return f"{out} out, {into} in by default"
+
+
+def eeprom_words(device: Device) -> list[tuple[str, str]]:
+    """What a description says of the EEPROM, each with its name; nothing where it says nothing."""
+    eeprom = device.eeprom
+    if eeprom is None:
+        return []
+    shown = (
+        ("size", counted(eeprom.byte_size, "byte") if eeprom.byte_size is not None else None),
+        ("ConfigData", eeprom.config_data),
+        ("BootStrap", eeprom.boot_strap),
+    )
+    return [(name, value) for name, value in shown if value]

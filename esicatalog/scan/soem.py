@@ -12,6 +12,7 @@ import re
 from collections.abc import Callable
 from typing import Any
 
+from esicatalog.counting import counted
 from esicatalog.identity import is_read
 from esicatalog.scan.buses import separate_buses
 from esicatalog.scan.records import Scan, ScanFinding, ScannedCoe, ScannedPort, ScannedSlave, ScannedSyncManager
@@ -160,7 +161,9 @@ class _Run:
         if self.announced is None or self.announced[1] == self.listed:
             return []
         line, count = self.announced
-        return [ScanFinding(line=line, message=f"{count} slaves are announced, {self.listed} are listed")]
+        announced = counted(count, "slave is", "slaves are")
+        message = f"{announced} announced, {counted(self.listed, 'is', 'are')} listed"
+        return [ScanFinding(line=line, message=message)]
 
 
 class _Reader:

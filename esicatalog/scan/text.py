@@ -5,6 +5,7 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from esicatalog.counting import counted
 from esicatalog.scan.records import ScanError, ScanFinding
 
 NOT_READ = "has vendor id and product code 0: its SII was not read or is empty"
@@ -100,6 +101,5 @@ class Skipped:
         """No finding, or one that names the first line; ``what`` is the format that was read."""
         if not self._count:
             return []
-        lines = "1 line is" if self._count == 1 else f"{self._count} lines are"
-        message = f"{lines} not read as {what}; the first: {quoted(self._text)}"
+        message = f"{counted(self._count, 'line is', 'lines are')} not read as {what}; the first: {quoted(self._text)}"
         return [ScanFinding(line=self._line, message=message)]

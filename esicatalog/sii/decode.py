@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import msgspec
 
+from esicatalog.counting import counted
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.findings import findings_of
 from esicatalog.sii.image import (
@@ -129,7 +130,7 @@ def _strings(body: bytes) -> Strings:
 
 def _general(body: bytes) -> General:
     if len(body) < GENERAL.size:
-        raise _MisfitError(f"{len(body)} bytes where {GENERAL.size} are needed")
+        raise _MisfitError(f"{counted(len(body), 'byte')} where {GENERAL.size} are needed")
     return msgspec.structs.replace(GENERAL.read(body), rest=body[GENERAL.size :])
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 from itertools import accumulate
 
+from esicatalog.counting import counted
 from esicatalog.sii.errors import SiiEncodeError
 from esicatalog.sii.image import (
     END_MARK,
@@ -54,7 +55,9 @@ def category_body(category: Category) -> bytes:
     if not 0 <= category.category_type < END_TYPE:
         raise SiiEncodeError(f"{title}: a category type is 0 to 0x{END_TYPE - 1:X}")
     if len(body) % 2 or len(body) > 2 * _MAX_WORDS:
-        raise SiiEncodeError(f"{title}: {len(body)} bytes are no number of words from 0 to {_MAX_WORDS}")
+        raise SiiEncodeError(
+            f"{title}: {counted(len(body), 'byte is', 'bytes are')} no number of words from 0 to {_MAX_WORDS}"
+        )
     return body
 
 

@@ -2,6 +2,7 @@
 
 import re
 
+from esicatalog.counting import counted
 from esicatalog.scan.text import decode_text, quoted
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
@@ -86,11 +87,11 @@ def _record(line: str, number: int) -> tuple[int, int, bytes]:
         raise _broken(number, "not a record of the form :LLAAAATT…CC in pairs of hex digits")
     count, high, low, kind, *payload, _ = record = bytes.fromhex(match[1])
     if len(payload) != count:
-        raise _broken(number, f"{len(payload)} data bytes where {count} are announced")
+        raise _broken(number, f"{counted(len(payload), 'data byte')} where {counted(count, 'is', 'are')} announced")
     if sum(record) & 0xFF:
         raise _broken(number, f"check sum is 0x{record[-1]:02X}, not 0x{-sum(record[:-1]) & 0xFF:02X}")
     if kind != _DATA and count != _PAYLOAD_BYTES.get(kind):
-        raise _broken(number, f"no record type {kind:02X} with {count} data bytes")
+        raise _broken(number, f"no record type {kind:02X} with {counted(count, 'data byte')}")
     return kind, high << 8 | low, bytes(payload)
 
 

@@ -11,6 +11,7 @@ from typing import Annotated, Any, Generic, TypeVar, get_args, get_origin, get_t
 
 import msgspec
 
+from esicatalog.counting import counted
 from esicatalog.sii.errors import SiiEncodeError
 
 
@@ -77,7 +78,7 @@ class Layout(Generic[R]):
         stored = len(value) if isinstance(value, tuple) else value
         record, size = self._record_type.__name__, struct.calcsize(code)
         if isinstance(stored, bytes) and len(stored) != size:
-            raise SiiEncodeError(f"{record}: {name} does not fit: {size} bytes needed, {len(stored)} given")
+            raise SiiEncodeError(f"{record}: {name} does not fit: {counted(size, 'byte')} needed, {len(stored)} given")
         try:
             return struct.pack(code, stored)
         except struct.error as error:

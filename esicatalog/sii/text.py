@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from esicatalog.counting import counted
 from esicatalog.sii.checksum import header_checksum, is_loaded
 from esicatalog.sii.encode import category_offsets
 from esicatalog.sii.image import General, RawCategory, SiiImage, Strings
@@ -69,7 +70,7 @@ def _header(image: SiiImage) -> Iterator[str]:
         ("PDI configuration", f"0x{header.pdi_configuration:04X}, extended 0x{header.pdi_configuration_2:04X}"),
         ("SYNC pulse", f"{header.sync_impulse_length_ns} ns"),
         ("check sum", f"0x{header.checksum:02X}, {verdict}"),
-        ("size", f"{header.byte_size} bytes"),
+        ("size", counted(header.byte_size, "byte")),
         ("version", str(header.version)),
     ]
     delays = (header.execution_delay, header.port0_delay, header.port1_delay)
@@ -85,7 +86,7 @@ def _header(image: SiiImage) -> Iterator[str]:
 
 def _mailboxes(header: Header) -> Iterator[str]:
     rows = [
-        [name, *(f"0x{offset:04X}, {size} bytes" if size else "none" for offset, size in areas)]
+        [name, *(f"0x{offset:04X}, {counted(size, 'byte')}" if size else "none" for offset, size in areas)]
         for name, areas in (
             (
                 "bootstrap",
@@ -174,7 +175,7 @@ def _pdos(image: SiiImage, pdos: Sequence[Pdo], kind: str) -> Iterator[str]:
         yield ""
         yield (
             f"{kind} 0x{pdo.pdo_index:04X} {_named(image, pdo.name_string_number)}: "
-            f"{place}{sync}, {pdo.bit_length} bits, flags {_listed(flag_words(pdo.flags))}"
+            f"{place}{sync}, {counted(pdo.bit_length, 'bit')}, flags {_listed(flag_words(pdo.flags))}"
         )
         position = 0
         for entry in pdo.entries:
@@ -183,7 +184,7 @@ def _pdos(image: SiiImage, pdos: Sequence[Pdo], kind: str) -> Iterator[str]:
             flags = f"  flags 0x{entry.flags:04X}" if entry.flags else ""
             yield (
                 f"  {position // 8:4}.{position % 8}  0x{entry.entry_index:04X}:{entry.subindex:02X}  "
-                f"{entry.bit_length:3} bits  {data_type:8}  {name}{flags}".rstrip()
+                f"{counted(entry.bit_length, 'bit'):8}  {data_type:8}  {name}{flags}".rstrip()
             )
             position += entry.bit_length
 
@@ -214,10 +215,10 @@ def _signals(mode: DcMode) -> str:
 def _others(image: SiiImage) -> Iterator[str]:
     for category, offset in zip(image.categories, category_offsets(image), strict=False):
         if isinstance(category, RawCategory):
-            title = f"Other: {category_title(category.category_type)} at byte 0x{offset:X}, {len(category.data)} bytes"
-            yield from _titled(title, _hex_lines(category.data))
+            title = f"{category_title(category.category_type)} at byte 0x{offset:X}"
+            yield from _titled(f"Other: {title}, {counted(len(category.data), 'byte')}", _hex_lines(category.data))
     if image.trailing.strip(b"\x00\xff"):
-        yield from _titled(f"After the end mark: {len(image.trailing)} bytes", _hex_lines(image.trailing))
+        yield from _titled(f"After the end mark: {counted(len(image.trailing), 'byte')}", _hex_lines(image.trailing))
 
 
 def _hex_lines(data: bytes) -> list[str]:
@@ -227,7 +228,7 @@ def _hex_lines(data: bytes) -> list[str]:
         letters = "".join(chr(byte) if 0x20 <= byte < 0x7F else "." for byte in piece)
         lines.append(f"{start:04X}  {piece.hex(' '):{3 * _HEX_BYTES_A_LINE - 1}}  {letters}")
     if len(data) > _MOST_HEX_BYTES:
-        lines.append(f"… {len(data) - _MOST_HEX_BYTES} bytes more")
+        lines.append(f"… {counted(len(data) - _MOST_HEX_BYTES, 'byte')} more")
     return lines
 
 

@@ -8,8 +8,9 @@ from typing import Any, NamedTuple
 from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
-from esicatalog.errors import EsiCatalogError, NotFound
-from esicatalog.export.choice import Choice, parse_pdo_choice
+from esicatalog.catalog.filter_texts import parse_flag
+from esicatalog.errors import EsiCatalogError, InputError, NotFound
+from esicatalog.export.choice import HEEDED, Choice, parse_pdo_choice
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.cstruct import cstruct_of_configuration
 from esicatalog.export.eeprom import eeprom_image
@@ -28,13 +29,16 @@ from esicatalog.web.links import asked_identity, with_query
 from esicatalog.web.state import catalog_for
 
 _REPEATABLE = ("module",)
-_CHOICE = ("pdo", "module", "op-mode", "cycle-ns", "name", "alias", "position")
+_PARAMETERS = {field: field.replace("_", "-") for field in Choice._fields} | {"pdos": "pdo", "modules": "module"}
+"""By the field of a :class:`Choice`."""
 
-Generate = Callable[[Subject, Choice], str | bytes]
+Given = Mapping[str, Sequence[str]]
+"""Texts of parameters, by name."""
+Generate = Callable[[Subject, Given], str | bytes]
 
 
 class Target(NamedTuple):
-    """A target: what it is called, what makes it, of which devices, and which parameters choose."""
+    """A target: what it is called, what makes it, of which devices, and what it takes beside the choices it heeds."""
 
     label: str
     ending: str
@@ -43,19 +47,20 @@ class Target(NamedTuple):
     generate: Generate
     needs_process_data: bool = False
     needs_revision: bool = True
-    parameters: tuple[str, ...] = _CHOICE
+    own_parameters: tuple[str, ...] = ()
 
 
 def _configured(generate: Callable[[Configuration], str]) -> Generate:
-    return lambda subject, choice: generate(configure(subject, choice))
+    return lambda subject, given: generate(configure(subject, _choice(given)))
 
 
-def _esi(subject: Subject, choice: Choice) -> bytes:
+def _esi(subject: Subject, given: Given) -> bytes:
     return export_esi(*content_of([subject]))
 
 
-def _sii(subject: Subject, choice: Choice) -> bytes:
-    return encode_sii(eeprom_image(subject).image)
+def _sii(subject: Subject, given: Given) -> bytes:
+    fit = any(_flag("fit", text) for text in given.get("fit", ()))
+    return encode_sii(eeprom_image(subject, fit=fit).image)
 
 
 _C = "text/x-c; charset=utf-8"
@@ -66,10 +71,15 @@ TARGETS: dict[str, Target] = {
     "ros2": Target("ROS 2 slave YAML", ".yaml", "application/yaml", _configured(ros2_slave), True),
     "linuxcnc": Target("LinuxCNC XML", "_linuxcnc.xml", "application/xml", _configured(linuxcnc_configuration), True),
     "cstruct": Target("ethercat cstruct", ".c", _C, _configured(cstruct_of_configuration)),
-    "sii": Target("EEPROM image", ".bin", "application/octet-stream", _sii, parameters=()),
-    "esi": Target("ESI XML", ".xml", "application/xml", _esi, needs_revision=False, parameters=()),
+    "sii": Target("EEPROM image", ".bin", "application/octet-stream", _sii, own_parameters=("fit",)),
+    "esi": Target("ESI XML", ".xml", "application/xml", _esi, needs_revision=False),
 }
 """By name in the address and on the command line."""
+
+
+def parameters_of(name: str) -> tuple[str, ...]:
+    """The parameters that the target of this name heeds; others are refused."""
+    return (*(_PARAMETERS[field] for field in HEEDED[name]), *TARGETS[name].own_parameters)
 
 
 async def export_route(request: Any, datasette: Any) -> Response:
@@ -82,13 +92,13 @@ async def export_route(request: Any, datasette: Any) -> Response:
 
 
 def _generated(request: Any, catalog: Catalog) -> Response:
-    target = TARGETS.get(request.url_vars["target"])
-    if target is None:
+    name = request.url_vars["target"]
+    if name not in TARGETS:
         raise NotFound(f"no such export; there are {', '.join(TARGETS)}")
-    given = given_texts(texts_of(request), target.parameters, _REPEATABLE)
-    identity = asked_identity(request)
-    subject = catalog.export_subject(identity)
-    made = target.generate(subject, _choice(given))
+    target = TARGETS[name]
+    given = given_texts(texts_of(request), parameters_of(name), _REPEATABLE)
+    subject = catalog.export_subject(asked_identity(request))
+    made = target.generate(subject, given)
     data = made.encode() if isinstance(made, str) else made
     stem = re.sub(r"[^A-Za-z0-9]+", "_", subject.device.type or "device").strip("_") or "device"
     headers = {
@@ -112,12 +122,19 @@ def modules_query(choice: Mapping[int, ModuleChoice]) -> str:
     return with_query("", [("module", f"{slot}={module}") for slot, module in choice.items()])
 
 
-def _modules(given: Mapping[str, Sequence[str]]) -> Mapping[int, ModuleChoice]:
+def _modules(given: Given) -> Mapping[int, ModuleChoice]:
     texts = given.get("module", ())
     return modules_by_slot(parse_plugged(text) for text in texts if text.partition("=")[1:] != ("=", ""))
 
 
-def _choice(given: Mapping[str, Sequence[str]]) -> Choice:
+def _flag(name: str, text: str) -> bool:
+    try:
+        return parse_flag(text)
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from error
+
+
+def _choice(given: Given) -> Choice:
     texts = {name: values[0] for name, values in given.items() if name not in _REPEATABLE}
     numbers = {name: parse_number(texts[name], name) for name in ("cycle-ns", "alias", "position") if name in texts}
     return Choice(

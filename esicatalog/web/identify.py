@@ -34,6 +34,7 @@ async def identify_one(request: Any, catalog: Catalog) -> tuple[Any, int]:
 
 async def identify_many(request: Any, catalog: Catalog) -> tuple[Any, int]:
     """A JSON list of identities, or the text of a scan; the answers are a list in the same order."""
+    check_names(request.args, ())
     body = await body_of(request)
     return await asyncio.to_thread(_answers, body.removeprefix(codecs.BOM_UTF8), catalog), 200
 

@@ -2,13 +2,13 @@
 
 from collections.abc import Iterator
 
+from esicatalog.counting import counted
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.lint.registry import WARNING, Found, Place, rule
 from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject, dictionaries_of
 from esicatalog.model.access import states_to_write
 from esicatalog.model.base_types import BASE_TYPES
-from esicatalog.model.counting import counted
 from esicatalog.model.start_up import SENT_IN, TRANSITIONS, transition_of, unusable_part
 from esicatalog.model.sync import listed_pdos
 from esicatalog.model.values import byte_length, fills

@@ -2,11 +2,11 @@
 
 from collections.abc import Container, Iterable, Iterator, Sequence
 
+from esicatalog.counting import counted
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
 from esicatalog.lint.subjects import DeclaredPdo, DeviceSubject, ModuleSubject, ProcessSubject, is_absent
-from esicatalog.model.counting import counted
 from esicatalog.model.pdo_facts import (
     PDO_ASSIGNMENTS,
     PDO_FIELDS,

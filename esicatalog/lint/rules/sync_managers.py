@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator
 
+from esicatalog.counting import counted
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, ProcessSubject, is_absent
-from esicatalog.model.counting import counted
 from esicatalog.model.sm_facts import (
     INPUT,
     OUTPUT,

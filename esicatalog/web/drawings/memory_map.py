@@ -8,9 +8,9 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
+from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.model.areas import Area
-from esicatalog.model.counting import counted
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.sm_facts import SmFacts, is_mailbox, sm_facts
 from esicatalog.model.sm_memory import MEMORY_START, buffer_count, is_enabled, occupied_area

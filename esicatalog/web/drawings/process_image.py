@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
+from esicatalog.counting import counted
 from esicatalog.esi.records.common import display_text
-from esicatalog.model.counting import counted
 from esicatalog.model.pdo_facts import entry_facts, has_object, subindex_words
 from esicatalog.model.process_image import PlacedEntry, PlacedPdo, SmImage, byte_bit
 from esicatalog.model.values import byte_length

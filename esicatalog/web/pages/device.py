@@ -7,21 +7,20 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription, description_json
 from esicatalog.catalog.mapping import image_key
-from esicatalog.catalog.results import FoundDevice, hex32
-from esicatalog.errors import InputError, NotFound
+from esicatalog.catalog.results import hex32
+from esicatalog.errors import EsiCatalogError, InputError, NotFound
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox, init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
+from esicatalog.export.eeprom import eeprom_image
 from esicatalog.export.sii_remarks import image_remarks
 from esicatalog.export.sii_summary import WHY_MERGE
-from esicatalog.export.subject import subject_of_description
+from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
-from esicatalog.model.counting import counted
 from esicatalog.model.derivation import derive
-from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.module_choice import module_choices, module_labels
 from esicatalog.model.pdo_facts import bits_words, entry_words, index_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.predefined_assignments import predefined_assignments
@@ -31,16 +30,9 @@ from esicatalog.model.slots import fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals, is_superseded
 from esicatalog.model.values import number_words
-from esicatalog.model.words import (
-    clock_words,
-    coe_details,
-    fsoe_words,
-    init_cmd_target,
-    mailbox_words,
-    profile_words,
-)
+from esicatalog.model.words import eeprom_words, fact_words, init_cmd_target
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
-from esicatalog.web.exports import TARGETS, asked_modules, modules_query
+from esicatalog.web.exports import TARGETS, asked_modules, modules_query, parameters_of
 from esicatalog.web.http import Page, status_of
 from esicatalog.web.links import BASE, asked_identity, device_path
 from esicatalog.web.pages.nearest import nearest, nearest_json
@@ -50,6 +42,8 @@ _LONGEST_NUMBER = 8
 _MOST_SLOTS = 24
 """How many slots are offered; a station has hundreds, and each of them takes hundreds of modules."""
 _MOST_ALIKE = 12
+_FORM_FIELDS = {"op-mode": "OpMode", "cycle-ns": "cycle"}
+"""Parameters of exports that the page has fields for, and what they choose."""
 
 
 async def device_page(request: Any, catalog: Catalog) -> Page:
@@ -91,13 +85,21 @@ def _asked(request: Any) -> tuple[Identity, Mapping[int, ModuleChoice]]:
     return asked_identity(request), choice
 
 
-def _image_remarks(description: DeviceDescription) -> tuple[str, ...]:
+def _eeprom_image(description: DeviceDescription) -> dict[str, Any]:
     """What is told beside the EEPROM image, of which there is one only for a device with all codes."""
     found = description.found
     if None in (found.vendor_id, found.product_code, found.revision_no):
-        return ()
+        return {"image_remarks": (), "left_out": ()}
     subject = subject_of_description(found, description.sources, description.device, description.modules)
-    return (WHY_MERGE, *image_remarks(subject))
+    return {"image_remarks": (WHY_MERGE, *image_remarks(subject)), "left_out": _left_out(subject)}
+
+
+def _left_out(subject: Subject) -> tuple[str, ...]:
+    """What of the image is left out to fit the EEPROM; nothing where it fits, or where there is none."""
+    try:
+        return eeprom_image(subject, fit=True).dropped
+    except EsiCatalogError:
+        return ()
 
 
 def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
@@ -109,8 +111,8 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "problem": None,
         "drawing_css": DRAWING_CSS,
         **_head(description, choice),
-        "facts": _facts(description, derived.facts),
-        **_exports(description.found, any(image.pdos for image in images)),
+        "facts": fact_words(device, derived.facts),
+        **_exports(description, any(image.pdos for image in images)),
         **_module_picker(description, choice),
         "images": [_image(image) for image in images],
         "sync_managers": [
@@ -125,8 +127,8 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "op_modes": _op_modes(device, description.default_position(choice)),
         "commands": _commands(device.mailbox),
         "objects": object_counts(description, choice),
-        "eeprom": device.eeprom,
-        "image_remarks": _image_remarks(description),
+        "eeprom": eeprom_words(device),
+        **_eeprom_image(description),
         "findings": description.findings,
         "revisions": _revisions(description),
         "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
@@ -179,9 +181,11 @@ def _modules(modules: Sequence[Module]) -> list[dict[str, Any]]:
 
 
 def _op_modes(device: Device, default: int | None) -> list[dict[str, Any]]:
+    """The OpModes that newer tools ignore come last: of many not all are shown."""
     time_only = device.dc_time_loop_control_only
-    return [
+    shown = [
         {
+            "position": position,
             "mode": mode,
             "signals": generated_signals(mode, time_only),
             "is_default": position == default,
@@ -190,6 +194,7 @@ def _op_modes(device: Device, default: int | None) -> list[dict[str, Any]]:
         }
         for position, mode in enumerate(device.op_modes)
     ]
+    return sorted(shown, key=lambda item: (not item["is_default"], item["is_superseded"]))
 
 
 def _revisions(description: DeviceDescription) -> list[dict[str, Any]]:
@@ -207,50 +212,25 @@ def _revisions(description: DeviceDescription) -> list[dict[str, Any]]:
     ]
 
 
-def _exports(found: FoundDevice, has_process_data: bool) -> dict[str, Any]:
-    """What is offered, and the labels of what cannot be made without process data."""
-    targets = {
-        name: target for name, target in TARGETS.items() if found.revision_no is not None or not target.needs_revision
-    }
+def _exports(description: DeviceDescription, has_process_data: bool) -> dict[str, Any]:
+    """What is offered, with fields for what it heeds, and the labels of what cannot be made without process data."""
+    has_revision = description.found.revision_no is not None
+    targets = {name: target for name, target in TARGETS.items() if has_revision or not target.needs_revision}
+    offered = [name for name, target in targets.items() if has_process_data or not target.needs_process_data]
+    fields = [name for name in _FORM_FIELDS if name != "op-mode" or len(description.device.op_modes) > 1]
+    forms: dict[tuple[str, ...], list[str]] = {}
+    for name in offered:
+        forms.setdefault(tuple(field for field in fields if field in parameters_of(name)), []).append(name)
     return {
-        "exports": [
-            {"name": name, "label": target.label, "takes_choices": bool(target.parameters)}
-            for name, target in targets.items()
-            if has_process_data or not target.needs_process_data
+        "labels": {name: target.label for name, target in targets.items()},
+        "exports": [(name, "module" in parameters_of(name)) for name in offered],
+        "export_forms": [
+            (" or ".join(_FORM_FIELDS[field] for field in heeded), heeded, names)
+            for heeded, names in forms.items()
+            if heeded
         ],
-        "not_exported": [
-            target.label for target in targets.values() if target.needs_process_data and not has_process_data
-        ],
+        "not_exported": [target.label for name, target in targets.items() if name not in offered],
     }
-
-
-def _facts(description: DeviceDescription, facts: DeviceFacts) -> list[tuple[str, str]]:
-    device = description.device
-    shown = [
-        ("group", device.group_type),
-        ("profiles", ", ".join(sorted(profile_words(device)))),
-        ("ports", device.physics),
-        ("E-bus current", f"{device.e_bus_current_ma} mA" if device.e_bus_current_ma is not None else None),
-        ("mailbox", mailbox_words(device)),
-        ("CoE", ", ".join(coe_details(device.mailbox))),
-        ("clocks", clock_words(device, facts)),
-        ("smallest cycle", f"{facts.min_cycle_ns} ns" if facts.min_cycle_ns is not None else None),
-        ("process data", _process_data_words(facts)),
-        ("CheckRevisionNo", device.check_revision_no),
-        ("LRW", "not possible (UseLrdLwr)" if device.use_lrd_lwr else None),
-        ("FSoE", fsoe_words(facts)),
-    ]
-    return [(name, value) for name, value in shown if value]
-
-
-def _process_data_words(facts: DeviceFacts) -> str:
-    if facts.output_bytes is None and facts.input_bytes is None:
-        return "unknown"
-    out, into = (
-        counted(size, "byte") if size is not None else "unknown length"
-        for size in (facts.output_bytes, facts.input_bytes)
-    )
-    return f"{out} out, {into} in by default"
 
 
 def _image(image: SmImage) -> dict[str, Any]:

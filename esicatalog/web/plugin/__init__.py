@@ -8,6 +8,7 @@ from datasette import handle_exception, hookimpl
 
 from esicatalog.catalog.full_text import search_expression
 from esicatalog.catalog.views import FULL_TEXT
+from esicatalog.counting import counted
 from esicatalog.web.bidi import isolated
 from esicatalog.web.cells import cell, decimal_filters
 from esicatalog.web.descriptions import complete_links
@@ -42,7 +43,8 @@ def prepare_connection(conn: sqlite3.Connection) -> None:
 
 @hookimpl
 def prepare_jinja2_environment(env: Any) -> None:
-    """The filter ``isolated`` for sentences with names of documents."""
+    """The filters ``isolated`` for sentences with names of documents, ``counted`` for numbers of things."""
+    env.filters["counted"] = counted
     env.filters["isolated"] = isolated
 
 

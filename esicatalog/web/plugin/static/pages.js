@@ -47,7 +47,7 @@ function filterObjects(target, text) {
     item.hidden = !fits;
     if (fits) shown += 1;
   }
-  target.querySelector("[data-shown]").textContent = `${shown} objects`;
+  target.querySelector("[data-shown]").textContent = `${shown} object${shown === 1 ? "" : "s"}`;
 }
 
 for (const zone of document.querySelectorAll("[data-drop]")) {
