@@ -18,11 +18,11 @@ from esicatalog.identity import Identity, checked, checked_number, parse_identit
 if TYPE_CHECKING:
     import sqlalchemy as sa
 
-    from esicatalog.catalog.bus import BusReport
     from esicatalog.catalog.check import CheckResult
     from esicatalog.catalog.database import DriverQuery
     from esicatalog.catalog.description import DeviceDescription
     from esicatalog.catalog.device_filter import DeviceFilter
+    from esicatalog.catalog.identified_bus import BusReport
     from esicatalog.catalog.identity import IdentityLookup
     from esicatalog.catalog.listing import Listing
     from esicatalog.catalog.results import FoundDevice, Identification
@@ -153,8 +153,8 @@ class Catalog:
         ``pdos`` and ``dictionaries``, as a master printed them, are compared with the descriptions. Raises
         :class:`~esicatalog.errors.InputError` when they do not say to which slave they belong, or belong to none.
         """
-        from esicatalog.catalog.bus import bus_reports
         from esicatalog.catalog.description import read_description
+        from esicatalog.catalog.identified_bus import bus_reports
 
         with self._connection() as connection:
             lookup = self._lookup_beside(connection)
@@ -215,10 +215,10 @@ class Catalog:
 
     def image(self, sha256: str) -> bytes | None:
         """An image of a vendor, group, device or module by its key; None when there is none."""
-        from esicatalog.catalog.images import image_of
+        from esicatalog.catalog.pictures import picture_of
 
         with self._connection() as connection:
-            return image_of(connection, sha256)
+            return picture_of(connection, sha256)
 
     def device(self, identity: str | Identity) -> "DeviceDescription":
         """One device with its records; ``identity`` is ``V:P[:R][@VARIANT]``, without R the latest revision.

@@ -10,7 +10,7 @@ from test_export_configuration import subject
 from esicatalog.export.sii import described_image, sii_image
 from esicatalog.export.sii_header import eeprom_bytes
 from esicatalog.export.sii_limits import check_image, fit_image
-from esicatalog.export.sii_remarks import image_remarks
+from esicatalog.export.sii_remarks import eeprom_remarks
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.errors import SiiImageError
@@ -491,7 +491,7 @@ def test_a_whole_image_longer_than_its_size_word_says_is_written_whole():
     """The size word at byte 0x7C: 0 is 128 bytes."""
     data = OF_DEVICE[:0x7C] + b"\0\0" + OF_DEVICE[0x7E:]
     assert written(data) == data
-    assert image_remarks(with_data(data))[1:] == (
+    assert eeprom_remarks(with_data(data))[1:] == (
         f"Eeprom/Data: size word at byte 0x7C says 128 bytes; the image has {len(data)}.",
     )
 
@@ -500,18 +500,18 @@ TAKEN = "The description holds the whole image (Eeprom/Data), which is taken in 
 
 
 def test_what_is_odd_about_a_whole_image_is_remarked():
-    assert image_remarks(with_data(OF_DEVICE)) == (TAKEN,)
+    assert eeprom_remarks(with_data(OF_DEVICE)) == (TAKEN,)
     wrong = bytes([OF_DEVICE[14] ^ 1])
-    assert image_remarks(with_data(OF_DEVICE[:14] + wrong + OF_DEVICE[15:])) == (
+    assert eeprom_remarks(with_data(OF_DEVICE[:14] + wrong + OF_DEVICE[15:])) == (
         TAKEN,
         f"Eeprom/Data: check sum at byte 0xE is 0x{wrong[0]:02X}; the words 0 to 6 need 0x{OF_DEVICE[14]:02X}.",
     )
-    assert image_remarks(with_data(by_hand.WHOLE)) == (
+    assert eeprom_remarks(with_data(by_hand.WHOLE)) == (
         TAKEN,
         "The identity in Eeprom/Data is 0x0000079a:0xdeadbeef:0x00010002, that of the description "
         "0x00000e5c:0x00000001:0x00000001; do not write this image, the device would be taken for another.",
     )
-    assert image_remarks(with_data(b"\0\1"))[1].startswith("Eeprom/Data cannot be read: no SII image")
+    assert eeprom_remarks(with_data(b"\0\1"))[1].startswith("Eeprom/Data cannot be read: no SII image")
 
 
 @pytest.mark.parametrize(

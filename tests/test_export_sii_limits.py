@@ -11,7 +11,7 @@ from esicatalog.errors import InputError
 from esicatalog.export.sii import described_image, sii_image
 from esicatalog.export.sii_header import eeprom_bytes
 from esicatalog.export.sii_limits import SiiLimitError, check_image, fit_image
-from esicatalog.export.sii_remarks import image_remarks
+from esicatalog.export.sii_remarks import eeprom_remarks
 from esicatalog.export.sii_summary import image_text
 from esicatalog.export.subject import subjects_of_document
 from esicatalog.sii.decode import decode_sii
@@ -286,7 +286,7 @@ def test_remarks(content, words):
 )
 def test_what_is_given_or_needs_nothing_is_not_remarked(content):
     config = "<Eeprom><ByteSize>2048</ByteSize><ConfigData>0401000000000000</ConfigData></Eeprom>"
-    assert image_remarks(subject(content + config)) == ()
+    assert eeprom_remarks(subject(content + config)) == ()
 
 
 def test_all_texts_that_are_cut_are_named():
@@ -294,7 +294,7 @@ def test_all_texts_that_are_cut_are_named():
     mode = f"<Dc><OpMode><Name>mode {long}</Name><AssignActivate>0</AssignActivate></OpMode></Dc>"
     text = esi(device(mode, type_text=f"type {long}")).replace(">Group<", f">group {long}<")
     (described,) = subjects_of_document(read(text).document, "x.xml")
-    (remark,) = (remark for remark in image_remarks(described) if remark.startswith("Texts cut"))
+    (remark,) = (remark for remark in eeprom_remarks(described) if remark.startswith("Texts cut"))
     assert [text.split()[0] for text in remark.removeprefix("Texts cut to 255 bytes: ").split(", ")] == [
         "'type",
         "'mode",

@@ -9,8 +9,8 @@ from esicatalog.esi.documents import parse_document
 from esicatalog.esi.lines import Lines
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.tree import DocumentTree
-from esicatalog.lint.dictionaries import ObjectValues, ValuesOfType
 from esicatalog.lint.linter import Linter
+from esicatalog.lint.objects import ObjectValues, ValuesOfType
 from esicatalog.model.derivation import Deriver
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.resolver import Resolver

@@ -9,7 +9,7 @@ from esicatalog.esi.unreadable import Unreadable, unreadable, unreadable_values
 from esicatalog.export.choice import parse_pdo_choice
 from esicatalog.export.headings import choice_lines
 from esicatalog.export.igh import igh_header
-from esicatalog.export.sii_remarks import image_remarks
+from esicatalog.export.sii_remarks import eeprom_remarks
 from esicatalog.export.soem import soem_header
 from esicatalog.model.pdo_facts import entry_words
 
@@ -24,7 +24,7 @@ def unread(content: str, module_text: str = "", **choice) -> list[str]:
 
 
 def in_image(content: str) -> list[str]:
-    return [remark for remark in image_remarks(subject(content)) if "place for" not in remark]
+    return [remark for remark in eeprom_remarks(subject(content)) if "place for" not in remark]
 
 
 def test_bytes_in_hex_are_unreadable_when_they_are_none():

@@ -6,7 +6,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from esicatalog.catalog.copy_rows import CopyInserts
+from esicatalog.catalog.copy_inserts import CopyInserts
 from esicatalog.catalog.derived import DerivedRows
 from esicatalog.catalog.inserts import Inserts, Links, Part
 from esicatalog.catalog.schema import metadata

@@ -7,8 +7,8 @@ import msgspec
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
-from esicatalog.catalog.images import image_texts
 from esicatalog.catalog.mapping import codec
+from esicatalog.catalog.pictures import picture_texts
 from esicatalog.errors import NotFound
 from esicatalog.esi.records.document import Group, Vendor
 
@@ -51,7 +51,7 @@ def document_parts(connection: sa.Connection, device_id: int) -> DocumentParts:
 def _records(connection: sa.Connection, record_type: Any, rows: Sequence[Any]) -> tuple[Any, ...]:
     """Records of rows, with the images' hex texts in place of their keys."""
     records = [codec(record_type).decode(tuple(row)) for row in rows]
-    texts = image_texts(connection, {record.image_data for record in records if record.image_data is not None})
+    texts = picture_texts(connection, {record.image_data for record in records if record.image_data is not None})
     return tuple(
         record
         if record.image_data is None

@@ -10,8 +10,8 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import chunks
-from esicatalog.catalog.images import image_texts
 from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, Child, Codec, codec
+from esicatalog.catalog.pictures import picture_texts
 from esicatalog.catalog.schema import parent_column
 from esicatalog.errors import NotFound
 from esicatalog.esi.binding import Record
@@ -272,7 +272,7 @@ class _OwnerBatch:
             return
         at = own.image_column
         wanted = {row[at] for row in rows if row[at] is not None} - self._images.keys()
-        self._images |= image_texts(self._connection, wanted)
+        self._images |= picture_texts(self._connection, wanted)
 
 
 def _missing(numbers: Iterable[int], known: Container[int]) -> list[int]:

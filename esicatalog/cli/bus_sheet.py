@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from esicatalog.catalog.bus import BusReport, IdentifiedSlave, bus_facts
+from esicatalog.catalog.identified_bus import BusReport, IdentifiedSlave, bus_facts
 from esicatalog.cli.common import table_lines
 
 _HEAD = ("pos", "alias", "identity", "ESI", "device", "revision", "E-bus left", "out", "in", "source")

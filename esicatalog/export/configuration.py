@@ -11,14 +11,6 @@ from esicatalog.export.choice import Choice, check_numbers
 from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
 from esicatalog.export.cycle_commands import cycle_remarks
 from esicatalog.export.entry_types import ObjectTable
-from esicatalog.export.image_remarks import (
-    assignment_remarks,
-    memory_remarks,
-    order_remarks,
-    own_remarks,
-    repeat_remarks,
-    swap_remarks,
-)
 from esicatalog.export.init_cmds import StartCommand, start_commands
 from esicatalog.export.missing_modules import missing_modules, unplugged_remarks
 from esicatalog.export.mode_commands import mode_remarks
@@ -26,6 +18,14 @@ from esicatalog.export.names import checked_prefix, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import apply_choice
 from esicatalog.export.pdo_objects import contradiction_remarks, contradictions
+from esicatalog.export.process_image_remarks import (
+    assignment_remarks,
+    memory_remarks,
+    order_remarks,
+    own_remarks,
+    repeat_remarks,
+    swap_remarks,
+)
 from esicatalog.export.sm_configuration import SmConfiguration, configured_sync_managers, pdo_objects, rewritten_objects
 from esicatalog.export.subject import Subject
 from esicatalog.export.unread_remarks import unread_remarks

@@ -10,8 +10,8 @@ from typing import NamedTuple
 from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.igh_limits import check_limits, lrw_remarks, master_written
-from esicatalog.export.image_remarks import MAP_ONCE, mapped_again
 from esicatalog.export.init_cmds import StartCommand
+from esicatalog.export.process_image_remarks import MAP_ONCE, mapped_again
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
 from esicatalog.model.pdo_facts import places_words
 from esicatalog.model.sm_facts import OUTPUT

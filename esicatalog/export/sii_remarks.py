@@ -43,7 +43,7 @@ _SHIFT_ATTRIBUTES = [
 ]
 
 
-def image_remarks(subject: Subject) -> tuple[str, ...]:
+def eeprom_remarks(subject: Subject) -> tuple[str, ...]:
     """Sentences about what the image of a description does not hold, what was assumed for it, and what is odd in it."""
     whole = whole_image(subject.device)
     if whole is not None:

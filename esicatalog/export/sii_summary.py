@@ -6,7 +6,7 @@ from esicatalog.counting import counted
 from esicatalog.export.sii_changes import stored_otherwise
 from esicatalog.export.sii_limits import used_bytes
 from esicatalog.export.sii_merge import MergedImage
-from esicatalog.export.sii_remarks import image_remarks
+from esicatalog.export.sii_remarks import eeprom_remarks
 from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
 from esicatalog.sii.checksum import is_loaded
@@ -49,7 +49,7 @@ def _lines(subject: Subject, image: SiiImage, merged: MergedImage | None, droppe
     else:
         yield from _merge_lines(image, merged)
     yield from _listed("Left out to fit the EEPROM:", dropped)
-    yield from _listed("About this image:", image_remarks(subject))
+    yield from _listed("About this image:", eeprom_remarks(subject))
 
 
 def _merge_lines(image: SiiImage, merged: MergedImage) -> Iterator[str]:

@@ -12,8 +12,8 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Dictionary, Object
 from esicatalog.esi.records.document import Document, EsiInfo
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.lint.dictionaries import DataTypeSubject, ObjectSubject, ObjectValues, ValuesOfType
 from esicatalog.lint.locator import Locator, Tree
+from esicatalog.lint.objects import DataTypeSubject, ObjectSubject, ObjectValues, ValuesOfType
 from esicatalog.lint.registry import Check, Found, Place, Rule
 from esicatalog.lint.rules import ALL_RULES
 from esicatalog.lint.rules.mapping import foreign_types

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from esicatalog.esi.records.dictionary import DataType, SubItem
-from esicatalog.lint.dictionaries import DataTypeSubject, ObjectSubject
+from esicatalog.lint.objects import DataTypeSubject, ObjectSubject
 from esicatalog.lint.registry import ERROR, WARNING, Found, listed, rule
 from esicatalog.model.areas import Area, overlaps
 from esicatalog.model.base_types import BaseType, base_type

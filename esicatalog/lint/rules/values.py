@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from esicatalog.counting import counted
 from esicatalog.esi.numbers import decode_hex_binary
-from esicatalog.lint.dictionaries import ObjectValues
+from esicatalog.lint.objects import ObjectValues
 from esicatalog.lint.registry import WARNING, Found, Place, listed, rule
 from esicatalog.model.base_types import BASE_TYPES, BaseType
 from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry

@@ -16,7 +16,7 @@ from esicatalog.esi.records.mailbox import InitCmd, Mailbox, init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
 from esicatalog.export.eeprom import eeprom_image
-from esicatalog.export.sii_remarks import image_remarks
+from esicatalog.export.sii_remarks import eeprom_remarks
 from esicatalog.export.sii_summary import WHY_MERGE
 from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
@@ -89,9 +89,9 @@ def _eeprom_image(description: DeviceDescription) -> dict[str, Any]:
     """What is told beside the EEPROM image, of which there is one only for a device with all codes."""
     found = description.found
     if None in (found.vendor_id, found.product_code, found.revision_no):
-        return {"image_remarks": (), "left_out": ()}
+        return {"eeprom_remarks": (), "left_out": ()}
     subject = subject_of_description(found, description.sources, description.device, description.modules)
-    return {"image_remarks": (WHY_MERGE, *image_remarks(subject)), "left_out": _left_out(subject)}
+    return {"eeprom_remarks": (WHY_MERGE, *eeprom_remarks(subject)), "left_out": _left_out(subject)}
 
 
 def _left_out(subject: Subject) -> tuple[str, ...]:

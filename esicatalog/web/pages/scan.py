@@ -4,7 +4,7 @@ import asyncio
 from typing import Any
 
 from esicatalog.api import Catalog
-from esicatalog.catalog.bus import BusReport, IdentifiedSlave, bus_facts
+from esicatalog.catalog.identified_bus import BusReport, IdentifiedSlave, bus_facts
 from esicatalog.errors import EsiCatalogError, InputError
 from esicatalog.parameters import check_names
 from esicatalog.scan.text import decode_text, is_utf16

@@ -1,4 +1,4 @@
-"""Images by their key: bytes for browsers, hex text for records."""
+"""Pictures of devices by their key: bytes for browsers, hex text for records."""
 
 from collections.abc import Iterable
 
@@ -8,14 +8,14 @@ from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.schema import images
 
 
-def image_of(connection: sa.Connection, sha256: str) -> bytes | None:
-    """The bytes of an image; None when it is not stored or malformed."""
+def picture_of(connection: sa.Connection, sha256: str) -> bytes | None:
+    """The bytes of a picture; None when it is not stored or malformed."""
     found: bytes | None = connection.execute(sa.select(images.c.data).where(images.c.sha256 == sha256)).scalar()
     return found
 
 
-def image_texts(connection: sa.Connection, keys: Iterable[str]) -> dict[str, str]:
-    """Images as documents write them, by key: upper-case hex, the document's own text where that is malformed."""
+def picture_texts(connection: sa.Connection, keys: Iterable[str]) -> dict[str, str]:
+    """Pictures as documents write them, by key: upper-case hex, the document's own text where that is malformed."""
     found: dict[str, str] = {}
     for part in chunks(sorted(keys)):
         query = sa.select(images.c.sha256, images.c.data, images.c.malformed).where(images.c.sha256.in_(part))
