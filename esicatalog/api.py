@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from esicatalog.catalog.snapshot import Snapshot
     from esicatalog.esi.records.device import Device
     from esicatalog.esi.records.module import Module
+    from esicatalog.export.sii_verify import Verification
     from esicatalog.export.subject import Subject
-    from esicatalog.export.verification import Verification
     from esicatalog.ingest.report import IngestReport
     from esicatalog.ingest.run import Progress
     from esicatalog.lint.registry import Rule
@@ -172,8 +172,7 @@ class Catalog:
 
         Raises :class:`~esicatalog.sii.errors.SiiImageError` when all of them hold an image (Eeprom/Data) that is none.
         """
-        from esicatalog.export.sii_verify import best_fit
-        from esicatalog.export.verification import Verification
+        from esicatalog.export.sii_verify import Verification, best_fit
 
         header = image.header
         with self._connection() as connection:

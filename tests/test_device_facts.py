@@ -14,8 +14,8 @@ from snippets import (
 
 from esicatalog.model.derivation import derive
 from esicatalog.model.pdo_facts import pdo_facts
-from esicatalog.model.predefined_assignments import PredefinedAssignment, predefined_assignments
 from esicatalog.model.sync import default_position
+from esicatalog.model.twincat import PredefinedAssignment, predefined_assignments
 
 OUTPUTS = "<Sm>Outputs</Sm>"
 

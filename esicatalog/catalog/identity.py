@@ -14,7 +14,7 @@ from esicatalog.identity import is_read
 from esicatalog.model.bus import DeviceAtBus
 from esicatalog.model.pdo_facts import mapped_words
 from esicatalog.model.process_image import byte_bit
-from esicatalog.model.revision_check import EXACT, EXACT_REASON, Described, rank
+from esicatalog.model.revisions import EXACT, EXACT_REASON, Described, rank
 from esicatalog.model.sm_facts import SM_ROLES, TRANSFER_DIRECTIONS
 
 NEAREST = 10

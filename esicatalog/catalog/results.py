@@ -6,7 +6,7 @@ from typing import Any
 import msgspec
 
 from esicatalog.identity import Identity
-from esicatalog.model.revision_check import ACCEPTED, EXACT, NEWER, OLDER, PRODUCT
+from esicatalog.model.revisions import ACCEPTED, EXACT, NEWER, OLDER, PRODUCT
 
 VENDOR, NONE = "vendor", "none"
 MATCHES = (EXACT, ACCEPTED, OLDER, NEWER, PRODUCT, VENDOR, NONE)

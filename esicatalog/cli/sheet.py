@@ -17,11 +17,11 @@ from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
-from esicatalog.model.predefined_assignments import predefined_assignments
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import generated_signals, is_superseded
+from esicatalog.model.sync import generated_signals
+from esicatalog.model.twincat import is_superseded, predefined_assignments
 from esicatalog.model.words import eeprom_words, fact_words, init_cmd_target
 from esicatalog.sii.words import signal_names
 

@@ -7,7 +7,7 @@ from esicatalog.counting import counted
 from esicatalog.esi.records.common import display_text
 from esicatalog.export.clocks import Clocks
 from esicatalog.export.configuration import Configuration
-from esicatalog.model.sync import is_superseded
+from esicatalog.model.twincat import is_superseded
 from esicatalog.sii.words import signal_names
 from esicatalog.version import __version__
 

@@ -20,7 +20,7 @@ from esicatalog.export.subject import Subject
 from esicatalog.model.base_types import BASE_TYPES, base_type
 from esicatalog.model.pdo_facts import entry_facts
 from esicatalog.model.ports import port_kind
-from esicatalog.model.sync import is_superseded
+from esicatalog.model.twincat import is_superseded
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.image import (

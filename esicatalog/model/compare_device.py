@@ -46,7 +46,7 @@ from esicatalog.model.compare_words import (
     value_of,
     yes_no,
 )
-from esicatalog.model.revision_check import accepts_revision, is_known
+from esicatalog.model.revisions import accepts_revision, is_known
 from esicatalog.model.sm_facts import sm_facts
 
 

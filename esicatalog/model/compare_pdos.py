@@ -41,7 +41,7 @@ from esicatalog.model.pdo_facts import (
     mapped_words,
     symmetric_exclusions,
 )
-from esicatalog.model.predefined_assignments import PredefinedAssignment, predefined_assignments
+from esicatalog.model.twincat import PredefinedAssignment, predefined_assignments
 
 
 def type_words(name: str | None) -> str | None:

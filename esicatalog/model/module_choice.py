@@ -11,8 +11,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
 from esicatalog.identity import ModuleChoice, one_line
-from esicatalog.model.module_effects import configure_alike
-from esicatalog.model.slots import PluggedModule, accepts, default_modules, numbered_slots
+from esicatalog.model.slots import PluggedModule, accepts, configure_alike, default_modules, numbered_slots
 
 _MOST_NAMED = 10
 

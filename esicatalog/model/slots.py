@@ -7,7 +7,7 @@ the slot number (counted from 0 over all instances) and only where DependOnSlot 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import product
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import msgspec
 
@@ -19,7 +19,6 @@ from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.esi.records.profile import Profile, declared_objects
 from esicatalog.esi.records.slots import Slot
 from esicatalog.identity import MAX_INDEX
-from esicatalog.model.module_effects import configure_alike
 from esicatalog.model.pdo_facts import is_pdo_mapping
 
 _MAX_INSTANCES = 255
@@ -148,6 +147,23 @@ def default_modules(device: Device, modules: Sequence[Module]) -> list[PluggedMo
         if fitting and configure_alike(fitting):
             plugged += [PluggedModule(number, slot, fitting[0]) for number in numbers[: required_instances(slot)]]
     return plugged
+
+
+def configure_alike(modules: Sequence[Module]) -> bool:
+    """Whether any of some modules can stand for all: with each the process image, start-up and clocks are the same."""
+    return all(_effects(module) == _effects(modules[0]) for module in modules[1:])
+
+
+def _effects(module: Module) -> tuple[Any, ...]:
+    """What a module makes of the process image, at start-up and of the clocks; names say nothing of it."""
+    pdos = tuple(tuple(map(_layout, pdos)) for pdos in (module.rx_pdos, module.tx_pdos))
+    return pdos, module.module_pdo_group, module.mailbox, module.dc_op_mode_name
+
+
+def _layout(pdo: Pdo) -> Pdo:
+    unnamed = {"names": (), "spelling": None}
+    entries = tuple(msgspec.structs.replace(entry, comments=(), **unnamed) for entry in pdo.entries)
+    return msgspec.structs.replace(pdo, entries=entries, **unnamed)
 
 
 def expand_module(device: Device, plugged: PluggedModule) -> ExpandedModule:

@@ -9,10 +9,10 @@ from functools import lru_cache
 from typing import Annotated
 
 from esicatalog.esi.binding import Doc, Record
-from esicatalog.esi.canonical import elements_naming
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
+from esicatalog.model.twincat import is_superseded
 from esicatalog.sii.words import AssignActivate
 
 
@@ -68,12 +68,6 @@ def listed_pdos(op_modes: Iterable[OpMode]) -> set[int]:
     """Indices of the PDOs that OpModes assign themselves."""
     pdos = [pdo for mode in op_modes for item in mode.sm_assignments for pdo in item.pdos]
     return {pdo.pdo_index for pdo in pdos if pdo.pdo_index is not None}
-
-
-def is_superseded(op_mode: OpMode) -> bool:
-    """Whether newer tools ignore the OpMode: VendorSpecific/TwinCAT/@IgnoreFromBuildNo."""
-    attribute = "IgnoreFromBuildNo"
-    return any(element.get(attribute) for element in elements_naming(attribute, op_mode.vendor_specific))
 
 
 def valid_op_modes(op_modes: Sequence[OpMode]) -> Sequence[OpMode]:

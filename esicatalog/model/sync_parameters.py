@@ -1,19 +1,15 @@
 """What a device says of its bus cycle: SM synchronisation parameters (0x1C32, 0x1C33; ETG.1020) and oversampling."""
 
-import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
-from esicatalog.esi.canonical import elements_naming
-from esicatalog.esi.numbers import MAX_STORED
 from esicatalog.esi.records.device import Device
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.sync import valid_op_modes
+from esicatalog.model.twincat import sampled_cycles
 
 OUTPUT_SYNC, INPUT_SYNC = SYNC_PARAMETERS = (0x1C32, 0x1C33)
 SYNC_TYPES, MINIMUM_CYCLE = 4, 5
 """Subindices."""
-_COUNT = re.compile(r"\s*\d{1,18}\s*")
-"""Thirty years and more are no cycle."""
 
 SyncParameters = Mapping[int, Mapping[int, int]]
 """Default values by subindex, by object."""
@@ -45,21 +41,5 @@ def min_cycle_ns(device: Device, parameters: SyncParameters) -> int | None:
         device.dc_vendor_specific,
         *(m.vendor_specific for m in valid_op_modes(device.op_modes)),
     )
-    sampled = [cycle for text in texts for cycle in _sampled_cycles(text)]
+    sampled = [cycle for text in texts for cycle in sampled_cycles(text)]
     return min(sampled, default=None)
-
-
-def _sampled_cycles(text: str | None) -> Iterator[int]:
-    """Bus cycles in TwinCAT's words: MinCycleTime on Oversampling is the smallest interval between two samples.
-
-    EL1262: 1000 ns, and one million samples a second in its data sheet; a cycle has DefaultFactor samples unless
-    another factor is chosen.
-    """
-    for element in elements_naming("MinCycleTime", text):
-        interval, samples = _count(element.get("MinCycleTime")), _count(element.get("DefaultFactor")) or 1
-        if interval and interval * samples <= MAX_STORED:
-            yield interval * samples
-
-
-def _count(text: str | None) -> int:
-    return int(text) if text is not None and _COUNT.fullmatch(text) else 0

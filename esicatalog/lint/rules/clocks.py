@@ -7,7 +7,8 @@ from esicatalog.esi.records.dc import OpMode, OpModeSm
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeclaredPdo, ModuleSubject, ProcessSubject, is_absent
 from esicatalog.model.sm_facts import may_transport
-from esicatalog.model.sync import is_superseded, sync_signals
+from esicatalog.model.sync import sync_signals
+from esicatalog.model.twincat import is_superseded
 from esicatalog.sii.words import AssignActivate
 
 

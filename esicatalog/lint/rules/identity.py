@@ -8,7 +8,7 @@ from esicatalog.lint.library import DeviceFact, Library
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject, is_absent
 from esicatalog.model.ports import port_kind
-from esicatalog.model.revision_check import CHECK_REVISION_NO, is_known
+from esicatalog.model.revisions import CHECK_REVISION_NO, is_known
 
 _SECONDARY_VENDOR = 0xE
 _WORD = re.compile(r"\w+")

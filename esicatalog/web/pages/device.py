@@ -23,12 +23,12 @@ from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.module_choice import module_choices, module_labels
 from esicatalog.model.pdo_facts import bits_words, entry_words, index_words, pdos_by_direction, symmetric_exclusions
-from esicatalog.model.predefined_assignments import predefined_assignments
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
-from esicatalog.model.sync import generated_signals, is_superseded
+from esicatalog.model.sync import generated_signals
+from esicatalog.model.twincat import is_superseded, predefined_assignments
 from esicatalog.model.values import number_words
 from esicatalog.model.words import eeprom_words, fact_words, init_cmd_target
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg

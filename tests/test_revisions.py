@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from esicatalog.model.revision_check import CHECK_REVISION_NO, Described, accepts_revision, rank
+from esicatalog.model.revisions import CHECK_REVISION_NO, Described, accepts_revision, rank
 
 UINT32 = st.integers(0, 0xFFFF_FFFF)
 DESCRIBED = st.builds(
