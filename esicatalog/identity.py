@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
+from esicatalog.words import hex32, one_line
 
 UINT32_MAX = 0xFFFF_FFFF
 MAX_INDEX, MAX_SUBINDEX = 0xFFFF, 0xFF
@@ -33,9 +34,15 @@ class Identity(NamedTuple):
     without_revision: bool = False
 
     def __str__(self) -> str:
-        revision = f":0x{self.revision_no:08x}" if self.revision_no is not None else ":-" * self.without_revision
+        revision = f":{hex32(self.revision_no)}" if self.revision_no is not None else ":-" * self.without_revision
         variant = f"@{self.variant}" if self.variant is not None else ""
-        return f"0x{self.vendor_id:08x}:0x{self.product_code:08x}{revision}{variant}"
+        return f"{hex32(self.vendor_id)}:{hex32(self.product_code)}{revision}{variant}"
+
+
+def identity_text(vendor_id: int | None, product_code: int | None, revision_no: int | None, variant: int = 1) -> str:
+    """The identity of a description as the commands take it: ``@VARIANT`` unless preferred, ``-`` where not given."""
+    text = ":".join(hex32(number) or NO_REVISION for number in (vendor_id, product_code, revision_no))
+    return text if variant == 1 else f"{text}@{variant}"
 
 
 class ModuleChoice(NamedTuple):
@@ -168,11 +175,6 @@ def modules_by_slot(plugged: Iterable[tuple[int, ModuleChoice]]) -> dict[int, Mo
             raise InputError(f"slot {slot} is given twice, with module {modules[slot]} and with module {module}")
         modules[slot] = module
     return modules
-
-
-def one_line(text: str) -> str:
-    """A text with single blanks between its words, as people type it."""
-    return " ".join(text.split())
 
 
 def parse_bounds(text: str, what: str = "amount") -> Bounds:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 import sqlalchemy as sa
 
 from esicatalog.errors import CatalogError
+from esicatalog.words import one_line
 
 _NOTHING_STORED = "nothing of the last step was stored"
 _DAMAGED = "the file is damaged; delete it and ingest again"
@@ -75,7 +76,7 @@ def driver_message(target: str, error: BaseException | None, is_writing: bool = 
         # The server's own hint would be CASCADE, which drops what others have made.
         words = ": ".join(filter(None, (diagnosis.message_primary, diagnosis.message_detail)))
         hint = next((_STATE_HINTS[key] for key in _beginnings(diagnosis.sqlstate) if key in _STATE_HINTS), None)
-    reason = " ".join(words.split())
+    reason = one_line(words)
     return f"{target}: " + "; ".join(filter(None, (reason, hint, _NOTHING_STORED if is_writing else None)))
 
 

@@ -23,6 +23,7 @@ from esicatalog.catalog.search import ADDRESSED, conditions, fulfilled, matching
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.drive_modes import accepted_verdicts
 from esicatalog.model.words import MAILBOX_PROTOCOLS, protocol_name
+from esicatalog.words import hex32
 
 _MOST_VENDORS, _MOST_PROFILES = 30, 20
 _PROPERTIES: dict[tuple[str, str], tuple[str, Any]] = {
@@ -123,7 +124,7 @@ def _vendors(connection: sa.Connection, fulfil: list[Any]) -> tuple[FacetValue, 
 
 def _vendor_label(vendor_id: int, name: str | None, is_shared: bool) -> str:
     """The name, with the id where several ids have it; the id alone where there is no name."""
-    number = f"0x{vendor_id:08x}"
+    number = hex32(vendor_id)
     if not name:
         return number
     return f"{name} ({number})" if is_shared else name

@@ -14,6 +14,7 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema, word_search
 from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.views import FULL_TEXT
+from esicatalog.words import hex32
 
 _WORD = re.compile(r"\w+")
 _SHORTEST_ENDING = 3
@@ -61,7 +62,7 @@ def _word_expression(word: str) -> str:
 
 def identity_notations(number: int | None) -> list[str]:
     """Notations of a number: ``0x044c2c52``, ``0x44c2c52`` and decimal (``#x`` is searched as ``0x``)."""
-    return [] if number is None else list(dict.fromkeys((f"0x{number:08x}", f"0x{number:x}", str(number))))
+    return [] if number is None else list(dict.fromkeys((hex32(number), f"0x{number:x}", str(number))))
 
 
 def word_endings(text: str) -> list[str]:

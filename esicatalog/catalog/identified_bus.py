@@ -8,12 +8,11 @@ from typing import Any, NamedTuple
 import msgspec
 
 from esicatalog.catalog.identity import IdentityLookup
-from esicatalog.catalog.results import NONE, FoundDevice, Identification, hex32
-from esicatalog.counting import counted
+from esicatalog.catalog.results import NONE, FoundDevice, Identification
 from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.identity import NO_REVISION
+from esicatalog.identity import NO_REVISION, identity_text
 from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, as_listed, look_at_bus
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.required_slots import missing_pdos
@@ -21,6 +20,7 @@ from esicatalog.model.scan_compare import compare_scanned_objects, compare_scann
 from esicatalog.model.slots import default_modules
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 from esicatalog.scan.records import Scan, ScanFinding, ScannedDictionary, ScannedPdos, ScannedSlave
+from esicatalog.words import counted, hex32
 
 _NO_IDENTITY = Identification(None, None, None, NONE, "the scan gives no identity of this slave", None, (), ())
 
@@ -39,8 +39,7 @@ class IdentifiedSlave(NamedTuple):
     @property
     def identity_text(self) -> str:
         """The identity as the scan gives it, ``-`` where it does not."""
-        numbers = (self.slave.vendor_id, self.slave.product_code, self.slave.revision_no)
-        return ":".join(hex32(number) or "-" for number in numbers)
+        return identity_text(self.slave.vendor_id, self.slave.product_code, self.slave.revision_no)
 
     @property
     def described_revision(self) -> str:

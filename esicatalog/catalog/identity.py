@@ -9,13 +9,14 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 import msgspec
 
-from esicatalog.catalog.results import NONE, VENDOR, DeviceSource, FoundDevice, Identification, IdentifiedDevice, hex32
+from esicatalog.catalog.results import NONE, VENDOR, DeviceSource, FoundDevice, Identification, IdentifiedDevice
 from esicatalog.identity import is_read
 from esicatalog.model.bus import DeviceAtBus
 from esicatalog.model.pdo_facts import mapped_words
 from esicatalog.model.process_image import byte_bit
 from esicatalog.model.revisions import EXACT, EXACT_REASON, Described, rank
 from esicatalog.model.sm_facts import SM_ROLES, TRANSFER_DIRECTIONS
+from esicatalog.words import hex32
 
 NEAREST = 10
 """How many other candidates an answer names."""

@@ -5,8 +5,9 @@ from typing import Any
 
 import msgspec
 
-from esicatalog.identity import Identity
+from esicatalog.identity import Identity, identity_text
 from esicatalog.model.revisions import ACCEPTED, EXACT, NEWER, OLDER, PRODUCT
+from esicatalog.words import hex32
 
 VENDOR, NONE = "vendor", "none"
 MATCHES = (EXACT, ACCEPTED, OLDER, NEWER, PRODUCT, VENDOR, NONE)
@@ -31,9 +32,7 @@ class FoundDevice(msgspec.Struct, frozen=True):
     @property
     def identity_text(self) -> str:
         """The identity as the commands take it: ``V:P:R``, ``@VARIANT`` unless preferred, ``-`` where not given."""
-        parts = (self.vendor_id, self.product_code, self.revision_no)
-        text = ":".join(hex32(part) or "-" for part in parts)
-        return text if self.variant == 1 else f"{text}@{self.variant}"
+        return identity_text(self.vendor_id, self.product_code, self.revision_no, self.variant)
 
     @property
     def identity(self) -> Identity | None:
@@ -139,9 +138,8 @@ class Identification(msgspec.Struct, frozen=True):
 
     def as_json(self) -> dict[str, Any]:
         """The answer in the shape of ``esicatalog identify --format json``."""
-        query = {"vendor_id": self.vendor_id, "product_code": self.product_code, "revision_no": self.revision_no}
         return {
-            "query": query | {f"{key}_hex": hex32(value) for key, value in query.items()},
+            "query": identity_json(self.vendor_id, self.product_code, self.revision_no),
             "match": self.match,
             "reason": self.reason,
             "device": self.device.as_json() if self.device is not None else None,
@@ -151,9 +149,10 @@ class Identification(msgspec.Struct, frozen=True):
         }
 
 
-def hex32(value: int | None) -> str | None:
-    """``0x`` and eight digits."""
-    return None if value is None else f"0x{value:08x}"
+def identity_json(vendor_id: int | None, product_code: int | None, revision_no: int | None) -> dict[str, Any]:
+    """The numbers of an identity as integers, then as ``…_hex`` text."""
+    numbers = {"vendor_id": vendor_id, "product_code": product_code, "revision_no": revision_no}
+    return numbers | {f"{key}_hex": hex32(value) for key, value in numbers.items()}
 
 
 def json_bytes(value: Any) -> bytes:

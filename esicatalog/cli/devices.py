@@ -20,7 +20,7 @@ from esicatalog.cli.common import (
     print_table,
     reporting_errors,
 )
-from esicatalog.counting import counted
+from esicatalog.words import counted
 
 _CSV_COLUMNS = (
     "vendor_id_hex",

@@ -10,7 +10,7 @@ import click
 import msgspec
 
 from esicatalog.api import Catalog
-from esicatalog.catalog.results import hex32
+from esicatalog.catalog.results import identity_json
 from esicatalog.cli.common import (
     EXIT_NO,
     FILE,
@@ -21,16 +21,16 @@ from esicatalog.cli.common import (
     print_json,
     reporting_errors,
 )
-from esicatalog.counting import counted
 from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.esi.records.common import display_text
-from esicatalog.identity import Identity
+from esicatalog.identity import Identity, identity_text
 from esicatalog.ingest.process import limited_memory
 from esicatalog.model.compare import compare_devices, images_are_known, summary_words
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.model.compare_documents import DescribedDevice, described_devices, paired_devices
 from esicatalog.model.compare_facts import ADDED, CHANGED, REMOVED, Difference, excerpts
+from esicatalog.words import counted, one_line
 
 _TOLD = ("L01", "L60")
 """Findings that bear on a comparison: the document had to be repaired, or a part of it was not found."""
@@ -199,14 +199,13 @@ def _summary(comparison: _Comparison) -> str:
 
 def _title(side: _Side) -> str:
     device = side.described.device
-    words = dict.fromkeys(filter(None, (device.type, " ".join((display_text(device.names) or "").split()))))
+    words = dict.fromkeys(filter(None, (device.type, one_line(display_text(device.names) or ""))))
     return f"{_identity(side)}  {', '.join(words)}  ({side.source})"
 
 
 def _identity(side: _Side) -> str:
     device = side.described.device
-    codes = (side.described.vendor_id, device.product_code, device.revision_no)
-    return ":".join(hex32(code) or "-" for code in codes) + (f"@{side.variant}" if side.variant != 1 else "")
+    return identity_text(side.described.vendor_id, device.product_code, device.revision_no, side.variant)
 
 
 def _as_json(comparison: _Comparison) -> dict[str, Any]:
@@ -233,14 +232,8 @@ def _sides_json(sides: Sequence[_Side]) -> list[dict[str, Any]]:
 
 def _side_json(side: _Side) -> dict[str, Any]:
     device = side.described.device
-    codes = {
-        "vendor_id": side.described.vendor_id,
-        "product_code": device.product_code,
-        "revision_no": device.revision_no,
-    }
     return {
-        **codes,
-        **{f"{name}_hex": hex32(code) for name, code in codes.items()},
+        **identity_json(side.described.vendor_id, device.product_code, device.revision_no),
         "variant": side.variant,
         "vendor": side.described.vendor,
         "type": device.type,

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import msgspec
 
 from esicatalog.cli.common import read_text_as
-from esicatalog.counting import counted
 from esicatalog.errors import InputError, NotFound
 from esicatalog.export.choice import Choice
 from esicatalog.identity import Identity
+from esicatalog.words import counted, hex32
 
 if TYPE_CHECKING:
     from esicatalog.catalog.results import FoundDevice
@@ -105,7 +105,7 @@ def subjects_of_vendor(db: str, vendor_id: int) -> "tuple[list[Subject], list[st
         found = catalog.export_subjects(vendor_id)
         listed = catalog.find(DeviceFilter(vendor_id=vendor_id, all_variants=True, include_hidden=True))
     if not found:
-        raise NotFound(f"vendor 0x{vendor_id:08x} has no device in the catalog")
+        raise NotFound(f"vendor {hex32(vendor_id)} has no device in the catalog")
     return found, list(_further_descriptions(listed))
 
 

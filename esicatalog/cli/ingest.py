@@ -114,7 +114,7 @@ def _print_summary(report: "IngestReport", db: str) -> None:
         if line.status in _NAMED_STATUSES:
             click.echo(f"{line.status:9}  {line.path}: {line.message}")
     from esicatalog.catalog.database import shown_target
-    from esicatalog.counting import counted
+    from esicatalog.words import counted
 
     counts = report.counts
     removed = f", {report.removed} removed" if report.removed else ""

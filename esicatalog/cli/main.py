@@ -10,6 +10,7 @@ import click
 
 from esicatalog.cli.common import EXIT_UNUSABLE, say_interrupted
 from esicatalog.version import __version__
+from esicatalog.words import one_line
 
 COMMANDS = {
     "ingest": "Read ESI files, folders and archives into the catalog.",
@@ -77,7 +78,7 @@ class _LazyGroup(click.Group):
 
 def _one_line(error: click.ClickException, path: str) -> str:
     """What is wrong, after the command that it was said to, and where to look."""
-    message = " ".join(error.format_message().split()).removesuffix(".")
+    message = one_line(error.format_message()).removesuffix(".")
     return f"{path}: {message[:1].lower()}{message[1:]} (see {path} --help)"
 
 

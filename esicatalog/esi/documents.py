@@ -15,6 +15,7 @@ from lxml import etree
 
 from esicatalog.errors import BrokenDocument, NotAnEsiDocument
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES, TOO_LARGE
+from esicatalog.words import one_line
 
 ESI_ROOTS = ("EtherCATInfo", "EtherCATInfoList", "EtherCATModule", "EtherCATDict", "EtherCATDiag")
 _OTHER_ROOTS = {"EtherCATConfig": "an ENI file (EtherCATConfig: master configuration), not ESI"}
@@ -282,6 +283,6 @@ def local_name(element: etree._Element) -> str:
 
 
 def _one_line(error: etree.XMLSyntaxError) -> str:
-    message = " ".join((error.msg or str(error)).split())
+    message = one_line(error.msg or str(error))
     message = re.sub(r"\s*\((<string>|line).*?\)$", "", message)
     return message if len(message) <= _LONGEST_REASON else message[: _LONGEST_REASON - 1] + "…"

@@ -8,6 +8,7 @@ from esicatalog.export.configuration import Configuration
 from esicatalog.export.igh_limits import pieces
 from esicatalog.sii.image import RxPdos, SiiImage, Strings, TxPdos
 from esicatalog.sii.records import Pdo
+from esicatalog.words import hex32
 
 _MAX_NAME_BYTES = 63
 _LAST_SM_OF_PDO = 127
@@ -120,9 +121,9 @@ def _lines(slave: _Slave) -> Iterator[str]:
     order = f', "{comment_text(slave.order_number)}"' if slave.order_number else ""
     vendor_id, product_code, revision_no = slave.identity
     yield f"/* Master 0, Slave {slave.position}{order}"
-    yield f" * Vendor ID:       0x{vendor_id:08x}"
-    yield f" * Product code:    0x{product_code:08x}"
-    yield f" * Revision number: 0x{revision_no:08x}"
+    yield f" * Vendor ID:       {hex32(vendor_id)}"
+    yield f" * Product code:    {hex32(product_code)}"
+    yield f" * Revision number: {hex32(revision_no)}"
     yield " */"
     yield ""
     pdos = [pdo for sm in slave.sync_managers for pdo in sm.pdos]

@@ -2,14 +2,13 @@
 
 from collections.abc import Iterator, Sequence
 
-from esicatalog.catalog.results import hex32
-from esicatalog.counting import counted
 from esicatalog.esi.records.common import display_text
 from esicatalog.export.clocks import Clocks
 from esicatalog.export.configuration import Configuration
 from esicatalog.model.twincat import is_superseded
 from esicatalog.sii.words import signal_names
 from esicatalog.version import __version__
+from esicatalog.words import counted, hex32
 
 DRIVE_WARNING = (
     "Something may move: before the drive is enabled, its target must be set to its actual position (targets of "

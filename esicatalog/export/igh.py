@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from esicatalog.counting import counted
 from esicatalog.errors import InputError
 from esicatalog.export.c_text import comment_lines
 from esicatalog.export.configuration import Configuration
@@ -13,6 +12,7 @@ from esicatalog.export.igh_startup import register_remarks, timeout_remarks, uns
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.version import __version__
+from esicatalog.words import counted
 
 TARGET = "IgH EtherLab 1.5 and 1.6 configuration"
 

@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from esicatalog.counting import counted
 from esicatalog.export.c_access import (
     Function,
     Place,
@@ -24,6 +23,7 @@ from esicatalog.export.igh_limits import check_limits, pieces
 from esicatalog.export.igh_startup import Startup, startup
 from esicatalog.export.sm_configuration import AssignedPdo, MappedEntry, SmConfiguration
 from esicatalog.model.sm_facts import OUTPUT, sm_facts
+from esicatalog.words import counted
 
 _DIRECTIONS = {OUTPUT: "EC_DIR_OUTPUT"}
 

@@ -12,6 +12,7 @@ from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
 from esicatalog.model.start_up import TRANSITIONS, transition_of, unusable_part, written_places, yields
 from esicatalog.model.words import soe_target
+from esicatalog.words import one_line
 
 MODULE_IDENT_LIST = 0xF030
 _WITHOUT_GENERATOR = ("AoE", "EoE")
@@ -123,7 +124,7 @@ def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[s
         data or b"",
         bool(command.complete_access),
         command.channel,
-        " ".join((command.comment or "").split()),
+        one_line(command.comment or ""),
         bool(command.adapt_automatically),
     )
     if not command.transitions:

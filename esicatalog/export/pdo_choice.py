@@ -5,7 +5,6 @@ from typing import NamedTuple, TypeVar
 
 import msgspec
 
-from esicatalog.counting import counted
 from esicatalog.errors import InputError
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.device import Device
@@ -25,6 +24,7 @@ from esicatalog.model.pdo_facts import PDO_FIELDS, mapped_entries, pdos_by_direc
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import PluggedModule
+from esicatalog.words import counted
 
 Owner = TypeVar("Owner", Device, Module)
 

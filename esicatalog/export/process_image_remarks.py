@@ -9,13 +9,14 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, carries_value, index_words
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, carries_value
 from esicatalog.model.pdo_mapping import assigned_by_dictionary
 from esicatalog.model.process_image import SmImage, default_process_image, process_image
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import OUTPUT, is_mailbox
 from esicatalog.model.sm_memory import memory_overlaps, size_conflict
 from esicatalog.model.sync import default_op_mode
+from esicatalog.words import index_words
 
 MAP_ONCE = "choose PDOs (--pdo) so that it is mapped once"
 """What helps against an output that is mapped again."""

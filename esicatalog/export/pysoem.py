@@ -4,7 +4,6 @@ import keyword
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from esicatalog.counting import counted
 from esicatalog.export.c_access import byte_count
 from esicatalog.export.c_text import comment_lines, comment_text
 from esicatalog.export.clocks import Condition, Notation
@@ -24,6 +23,7 @@ from esicatalog.export.soem_startup import (
     soem_clocks,
 )
 from esicatalog.model.sm_facts import INPUT, OUTPUT
+from esicatalog.words import counted
 
 _USED_BY_CLASS = frozenset(("property", "from_address", "from_buffer", "from_buffer_copy", "from_param", "in_dll"))
 """What the body of the generated class uses, and what is called on the class: ctypes keeps that in its metaclass, where

@@ -6,7 +6,6 @@ from itertools import zip_longest
 from operator import ne
 from typing import Any, NamedTuple
 
-from esicatalog.counting import counted
 from esicatalog.export.sii import NOT_ASSIGNED
 from esicatalog.sii.encode import category_body
 from esicatalog.sii.files import FILLER
@@ -26,6 +25,7 @@ from esicatalog.sii.image import (
 from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.records import DcMode, Fmmu, Pdo, PdoEntry, SyncManager
 from esicatalog.sii.words import category_title, flag_words
+from esicatalog.words import counted
 
 Differing = tuple[str, str | None, str | None]
 """What differs, what it was and what it is; None where it does not exist."""

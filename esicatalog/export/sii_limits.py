@@ -6,7 +6,6 @@ from typing import Any, NamedTuple, TypeVar
 
 import msgspec
 
-from esicatalog.counting import counted
 from esicatalog.errors import InputError
 from esicatalog.export.sii import NOT_ASSIGNED
 from esicatalog.sii.encode import MAX_STRINGS, category_offsets, encode_sii, string_table
@@ -27,6 +26,7 @@ from esicatalog.sii.image import (
 from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.records import HEADER, MAX_ENTRY_BITS, DcMode, Pdo, PdoEntry
 from esicatalog.sii.words import category_title
+from esicatalog.words import counted
 
 MAX_PDO_ENTRIES = 255
 _FREE = bytes([FILLER])

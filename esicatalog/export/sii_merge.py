@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import msgspec
 
-from esicatalog.counting import counted
 from esicatalog.export.sii_changes import Change, image_changes
 from esicatalog.export.sii_limits import behind_end_mark
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
@@ -14,6 +13,7 @@ from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import Category, General, RawCategory, SiiImage
 from esicatalog.sii.records import HEADER, Header
 from esicatalog.sii.words import category_title
+from esicatalog.words import counted
 
 _DEVICE_WORDS = (
     "station_alias",

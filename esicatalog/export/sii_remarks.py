@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
-from esicatalog.counting import counted
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
@@ -31,6 +30,7 @@ from esicatalog.sii.checksum import CHECKSUM_OFFSET
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.records import SIZE_UNIT_BYTES
+from esicatalog.words import counted
 
 _STORED = (Eeprom, EepromCategory, Mailbox, SyncManager, Pdo, Entry, OpMode)
 """Parts of a device whose values an image stores."""

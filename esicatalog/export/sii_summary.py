@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator
 
-from esicatalog.counting import counted
 from esicatalog.export.sii_changes import stored_otherwise
 from esicatalog.export.sii_limits import used_bytes
 from esicatalog.export.sii_merge import MergedImage
@@ -12,6 +11,7 @@ from esicatalog.identity import Identity
 from esicatalog.sii.checksum import is_loaded
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import SiiImage
+from esicatalog.words import counted
 
 WHY_MERGE = (
     "For a device in the field, merge this image into the device's own (--merge DUMP): wrong PDI words make a device "

@@ -7,7 +7,6 @@ from typing import Any, NamedTuple, TypeVar
 import msgspec
 
 from esicatalog.catalog.results import FoundDevice, Identification
-from esicatalog.counting import counted
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.device import SyncManager as EsiSyncManager
@@ -22,6 +21,7 @@ from esicatalog.sii.image import Category, DistributedClocks, General, SiiImage,
 from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.records import DcMode, SyncManager
 from esicatalog.sii.words import AssignActivate, SmEnable
+from esicatalog.words import counted
 
 _OWN = {"serial number", "station alias", CHECK_SUM}
 """What is the device's own and in no description, and the check sum over it, which is held against the image itself."""

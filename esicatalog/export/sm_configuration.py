@@ -13,12 +13,13 @@ from esicatalog.export.cia402_types import Mapped, entry_type
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.naming import EntryNames
 from esicatalog.export.pdo_objects import PdoObject
-from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX, one_line
+from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX
 from esicatalog.model.assignable_pdos import declares_pdo_assign
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, entry_words, has_length, has_object, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, is_mailbox, sm_role, transfer_direction
 from esicatalog.model.values import byte_length
+from esicatalog.words import one_line
 
 _CONTROL_BYTES = range(0x100)
 _MAX_MAPPED_BITS = 255

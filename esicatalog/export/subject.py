@@ -3,15 +3,16 @@
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple, Self
 
-from esicatalog.catalog.results import DeviceSource, FoundDevice, hex32
+from esicatalog.catalog.results import DeviceSource, FoundDevice
 from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Document, Group, Vendor
 from esicatalog.esi.records.module import Module
-from esicatalog.identity import NO_REVISION, Identity
+from esicatalog.identity import Identity, identity_text
 from esicatalog.model.module_offer import offered_devices
 from esicatalog.model.revisions import latest_revision
+from esicatalog.words import one_line
 
 
 class Subject(NamedTuple):
@@ -46,7 +47,7 @@ class Subject(NamedTuple):
     @property
     def identity_text(self) -> str:
         """Vendor, product and revision of the description, ``-`` for one that it does not give."""
-        return ":".join(hex32(code) or NO_REVISION for code in (self.vendor_id, self.product_code, self.revision_no))
+        return identity_text(self.vendor_id, self.product_code, self.revision_no)
 
     def required_codes(self) -> tuple[int, int, int]:
         """Vendor, product and revision, for what is made for the device that has them.
@@ -66,7 +67,7 @@ class Subject(NamedTuple):
     def title(self) -> str:
         """Type and name of the device."""
         parts = (self.device.type, display_text(self.device.names))
-        return ", ".join(dict.fromkeys(" ".join(part.split()) for part in parts if part and part.strip()))
+        return ", ".join(dict.fromkeys(one_line(part) for part in parts if part and part.strip()))
 
     @property
     def group(self) -> Group | None:

@@ -10,9 +10,9 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Exclude, Pdo
 from esicatalog.esi.records.slots import ModulePdoGroup, Slot, SlotModuleIdent
 from esicatalog.esi.unreadable import unreadable_values
-from esicatalog.model.pdo_facts import index_words
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import PluggedModule
+from esicatalog.words import index_words
 
 _USED = (SyncManager, Pdo, Exclude, Mailbox, InitCmd, OpModeSm, OpModePdo, Slot, SlotModuleIdent, ModulePdoGroup)
 """Parts of devices and modules that count for what is generated, whatever is chosen."""

@@ -7,12 +7,12 @@ from collections.abc import Iterable, Iterator, Set
 from pathlib import Path
 from typing import NamedTuple
 
-from esicatalog.counting import counted
 from esicatalog.esi.containers import NESTED, Folder, open_regular
 from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_members, discover, unusable_archive
 from esicatalog.ingest.report import REMOVED, DocumentLine
 from esicatalog.ingest.tasks import Known, Outcome, Task
 from esicatalog.ingest.unchanged import Hashes, ReferenceHashes, is_unchanged
+from esicatalog.words import counted
 
 
 class HeldDocument(NamedTuple):

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple, TypeVar, get_args, get_origin, get_type_hints
 
 from esicatalog.errors import InputError
+from esicatalog.words import one_line
 
 ERROR, WARNING, INFORMATION = "E", "W", "I"
 SEVERITY_WORDS = {ERROR: "error", WARNING: "warning", INFORMATION: "info"}
@@ -62,7 +63,7 @@ def rule(rule_id: str, severity: str, reference: str) -> Callable[[Function], Fu
     def register(check: Function) -> Function:
         subject, *_ = get_type_hints(check).values()
         subjects = get_args(subject) if get_origin(subject) in (types.UnionType, typing.Union) else (subject,)
-        _add(Rule(rule_id, severity, _one_line(check.__doc__ or ""), reference, subjects, check))
+        _add(Rule(rule_id, severity, one_line(check.__doc__ or ""), reference, subjects, check))
         return check
 
     return register
@@ -77,10 +78,6 @@ def _add(new: Rule) -> None:
     if new.id in RULES:
         raise ValueError(f"rule {new.id} is registered twice")
     RULES[new.id] = new
-
-
-def _one_line(text: str) -> str:
-    return " ".join(text.split())
 
 
 def chosen_rules(rules: Iterable[Rule], select: Iterable[str], ignore: Iterable[str]) -> list[Rule]:

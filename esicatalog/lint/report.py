@@ -4,9 +4,9 @@ from collections import Counter
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
-from esicatalog.counting import counted
 from esicatalog.esi.notes import Finding
 from esicatalog.lint.registry import SEVERITY_WORDS, Rule
+from esicatalog.words import counted
 
 
 class DocumentFinding(NamedTuple):

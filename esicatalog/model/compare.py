@@ -9,7 +9,6 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Protocol
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.compare_dc import compare_clocks
@@ -27,6 +26,7 @@ from esicatalog.model.compare_objects import compare_objects
 from esicatalog.model.compare_pdos import compare_pdos, compare_predefined_assignments
 from esicatalog.model.compare_slots import compare_slots
 from esicatalog.model.process_data import ProcessData
+from esicatalog.words import counted
 
 
 class Comparable(Protocol):

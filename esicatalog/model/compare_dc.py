@@ -30,8 +30,8 @@ from esicatalog.model.compare_words import (
     value_of,
     yes_no,
 )
-from esicatalog.model.pdo_facts import index_words
 from esicatalog.model.sync import default_position, op_mode_at, sync_signals
+from esicatalog.words import index_words
 
 _SIGNALS = {
     "dc_active": "sync unit active",

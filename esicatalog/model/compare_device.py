@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device, HideType, SyncManager
 from esicatalog.esi.records.diagnostics import CauseRemedy, Diagnostics, joined_diagnostics
 from esicatalog.esi.records.dictionary import EnumInfo
@@ -48,6 +47,7 @@ from esicatalog.model.compare_words import (
 )
 from esicatalog.model.revisions import accepts_revision, is_known
 from esicatalog.model.sm_facts import sm_facts
+from esicatalog.words import counted
 
 
 def _hidden(item: HideType) -> str | None:

@@ -4,7 +4,6 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.compare_facts import PROCESS_IMAGE, Difference, difference, either, matched
@@ -12,6 +11,7 @@ from esicatalog.model.compare_words import shown_text
 from esicatalog.model.image_layout import ImageLayout, entries_with_place, image_layout
 from esicatalog.model.pdo_facts import Mapped, mapped, mapped_words
 from esicatalog.model.process_image import SmImage, byte_bit, default_process_image
+from esicatalog.words import counted
 
 FIRST_PLACES = 3
 """Places of a SyncManager that are told one by one."""

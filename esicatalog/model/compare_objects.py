@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Flags, Object
 from esicatalog.esi.records.profile import Profile, dictionaries_of
 from esicatalog.esi.unreadable import unreadable_values
@@ -46,6 +45,7 @@ from esicatalog.model.dictionary import (
     used_types,
 )
 from esicatalog.model.values import number_words
+from esicatalog.words import counted
 
 _ACCESS_WORDS = {READ: "ro", WRITE: "wo", READ | WRITE: "rw"}
 _MAPPING_WORDS = {"R": "RxPDO", "T": "TxPDO", "RT": "RxPDO and TxPDO"}

@@ -3,7 +3,6 @@
 from collections.abc import Hashable, Iterator, Sequence
 from difflib import SequenceMatcher
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
@@ -32,16 +31,9 @@ from esicatalog.model.compare_words import (
     value_of,
     yes_no,
 )
-from esicatalog.model.pdo_facts import (
-    Mapped,
-    bits_words,
-    entry_facts,
-    index_words,
-    mapped,
-    mapped_words,
-    symmetric_exclusions,
-)
+from esicatalog.model.pdo_facts import Mapped, bits_words, entry_facts, mapped, mapped_words, symmetric_exclusions
 from esicatalog.model.twincat import PredefinedAssignment, predefined_assignments
+from esicatalog.words import counted, index_words
 
 
 def type_words(name: str | None) -> str | None:

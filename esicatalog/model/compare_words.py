@@ -9,9 +9,9 @@ from typing import Any
 
 import msgspec
 
-from esicatalog.counting import counted
 from esicatalog.esi.binding import Record
 from esicatalog.esi.records.common import Name, display_text
+from esicatalog.words import counted, one_line
 
 Show = Callable[[Any], str | None]
 """A value in words, None where it is not there. So ``#x10`` and ``16`` are equal, and an absent flag and ``0``."""
@@ -46,7 +46,7 @@ def unread_words(record: Record, fields: Iterable[str] | None = None) -> str | N
 
 def text(value: Any) -> str | None:
     """The value in one line, blanks as one; an empty text is none."""
-    return None if value is None else " ".join(str(value).split()) or None
+    return None if value is None else one_line(str(value)) or None
 
 
 def literal(value: str | None) -> str | None:

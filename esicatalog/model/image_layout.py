@@ -8,8 +8,9 @@ from itertools import groupby
 from typing import NamedTuple
 
 from esicatalog.esi.records.pdo import Entry
-from esicatalog.model.pdo_facts import Mapped, entry_facts, index_words, is_described, mapped, mapped_words
+from esicatalog.model.pdo_facts import Mapped, entry_facts, is_described, mapped, mapped_words
 from esicatalog.model.process_image import SmImage
+from esicatalog.words import index_words
 
 
 class ImageLayout(NamedTuple):

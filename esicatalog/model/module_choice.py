@@ -10,8 +10,9 @@ from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
-from esicatalog.identity import ModuleChoice, one_line
+from esicatalog.identity import ModuleChoice
 from esicatalog.model.slots import PluggedModule, accepts, configure_alike, default_modules, numbered_slots
+from esicatalog.words import one_line
 
 _MOST_NAMED = 10
 

@@ -13,9 +13,10 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos
-from esicatalog.model.pdo_facts import PDO_MAPPINGS, index_words
+from esicatalog.model.pdo_facts import PDO_MAPPINGS
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import may_transport, sm_role
+from esicatalog.words import index_words
 
 Assignment = Mapping[int, Sequence[int]]
 """PDO indices in order, by SyncManager number."""

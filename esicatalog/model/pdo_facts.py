@@ -9,6 +9,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.unreadable import unreadable
+from esicatalog.words import index_words
 
 PDO_MAPPINGS = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
 """Mapping objects of each direction: a PDO has the index of one (ETG.1000.6)."""
@@ -58,11 +59,6 @@ class EntryFacts(Record):
     """What an entry is."""
 
     is_padding: Annotated[bool, Doc("Padding gap: index 0, only the length counts")] = False
-
-
-def index_words(index: int | None) -> str:
-    """An index of an object or PDO."""
-    return f"0x{index:04X}" if index is not None else "without index"
 
 
 def pdo_bits(pdo: Pdo) -> int:

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import msgspec
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -21,19 +20,13 @@ from esicatalog.esi.unreadable import reason_words
 from esicatalog.identity import MAX_INDEX
 from esicatalog.model.assignable_pdos import AvailablePdo, without_rivals
 from esicatalog.model.pdo_assignment import Assignment, SmAssignment, assigned_pdos, has_default_image
-from esicatalog.model.pdo_facts import (
-    has_length,
-    index_words,
-    is_described,
-    pdo_bits,
-    pdos_by_direction,
-    symmetric_exclusions,
-)
+from esicatalog.model.pdo_facts import has_length, is_described, pdo_bits, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.required_slots import MissingPdos, missing_pdos
 from esicatalog.model.slots import PluggedModule, default_modules
 from esicatalog.model.sm_facts import transfer_direction
 from esicatalog.model.sync import default_op_mode
 from esicatalog.model.values import byte_length
+from esicatalog.words import counted, index_words
 
 MAX_SM_BYTES = 0xFFFF
 """A SyncManager's length is a 16 bit number of bytes (ESC register 0x0802)."""

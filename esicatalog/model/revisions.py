@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterable, Sequence
 from operator import eq, ge
 from typing import NamedTuple
 
+from esicatalog.words import hex32
+
 BECKHOFF = 0x00000002
 _ABOVE = 1 << 32
 """Puts what is newer than the device behind everything older."""
@@ -115,7 +117,7 @@ def _latest(position: int, item: Described) -> Ranked:
         words = "no revision asked; the description names none"
         return Ranked((1, item.hidden, 0, item.variant), PRODUCT, position, words)
     words = "the latest one, which its vendor hides" if item.hidden else "the latest one that its vendor does not hide"
-    reason = f"no revision asked; 0x{revision:08x} is {words}"
+    reason = f"no revision asked; {hex32(revision)} is {words}"
     return Ranked((0, item.hidden, -revision, item.variant), PRODUCT, position, reason)
 
 
@@ -136,7 +138,7 @@ def _not_exact(item: Described, found: int) -> tuple[int, int, str, str]:
     configured = item.revision_no
     if configured is None:
         return 5, 0, PRODUCT, "its description names no revision"
-    shown = f"0x{configured:08x}" + (f"@{item.variant}" if item.variant > 1 else "")
+    shown = hex32(configured) + (f"@{item.variant}" if item.variant > 1 else "")
     is_older, distance = configured < found, abs(configured - found)
     if accepts_revision(item.check_revision_no, found, configured):
         which = "" if is_older else "; it is newer than the device"

@@ -8,7 +8,6 @@ import itertools
 from collections import defaultdict
 from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
@@ -21,6 +20,7 @@ from esicatalog.model.pdo_facts import Mapped, has_length, is_described, mapped,
 from esicatalog.model.process_image import default_process_image
 from esicatalog.model.slots import SlotShift, fitting_modules, numbered_slots
 from esicatalog.scan.records import ScannedDictionary, ScannedObjectEntry, ScannedPdo, ScannedPdos
+from esicatalog.words import counted
 
 _MOST_PLACES = 2_000_000
 """How much is looked at of modules in slots, each of their parts in each slot; couplers of 254 slots need a million."""

@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.model.areas import Area, overlaps
 from esicatalog.model.sm_facts import BUFFERED, sm_facts
+from esicatalog.words import counted
 
 MEMORY_START = 0x1000
 """Registers below are no memory that a SyncManager would buffer three times (0x0F00: digital outputs)."""

@@ -8,6 +8,7 @@ from esicatalog.esi.canonical import elements_naming
 from esicatalog.esi.numbers import MAX_STORED, parse_hex_dec
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
+from esicatalog.words import one_line
 
 _COUNT = re.compile(r"\s*\d{1,18}\s*")
 """Thirty years and more are no cycle."""
@@ -32,7 +33,7 @@ def predefined_assignments(device: Device) -> list[PredefinedAssignment]:
             pdos = [parse_hex_dec(pdo.text or "") for pdo in sm.iterchildren("Pdo")]
             if number is not None:
                 indices[number] = tuple(index for index in pdos if index is not None)
-        name = " ".join((element.findtext("Name") or "").split())
+        name = one_line(element.findtext("Name") or "")
         found.append(PredefinedAssignment(name, element.get("Default") in ("1", "true"), indices))
     return found
 

@@ -1,14 +1,14 @@
 """Words that every sheet and page uses for what a description declares."""
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.unreadable import unreadable
 from esicatalog.model.device_facts import DeviceFacts
-from esicatalog.model.pdo_facts import index_words, subindex_words
+from esicatalog.model.pdo_facts import subindex_words
 from esicatalog.model.profile_facts import profile_numbers
 from esicatalog.model.sm_facts import mailbox_sync_managers
 from esicatalog.sii.words import signal_names
+from esicatalog.words import counted, index_words
 
 MAILBOX_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
 

@@ -13,6 +13,7 @@ from esicatalog.identity import is_read
 from esicatalog.scan.buses import separate_buses
 from esicatalog.scan.records import Scan, ScanError, ScanFinding, ScannedCoe, ScannedPort, ScannedSlave
 from esicatalog.scan.text import NOT_READ, Skipped, heading_of, in_order, numbered_lines, quoted
+from esicatalog.words import one_line
 
 FORMAT = "ethercat slaves -v"
 
@@ -175,7 +176,7 @@ class _Reader:
 
     def _taken(self, block: _Block, number: int, line: str, unfinished: bool) -> bool:
         text, colon, value = line.partition(":")
-        key, value = " ".join(text.lower().split()) if colon else "", value.strip()
+        key, value = one_line(text.lower()) if colon else "", value.strip()
         if key in block.read_keys:
             return False
         if read := _FACTS.get(key) or _COE.get(key):

@@ -12,11 +12,11 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from esicatalog.counting import counted
 from esicatalog.identity import is_read
 from esicatalog.scan.buses import separate_buses
 from esicatalog.scan.records import Scan, ScanFinding, ScannedCoe, ScannedPort, ScannedSlave, ScannedSyncManager
 from esicatalog.scan.text import NOT_READ, Skipped, in_order, numbered_lines, quoted
+from esicatalog.words import counted
 
 FORMAT = "SOEM slaveinfo"
 

@@ -5,8 +5,8 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from esicatalog.counting import counted
 from esicatalog.scan.records import ScanError, ScanFinding
+from esicatalog.words import counted
 
 NOT_READ = "has vendor id and product code 0: its SII was not read or is empty"
 """Of a slave whose identity is none (:func:`esicatalog.identity.is_read`)."""

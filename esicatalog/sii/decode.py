@@ -5,7 +5,6 @@ from collections.abc import Callable
 
 import msgspec
 
-from esicatalog.counting import counted
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.findings import findings_of
 from esicatalog.sii.image import (
@@ -26,6 +25,7 @@ from esicatalog.sii.image import (
 )
 from esicatalog.sii.records import DC_MODE, FMMU, HEADER, PDO, PDO_ENTRY, SYNC_MANAGER, Pdo, SiiString
 from esicatalog.sii.words import category_title
+from esicatalog.words import counted
 
 _XML = re.compile(rb"(?:\xef\xbb\xbf)?\s*<[?!A-Za-z]|\xff\xfe<\0|\xfe\xff\0<")
 """How XML begins in UTF-8 and UTF-16. An image begins with the PDI control word, and there is no such PDI type."""

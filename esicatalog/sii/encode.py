@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator
 from itertools import accumulate
 
-from esicatalog.counting import counted
 from esicatalog.sii.errors import SiiEncodeError
 from esicatalog.sii.image import (
     END_MARK,
@@ -23,6 +22,7 @@ from esicatalog.sii.layout import Layout, R
 from esicatalog.sii.records import DC_MODE, FMMU, HEADER, PDO, PDO_ENTRY, SYNC_MANAGER, Pdo, SiiString
 from esicatalog.sii.strings import MAX_STRING_BYTES, encode_text
 from esicatalog.sii.words import category_title
+from esicatalog.words import counted
 
 MAX_STRINGS = 255
 _MAX_WORDS = 0xFFFF

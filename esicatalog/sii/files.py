@@ -2,11 +2,11 @@
 
 import re
 
-from esicatalog.counting import counted
 from esicatalog.scan.text import decode_text, quoted
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.image import MAX_IMAGE_BYTES, SiiImage
+from esicatalog.words import counted
 
 FILLER = 0xFF
 """What an erased EEPROM reads, for addresses that an Intel HEX file leaves out."""

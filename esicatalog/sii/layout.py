@@ -11,8 +11,8 @@ from typing import Annotated, Any, Generic, TypeVar, get_args, get_origin, get_t
 
 import msgspec
 
-from esicatalog.counting import counted
 from esicatalog.sii.errors import SiiEncodeError
+from esicatalog.words import counted
 
 
 @typing.dataclass_transform(frozen_default=True, kw_only_default=True)

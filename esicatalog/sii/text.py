@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator, Sequence
 
-from esicatalog.counting import counted
 from esicatalog.sii.checksum import header_checksum, is_loaded
 from esicatalog.sii.encode import category_offsets
 from esicatalog.sii.image import General, RawCategory, SiiImage, Strings
 from esicatalog.sii.records import DcMode, Header, Pdo
 from esicatalog.sii.words import category_title, flag_words, signal_names
+from esicatalog.words import counted, hex32
 
 _HEX_BYTES_A_LINE = 16
 _MOST_HEX_BYTES = 256
@@ -59,11 +59,14 @@ def _header(image: SiiImage) -> Iterator[str]:
         verdict = "not tested" if is_loaded(header) else f"wrong, 0x{needed:02X} needed"
     name = image.text(image.general.name_string_number) if image.general is not None else None
     yield _shown(name or "SII image")
+    numbers = (
+        ("vendor", header.vendor_id),
+        ("product", header.product_code),
+        ("revision", header.revision_no),
+        ("serial", header.serial_no),
+    )
     facts = [
-        ("vendor", f"0x{header.vendor_id:08x}  ({header.vendor_id})"),
-        ("product", f"0x{header.product_code:08x}  ({header.product_code})"),
-        ("revision", f"0x{header.revision_no:08x}  ({header.revision_no})"),
-        ("serial", f"0x{header.serial_no:08x}  ({header.serial_no})"),
+        *((name, f"{hex32(number)}  ({number})") for name, number in numbers),
         ("alias", str(header.station_alias)),
         ("PDI control", f"0x{header.pdi_control:04X}  {_listed([header.pdi_type or 'unknown type'])}"),
         ("ESC configuration", _listed(flag_words(header.esc_configuration))),

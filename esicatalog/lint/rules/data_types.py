@@ -8,8 +8,9 @@ from esicatalog.lint.registry import ERROR, WARNING, Found, listed, rule
 from esicatalog.model.areas import Area, overlaps
 from esicatalog.model.base_types import BaseType, base_type
 from esicatalog.model.dictionary_views import DictionaryView
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, index_words, is_pdo_mapping
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.resolver import TypeSet
+from esicatalog.words import index_words
 
 
 @rule("L41", ERROR, "EtherCATBase.xsd keyref: Object/Type, SubItem/Type and BaseType name a DataType of the dictionary")

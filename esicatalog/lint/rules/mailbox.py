@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 
-from esicatalog.counting import counted
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.lint.registry import WARNING, Found, Place, rule
@@ -13,6 +12,7 @@ from esicatalog.model.start_up import SENT_IN, TRANSITIONS, transition_of, unusa
 from esicatalog.model.sync import listed_pdos
 from esicatalog.model.values import byte_length, fills
 from esicatalog.model.words import init_cmd_target
+from esicatalog.words import counted
 
 _LEAST_EEPROM_BYTES = 128
 

@@ -8,10 +8,11 @@ from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, 
 from esicatalog.lint.subjects import NumberedEntry, PdoMapping, PdoTypes
 from esicatalog.model.base_types import BASE_TYPES, BaseType, base_type
 from esicatalog.model.dictionary import ObjectEntry
-from esicatalog.model.pdo_facts import entry_facts, index_words
+from esicatalog.model.pdo_facts import entry_facts
 from esicatalog.model.pdo_mapping import MAPPABLE_IN
 from esicatalog.model.resolver import TypeSet
 from esicatalog.model.sync_parameters import SYNC_PARAMETERS
+from esicatalog.words import index_words
 
 _KINDS_OF_BITS = frozenset({"bool", "uint", "bits"})
 """Kinds that differ in name only: the same bits without sign."""

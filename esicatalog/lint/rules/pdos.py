@@ -2,7 +2,6 @@
 
 from collections.abc import Container, Iterable, Iterator, Sequence
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, listed, rule
@@ -15,7 +14,6 @@ from esicatalog.model.pdo_facts import (
     entry_words,
     has_idns,
     has_object,
-    index_words,
     places_words,
     symmetric_exclusions,
 )
@@ -24,6 +22,7 @@ from esicatalog.model.process_data import ProcessData
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
 from esicatalog.sii.records import MAX_ENTRY_BITS
+from esicatalog.words import counted, index_words
 
 _MAPPING_OBJECTS = frozenset(index for indices in PDO_MAPPINGS.values() for index in indices)
 

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.device import SyncManager
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, ProcessSubject, is_absent
@@ -17,6 +16,7 @@ from esicatalog.model.sm_facts import (
     sm_role,
 )
 from esicatalog.model.sm_memory import memory_overlaps, size_conflict
+from esicatalog.words import counted
 
 _MAILBOXES = [usage for usage, role in SM_ROLES.items() if role.is_mailbox]
 _IN_EEPROM = [usage for usage, role in SM_ROLES.items() if not role.is_dynamic]

@@ -2,14 +2,13 @@
 
 from collections.abc import Iterator
 
-from esicatalog.counting import counted
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.lint.objects import ObjectValues
 from esicatalog.lint.registry import WARNING, Found, Place, listed, rule
 from esicatalog.model.base_types import BASE_TYPES, BaseType
 from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
-from esicatalog.model.pdo_facts import index_words
 from esicatalog.model.values import byte_length, fills, number_size
+from esicatalog.words import counted, index_words
 
 _CHARACTER_BITS = {"string": 8, "unicode": 16}
 

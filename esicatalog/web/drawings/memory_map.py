@@ -8,7 +8,6 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.model.areas import Area
 from esicatalog.model.process_image import SmImage
@@ -20,12 +19,12 @@ from esicatalog.web.drawings.svg import (
     drawing,
     element,
     first_that_fits,
-    hexadecimal,
     paragraphs,
     rectangle,
     text,
     title,
 )
+from esicatalog.words import counted, index_words
 
 MOST_SYNC_MANAGERS = 16
 """So many have registers, 0x0800 to 0x087F."""
@@ -130,9 +129,9 @@ def _not_drawn(sync_manager: SyncManager, area: _Area) -> str | None:
     if sync_manager.start_address is None:
         return "has no StartAddress"
     if area.start < MEMORY_START:
-        return f"at {hexadecimal(area.start)} lies in the registers"
+        return f"at {index_words(area.start)} lies in the registers"
     if area.end > _MEMORY_END:
-        return f"at {hexadecimal(area.start)} leaves the address space of 64 KiB"
+        return f"at {index_words(area.start)} leaves the address space of 64 KiB"
     return None
 
 
@@ -157,7 +156,7 @@ def _merged(overlaps: Sequence[_Overlap]) -> list[tuple[int, int]]:
 
 
 def _span(first: int, end: int) -> str:
-    return f"{hexadecimal(first)}–{hexadecimal(end - 1)}"
+    return f"{index_words(first)}–{index_words(end - 1)}"
 
 
 def _boundaries(areas: Sequence[_Area]) -> dict[int, int]:
@@ -211,7 +210,7 @@ def _axis(areas: Sequence[_Area], places: dict[int, int]) -> Iterator[str]:
     known = ends | {start for area in areas for start, _ in area.parts}
     for address, y in places.items():
         if address in known:
-            yield text(_LEFT - 6, y + 4, hexadecimal(address), "axis offset")
+            yield text(_LEFT - 6, y + 4, index_words(address), "axis offset")
 
 
 def _shape(area: _Area, places: dict[int, int], x: float, width: float) -> str:
@@ -232,7 +231,7 @@ def _colour(area: _Area) -> str:
 
 def _title_lines(area: _Area) -> list[str]:
     if not area.size:
-        return [area.name, f"starts at {hexadecimal(area.start)}, size unknown: {area.size_words}"]
+        return [area.name, f"starts at {index_words(area.start)}, size unknown: {area.size_words}"]
     buffers = f"{counted(area.buffers, 'buffer')} of {counted(area.size, 'byte')}"
     lines = [area.name, f"{_span(area.start, area.end)}, {buffers}", area.size_words]
     mode = area.facts.buffer_mode
@@ -256,5 +255,5 @@ def _labels(area: _Area, places: dict[int, int], x: float, width: float) -> Iter
 def _map_label(areas: Sequence[_Area], overlaps: Sequence[_Overlap]) -> str:
     words = f"Memory map: {counted(len(areas), 'SyncManager')}"
     if areas:
-        words += f" from {hexadecimal(min(area.start for area in areas))}"
+        words += f" from {index_words(min(area.start for area in areas))}"
     return f"{words}, {counted(len(overlaps), 'overlap') if overlaps else 'no overlap'}"

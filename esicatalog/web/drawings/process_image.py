@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from esicatalog.counting import counted
 from esicatalog.esi.records.common import display_text
 from esicatalog.model.pdo_facts import entry_facts, has_object, subindex_words
 from esicatalog.model.process_image import PlacedEntry, PlacedPdo, SmImage, byte_bit
@@ -16,13 +15,13 @@ from esicatalog.web.drawings.svg import (
     element,
     escaped,
     first_that_fits,
-    hexadecimal,
     number,
     paragraphs,
     rectangle,
     text,
     title,
 )
+from esicatalog.words import counted, index_words
 
 MOST_ROWS = 64
 MOST_ENTRIES = 256
@@ -234,7 +233,7 @@ def _label(drawn: _Drawn, box: _Box) -> list[str]:
 
 def _address(drawn: _Drawn) -> str:
     entry = drawn.placed.entry
-    return f"{hexadecimal(entry.entry_index)}:{subindex_words(entry.subindex or 0 if has_object(entry) else None)}"
+    return f"{index_words(entry.entry_index)}:{subindex_words(entry.subindex or 0 if has_object(entry) else None)}"
 
 
 def _title_lines(drawn: _Drawn) -> list[str]:
@@ -250,7 +249,7 @@ def _title_lines(drawn: _Drawn) -> list[str]:
 
 
 def _pdo_words(placed: PlacedPdo) -> str:
-    words = f"{hexadecimal(placed.pdo.pdo_index)} {clipped(display_text(placed.pdo.names) or '')}".rstrip()
+    words = f"{index_words(placed.pdo.pdo_index)} {clipped(display_text(placed.pdo.names) or '')}".rstrip()
     if placed.position is None:
         words += " (fills up a group of modules)"
     return words if placed.slot_number is None else f"{words} (slot {placed.slot_number})"
@@ -260,7 +259,7 @@ def _left_out(image: SmImage, rest: Sequence[_Drawn], bottom: float) -> tuple[li
     """A box in place of entries that are not drawn, with words about them."""
     if not rest:
         return [], bottom
-    pdos = dict.fromkeys(hexadecimal(drawn.pdo.pdo.pdo_index) for drawn in rest)
+    pdos = dict.fromkeys(index_words(drawn.pdo.pdo.pdo_index) for drawn in rest)
     named = ", ".join(list(pdos)[:8]) + (" and more" if len(pdos) > 8 else "")
     words = (
         f"Not drawn: {counted(len(rest), 'more entry', 'more entries')} from {byte_bit(rest[0].first_bit)} to the end "

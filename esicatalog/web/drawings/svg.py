@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 from esicatalog.web.bidi import isolated
+from esicatalog.words import one_line
 
 WIDTH = 400
 """Width of every drawing in its own units, about the pixels of a phone: text keeps a readable size there."""
@@ -98,7 +99,7 @@ def _wrapped(sentence: str) -> list[str]:
 
 def clipped(content: str, longest: int = _LONGEST_NAME) -> str:
     """A vendor's text on one line, cut where it is longer than anybody reads."""
-    plain = " ".join(content.split())
+    plain = one_line(content)
     return plain if len(plain) <= longest else f"{plain[: longest - 1]}…"
 
 
@@ -125,8 +126,3 @@ def _character_width(character: str) -> float:
 
 def _is_wide(character: str) -> bool:
     return unicodedata.east_asian_width(character) in "WF"
-
-
-def hexadecimal(value: int | None) -> str:
-    """An index or address as engineers write it."""
-    return f"0x{value:04X}" if value is not None else "without index"

@@ -7,7 +7,6 @@ from typing import Any
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription, description_json
 from esicatalog.catalog.mapping import image_key
-from esicatalog.catalog.results import hex32
 from esicatalog.errors import EsiCatalogError, InputError, NotFound
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
@@ -22,7 +21,7 @@ from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.module_choice import module_choices, module_labels
-from esicatalog.model.pdo_facts import bits_words, entry_words, index_words, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.slots import fitting_modules, numbered_slots
@@ -37,6 +36,7 @@ from esicatalog.web.http import Page, status_of
 from esicatalog.web.links import BASE, asked_identity, device_path
 from esicatalog.web.pages.nearest import nearest, nearest_json
 from esicatalog.web.pages.objects import object_counts
+from esicatalog.words import hex32, index_words
 
 _LONGEST_NUMBER = 8
 _MOST_SLOTS = 24

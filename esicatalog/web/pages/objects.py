@@ -14,12 +14,12 @@ from esicatalog.identity import ModuleChoice
 from esicatalog.model.access import access_text
 from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
 from esicatalog.model.module_choice import module_choices
-from esicatalog.model.pdo_facts import index_words
 from esicatalog.model.slots import expand_module
 from esicatalog.model.values import number_words
 from esicatalog.web.exports import asked_modules, modules_query
 from esicatalog.web.http import Page, Part
 from esicatalog.web.links import asked_identity, device_path
+from esicatalog.words import index_words
 
 PART = Part("X-Esicatalog-Part", "objects")
 """What pages.js asks with. Browsers say of themselves what asks (Sec-Fetch-Dest), but not to plain HTTP by name."""

@@ -8,7 +8,6 @@ from datasette import handle_exception, hookimpl
 
 from esicatalog.catalog.full_text import search_expression
 from esicatalog.catalog.views import FULL_TEXT
-from esicatalog.counting import counted
 from esicatalog.web.bidi import isolated
 from esicatalog.web.cells import cell, decimal_filters
 from esicatalog.web.descriptions import complete_links
@@ -16,6 +15,7 @@ from esicatalog.web.functions import add_functions, bound_work
 from esicatalog.web.links import BASE
 from esicatalog.web.routes import ROUTES
 from esicatalog.web.state import MOUNTED_AS
+from esicatalog.words import counted
 
 
 @hookimpl
