@@ -8,13 +8,14 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema
 from esicatalog.catalog.schema import devices, modules, sources
 from esicatalog.catalog.settle import carried_facts, preferred_variant, superseded_devices, unreferenced_rows
+from esicatalog.esi.records.pdo import RX_PDO, TX_PDO
 
 _OWNERS = ("device_id", "module_id", "source_id")
 _SECTIONED = ("device_sources", "module_sources", "source_groups")
 """Tables whose rows are numbered within a section of a document."""
 _LIST_NAMES = {"pdos": "direction", "initcmds": "protocol", "device_names": "kind"}
 """Columns that tell apart the lists that an owner has in one table."""
-_IMAGE_DIRECTIONS = ("RxPdo", "TxPdo")
+_IMAGE_DIRECTIONS = (RX_PDO, TX_PDO)
 
 
 class RowRule(NamedTuple):

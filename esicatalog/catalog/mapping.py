@@ -22,7 +22,7 @@ from esicatalog.esi.records.dictionary import DataType, Dictionary, EnumInfo, Fl
 from esicatalog.esi.records.document import Group, Vendor
 from esicatalog.esi.records.mailbox import INIT_CMD_FIELDS, InitCmd, Mailbox
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Entry, Exclude, Pdo
+from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Entry, Exclude, Pdo
 from esicatalog.esi.records.profile import ChannelInfo, Profile
 from esicatalog.esi.records.slots import Slot, SlotModuleClass, SlotModuleIdent
 from esicatalog.model.device_facts import DeviceFacts
@@ -70,16 +70,16 @@ CHILDREN: dict[type[Record], tuple[Child, ...]] = {
         Child("fmmus", "fmmus"),
         Child("sync_managers", "sync_managers"),
         Child("sync_units", "sync_units"),
-        Child("rx_pdos", "pdos", ("direction", "RxPdo")),
-        Child("tx_pdos", "pdos", ("direction", "TxPdo")),
+        Child("rx_pdos", "pdos", ("direction", RX_PDO)),
+        Child("tx_pdos", "pdos", ("direction", TX_PDO)),
         Child("mailbox", "mailboxes", single=True),
         Child("op_modes", "dc_modes"),
         Child("slots", "slots"),
         Child("eeprom", "eeproms", single=True),
     ),
     Module: (
-        Child("rx_pdos", "pdos", ("direction", "RxPdo")),
-        Child("tx_pdos", "pdos", ("direction", "TxPdo")),
+        Child("rx_pdos", "pdos", ("direction", RX_PDO)),
+        Child("tx_pdos", "pdos", ("direction", TX_PDO)),
         Child("safety_para_mappings", "pdos", ("direction", "SafetyParaMapping")),
         Child("mailbox", "mailboxes", single=True),
         Child("profiles", "profiles"),

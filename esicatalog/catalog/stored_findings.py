@@ -9,7 +9,7 @@ import sqlalchemy as sa
 from esicatalog.catalog.schema import device_sources, devices, findings, hidden_revisions, source_vendors, sources
 from esicatalog.esi.notes import Finding
 from esicatalog.lint.library import DeviceFact, Hidden, device_element_path, lint_library
-from esicatalog.lint.registry import Rule
+from esicatalog.lint.registry import ERROR, Rule
 from esicatalog.lint.report import DocumentFinding
 from esicatalog.lint.rules.reading import REFUSED
 
@@ -47,7 +47,7 @@ def unchecked_documents(connection: sa.Connection, rules: Iterable[Rule]) -> lis
 
 def _refused(connection: sa.Connection, names: Mapping[int, str]) -> Iterator[DocumentFinding]:
     for source_id, message in connection.execute(_failed(~_is_unread())):
-        yield DocumentFinding(names[source_id], Finding(REFUSED, "E", message, 0))
+        yield DocumentFinding(names[source_id], Finding(REFUSED, ERROR, message, 0))
 
 
 def _failed(*conditions: sa.ColumnElement[bool]) -> sa.Select[Any]:

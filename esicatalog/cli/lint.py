@@ -44,7 +44,7 @@ def command(
     for modules of the device's document alone.
     """
     from esicatalog.ingest.lint_files import FilesRun
-    from esicatalog.lint.registry import chosen_rules
+    from esicatalog.lint.registry import ERROR, chosen_rules
     from esicatalog.lint.report import summary
     from esicatalog.lint.rules import ALL_RULES
     from esicatalog.lint.rules.reading import SCHEMA_RULE
@@ -64,7 +64,7 @@ def command(
             f"esicatalog: {SCHEMA_RULE} looked at booleans and numbers only; for all kinds: --schema DIR", err=True
         )
     click.echo(summary(shown) + run.counts(), err=True)
-    if run.unreadable or any(finding.severity == "E" for finding in shown):
+    if run.unreadable or any(finding.severity == ERROR for finding in shown):
         sys.exit(EXIT_NO)
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from esicatalog.esi.records.mailbox import coe_init_cmds
+from esicatalog.esi.records.pdo import RX_PDO
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.model.cia402 import AXIS_STEP, MODE_BY_CODE, MODES_OF_OPERATION, MODES_OF_OPERATION_OF_AXES
 from esicatalog.model.drive_evidence import mode_code, module_names, other_named_modes, written_mode
@@ -33,7 +34,7 @@ def mode_remarks(
         for image in images
         for placed in image.pdos
         for item in placed.entries
-        if placed.direction == "RxPdo" and not item.entry.subindex and carries_value(item.entry)
+        if placed.direction == RX_PDO and not item.entry.subindex and carries_value(item.entry)
     }
     for index, data in started_modes(commands).items():
         if index in mapped:

@@ -7,6 +7,7 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import RX_PDO
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, carries_value
@@ -109,7 +110,7 @@ def repeat_remarks(images: Iterable[SmImage]) -> Iterator[str]:
         for image in images
         if image.transfer_direction == OUTPUT
         for placed in image.pdos
-        if placed.pdo.pdo_index in PDO_MAPPINGS["RxPdo"]
+        if placed.pdo.pdo_index in PDO_MAPPINGS[RX_PDO]
         for entry in placed.pdo.entries
         if carries_value(entry)
     )

@@ -16,7 +16,7 @@ from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_memb
 from esicatalog.ingest.process import limited_memory
 from esicatalog.lint.library import DeviceFact, facts_of_document, lint_library
 from esicatalog.lint.linter import Linter
-from esicatalog.lint.registry import Rule
+from esicatalog.lint.registry import ERROR, Rule
 from esicatalog.lint.report import DocumentFinding
 from esicatalog.lint.rules.reading import NO_ESI, REFUSED, SCHEMA_RULE
 from esicatalog.lint.schema import SchemaFolder
@@ -121,7 +121,7 @@ class FilesRun:
         """Tell that nothing of a document was checked, whatever rules are chosen."""
         self._document_count += 1
         if any(rule.id == rule_id for rule in self._rules):
-            yield DocumentFinding(shown, Finding(rule_id, "E", str(error), error.line))
+            yield DocumentFinding(shown, Finding(rule_id, ERROR, str(error), error.line))
         else:
             self.unreadable.append(f"{shown}: {error}")
 

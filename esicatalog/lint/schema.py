@@ -9,8 +9,8 @@ from esicatalog.errors import InputError
 from esicatalog.esi.containers import Folder
 from esicatalog.esi.notes import Finding
 from esicatalog.lint.registry import WARNING
+from esicatalog.lint.rules.reading import SCHEMA_RULE
 
-_RULE = "L03"
 _LIST, _LISTED = "EtherCATInfoList", "EtherCATInfo"
 _POSITION = re.compile(r"\[(\d+)\]")
 
@@ -37,7 +37,7 @@ class SchemaFolder:
         if schema is None or schema.validate(element):
             return []
         found = {
-            Finding(_RULE, WARNING, f"{error.message} ({error.type_name})", error.line, _element_path(error.path))
+            Finding(SCHEMA_RULE, WARNING, f"{error.message} ({error.type_name})", error.line, _element_path(error.path))
             for error in schema.error_log
         }
         return sorted(found, key=lambda finding: (finding.line, finding.path, finding.message))

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.pdo import RX_PDO, Pdo
 from esicatalog.esi.records.profile import Profile
 from esicatalog.model.axes import is_commanded_axis
 from esicatalog.model.cia402 import (
@@ -114,7 +114,7 @@ def single_values(part: Part, index: int) -> list[ObjectEntry]:
 
 def may_be_mapped(part: Part, index: int) -> bool:
     """Whether the dictionary lets an object into an RxPDO, be it a value or (0x60C1) a record of some."""
-    return any(is_mappable(entry, "RxPdo") for entry in declared_entries(part, index))
+    return any(is_mappable(entry, RX_PDO) for entry in declared_entries(part, index))
 
 
 def marked_objects(part: Part) -> list[int]:
@@ -160,7 +160,7 @@ def assigned_rx_pdos(images: Iterable[SmImage], slot_number: int | None) -> tupl
         placed.pdo
         for image in images
         for placed in image.pdos
-        if placed.direction == "RxPdo" and placed.slot_number == slot_number
+        if placed.direction == RX_PDO and placed.slot_number == slot_number
     )
 
 

@@ -7,7 +7,7 @@ says so instead.
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.pdo import RX_PDO, Pdo
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.cia402 import MODES_OF_OPERATION, DriveMode
 from esicatalog.model.drive_evidence import mode_code
@@ -128,7 +128,7 @@ def _mode_of_operation(mode: DriveMode, part: Part, pdos: Sequence[Pdo], setup: 
     """
     index = part.at(MODES_OF_OPERATION)
     excluded = {rival for pdo in pdos for rival in setup.exclusions.get(pdo.pdo_index, ())}
-    assigned = [placed.pdo for image in setup.images for placed in image.pdos if placed.direction == "RxPdo"]
+    assigned = [placed.pdo for image in setup.images for placed in image.pdos if placed.direction == RX_PDO]
     staying = [pdo for pdo in assigned if pdo.pdo_index not in excluded]
     for candidates, how in ((pdos, ""), (staying, f" (assigned {setup.assigning})")):
         if (pdo := mapping_pdo(index, candidates)) is not None:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.pdo import TX_PDO, Pdo
 from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos
 from esicatalog.model.pdo_facts import PDO_MAPPINGS
 from esicatalog.model.slots import PluggedModule
@@ -175,7 +175,7 @@ def _undescribed(sm: SyncManager | None, index: int) -> AvailablePdo:
     by_index = next((direction for direction, indices in PDO_MAPPINGS.items() if index in indices), None)
     role = sm_role(sm) if sm is not None else None
     by_role = role.pdo_direction if role is not None else None
-    return AvailablePdo(by_index or by_role or "TxPdo", None, Pdo(pdo_index=index), None, None)
+    return AvailablePdo(by_index or by_role or TX_PDO, None, Pdo(pdo_index=index), None, None)
 
 
 def _fitting(

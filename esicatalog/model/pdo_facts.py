@@ -7,23 +7,23 @@ from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.numbers import MAX_STORED
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Entry, Pdo
 from esicatalog.esi.unreadable import unreadable
 from esicatalog.words import index_words
 
-PDO_MAPPINGS = {"RxPdo": range(0x1600, 0x1800), "TxPdo": range(0x1A00, 0x1C00)}
+PDO_MAPPINGS = {RX_PDO: range(0x1600, 0x1800), TX_PDO: range(0x1A00, 0x1C00)}
 """Mapping objects of each direction: a PDO has the index of one (ETG.1000.6)."""
 PDO_ASSIGNMENTS = range(0x1C10, 0x1C30)
 """Assignment objects: one for each SyncManager, from 0 (ETG.1000.6)."""
 
 
-PDO_FIELDS = {"RxPdo": "rx_pdos", "TxPdo": "tx_pdos"}
+PDO_FIELDS = {RX_PDO: "rx_pdos", TX_PDO: "tx_pdos"}
 """Fields of devices and modules by the direction of the PDOs in them."""
 
 
 def pdos_by_direction(owner: Device | Module) -> tuple[tuple[str, tuple[Pdo, ...]], ...]:
     """What a device or module sends and receives, ``RxPdo`` first."""
-    return ("RxPdo", owner.rx_pdos), ("TxPdo", owner.tx_pdos)
+    return (RX_PDO, owner.rx_pdos), (TX_PDO, owner.tx_pdos)
 
 
 def has_idns(owner: Device | Module) -> bool:

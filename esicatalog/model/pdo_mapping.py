@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 
 from esicatalog.esi.records.mailbox import Mailbox
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Pdo
 from esicatalog.model.dictionary import ObjectEntry
 
-MAPPABLE_IN = {"RxPdo": "R", "TxPdo": "T"}
+MAPPABLE_IN = {RX_PDO: "R", TX_PDO: "T"}
 """What PdoMapping calls the direction of a PDO."""
 
 

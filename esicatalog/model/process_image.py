@@ -14,7 +14,7 @@ import msgspec
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Entry, Pdo
+from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Entry, Pdo
 from esicatalog.esi.records.slots import ModulePdoGroup
 from esicatalog.esi.unreadable import reason_words
 from esicatalog.identity import MAX_INDEX
@@ -31,7 +31,7 @@ from esicatalog.words import counted, index_words
 MAX_SM_BYTES = 0xFFFF
 """A SyncManager's length is a 16 bit number of bytes (ESC register 0x0802)."""
 
-_GROUP_PDO_FIELDS = {"RxPdo": "rx_pdo", "TxPdo": "tx_pdo"}
+_GROUP_PDO_FIELDS = {RX_PDO: "rx_pdo", TX_PDO: "tx_pdo"}
 """What fills up a module PDO group, by the direction of its PDOs."""
 
 

@@ -6,13 +6,14 @@ from typing import Annotated, NamedTuple
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.esi.records.pdo import RX_PDO, TX_PDO
 from esicatalog.sii.words import SM_DIRECTIONS, SM_MODES, SmControl
 
 INPUT, OUTPUT = SM_DIRECTIONS[0b00], SM_DIRECTIONS[0b01]
 """Transfer directions: the master reads, the master writes."""
-TRANSFER_DIRECTIONS = {"RxPdo": OUTPUT, "TxPdo": INPUT}
+TRANSFER_DIRECTIONS = {RX_PDO: OUTPUT, TX_PDO: INPUT}
 """By the direction of a PDO, which is named from the device's side."""
-BUFFERED, _MAILBOX_MODE = SM_MODES[0b00], SM_MODES[0b10]
+BUFFERED, MAILBOX_MODE = SM_MODES[0b00], SM_MODES[0b10]
 """Three buffers of which each side always has one; one buffer, which one side fills and the other empties in turn."""
 
 
@@ -35,10 +36,10 @@ class SmRole(NamedTuple):
 SM_ROLES = {
     "MBoxOut": SmRole(OUTPUT, None),
     "MBoxIn": SmRole(INPUT, None),
-    "Outputs": SmRole(OUTPUT, "RxPdo"),
-    "Inputs": SmRole(INPUT, "TxPdo"),
-    "DynamicOutputs": SmRole(OUTPUT, "RxPdo", is_dynamic=True),
-    "DynamicInputs": SmRole(INPUT, "TxPdo", is_dynamic=True),
+    "Outputs": SmRole(OUTPUT, RX_PDO),
+    "Inputs": SmRole(INPUT, TX_PDO),
+    "DynamicOutputs": SmRole(OUTPUT, RX_PDO, is_dynamic=True),
+    "DynamicInputs": SmRole(INPUT, TX_PDO, is_dynamic=True),
 }
 """The roles that tools know; others are words of the vendor's and say nothing."""
 
@@ -62,7 +63,7 @@ def mailbox_sync_managers(device: Device) -> list[int]:
     named = {pdo.sm for pdo in (*device.rx_pdos, *device.tx_pdos)}
     found = []
     for number, sm in enumerate(device.sync_managers):
-        in_mailbox_mode = sm_facts(sm).buffer_mode == _MAILBOX_MODE and number not in named and not sm.virtual
+        in_mailbox_mode = sm_facts(sm).buffer_mode == MAILBOX_MODE and number not in named and not sm.virtual
         if is_mailbox(sm) or (sm_role(sm) is None and in_mailbox_mode):
             found.append(number)
     return found

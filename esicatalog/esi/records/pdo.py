@@ -6,6 +6,9 @@ from esicatalog.esi.binding import RAW, Record, Xml
 from esicatalog.esi.numbers import BOOL, DEC8, HEX16, INT
 from esicatalog.esi.records.common import Name
 
+RX_PDO, TX_PDO = "RxPdo", "TxPdo"
+"""Directions of a PDO, named from the device's side: what the master sends, and what it receives."""
+
 
 class Entry(Record):
     """Entry of a PDO; index 0 is a padding gap of ``bit_length`` bits."""

@@ -3,10 +3,13 @@
 from collections.abc import Iterator
 
 from esicatalog.esi.records.device import SyncManager
+from esicatalog.esi.records.pdo import RX_PDO, TX_PDO
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, ProcessSubject, is_absent
 from esicatalog.model.sm_facts import (
+    BUFFERED,
     INPUT,
+    MAILBOX_MODE,
     OUTPUT,
     SM_ROLES,
     TRANSFER_DIRECTIONS,
@@ -20,7 +23,7 @@ from esicatalog.words import counted
 
 _MAILBOXES = [usage for usage, role in SM_ROLES.items() if role.is_mailbox]
 _IN_EEPROM = [usage for usage, role in SM_ROLES.items() if not role.is_dynamic]
-_ROLES = {"RxPdo": "Outputs", "TxPdo": "Inputs"}
+_ROLES = {RX_PDO: "Outputs", TX_PDO: "Inputs"}
 _DIRECTION_BITS = {OUTPUT: "01 (the master writes)", INPUT: "00 (the master reads)"}
 
 
@@ -77,10 +80,10 @@ def mode_against_role(subject: ProcessSubject) -> Iterator[Found]:
             continue
         mode = sm_facts(sm).buffer_mode
         words = f"SM {number} {sm.usage} has the ControlByte 0x{sm.control_byte:02X}:"
-        if role.is_mailbox and mode != "mailbox":
+        if role.is_mailbox and mode != MAILBOX_MODE:
             yield Found(f"{words} a mailbox needs mailbox mode, bits 1:0 = 10", ("sync_managers", number))
-        elif not role.is_mailbox and mode != "buffered":
-            what = "one buffer: both sides wait for each other" if mode == "mailbox" else "a reserved mode"
+        elif not role.is_mailbox and mode != BUFFERED:
+            what = "one buffer: both sides wait for each other" if mode == MAILBOX_MODE else "a reserved mode"
             yield Found(f"{words} {what}; process data usually has three, bits 1:0 = 00", ("sync_managers", number))
 
 
@@ -88,7 +91,7 @@ def mode_against_role(subject: ProcessSubject) -> Iterator[Found]:
 def outputs_without_watchdog(subject: ProcessSubject) -> Iterator[Found]:
     """Outputs without watchdog trigger: they keep their values when the master stops."""
     for number, sm, role in _with_roles(subject):
-        if role.pdo_direction == "RxPdo" and sm_facts(sm).watchdog_trigger is False:
+        if role.pdo_direction == RX_PDO and sm_facts(sm).watchdog_trigger is False:
             yield Found(
                 f"SM {number} {sm.usage} has the ControlByte 0x{sm.control_byte:02X} without watchdog (bit 6): "
                 "nothing tells the device that the master stopped, unless it looks itself",

@@ -11,7 +11,7 @@ from typing import NamedTuple
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.model.areas import Area
 from esicatalog.model.process_image import SmImage
-from esicatalog.model.sm_facts import SmFacts, is_mailbox, sm_facts
+from esicatalog.model.sm_facts import INPUT, OUTPUT, SmFacts, is_mailbox, sm_facts
 from esicatalog.model.sm_memory import MEMORY_START, buffer_count, is_enabled, occupied_area
 from esicatalog.web.drawings.svg import (
     WIDTH,
@@ -30,7 +30,7 @@ MOST_SYNC_MANAGERS = 16
 """So many have registers, 0x0800 to 0x087F."""
 
 _MEMORY_END = 0x10000
-_COLOURS = {"output": "pdo-0", "input": "pdo-2"}
+_COLOURS = {OUTPUT: "pdo-0", INPUT: "pdo-2"}
 _LEFT, _RIGHT, _TOP = 52, WIDTH - 2, 8
 _LINE = 14
 
