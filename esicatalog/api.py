@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from esicatalog.errors import CatalogError
-from esicatalog.identity import Identity, checked, checked_number, parse_identity
+from esicatalog.identity import Identity, checked, checked_number, identity_of, parse_identity
 
 if TYPE_CHECKING:
     import sqlalchemy as sa
@@ -226,7 +226,7 @@ class Catalog:
         """
         from esicatalog.catalog.description import read_description
 
-        wanted = parse_identity(identity) if isinstance(identity, str) else checked(identity)
+        wanted = identity_of(identity)
         with self._connection() as connection:
             return read_description(connection, _lookup_on(connection), wanted)
 
@@ -246,7 +246,7 @@ class Catalog:
         Without a variant it says of the preferred description whether others exchange something else. Raises
         :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
         """
-        wanted = parse_identity(identity) if isinstance(identity, str) else checked(identity)
+        wanted = identity_of(identity)
         with self._connection() as connection:
             return _subject_among_variants(connection, wanted)
 

@@ -134,6 +134,11 @@ def identity_of_parts(vendor: str, product: str, revision: str | None, variant: 
     )
 
 
+def identity_of(identity: str | Identity) -> Identity:
+    """An identity that callers give as one or as its text. Raises :class:`InputError`."""
+    return parse_identity(identity) if isinstance(identity, str) else checked(identity)
+
+
 def parse_object(text: str) -> tuple[int, int | None]:
     """An object written ``INDEX[:SUBINDEX]``, as :func:`parse_subindex` says. Raises :class:`InputError`."""
     index, colon, subindex = text.partition(":")

@@ -184,7 +184,14 @@ IDENTITY = _Parsed("identity", _identity)
 OBJECT = _Parsed("index[:subindex]", parse_object)
 BOUNDS = _Parsed("amount", parse_bounds, takes_name=True)
 MODES = _Parsed("modes", parse_modes)
-PLUGGED = _Parsed("slot=ident[/type]", parse_plugged)
+_PLUGGED = _Parsed("slot=ident[/type]", parse_plugged)
+
+
+def module_option(help_text: str) -> Callable[[Function], Function]:
+    """The option ``--module``, once for each slot."""
+    return click.option(
+        "--module", "modules", metavar="SLOT=IDENT[/TYPE]", multiple=True, type=_PLUGGED, help=help_text
+    )
 
 
 def read_bytes(path: Path) -> bytes:

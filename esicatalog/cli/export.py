@@ -12,7 +12,17 @@ from typing import Any
 import click
 
 from esicatalog.catalog.own_files import own_files
-from esicatalog.cli.common import FILE, IDENTITY, NUMBER, OUTPUT, PLUGGED, Group, db_option, read_as, reporting_errors
+from esicatalog.cli.common import (
+    FILE,
+    IDENTITY,
+    NUMBER,
+    OUTPUT,
+    Group,
+    db_option,
+    module_option,
+    read_as,
+    reporting_errors,
+)
 from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subjects_of_vendor
 from esicatalog.errors import InputError
 from esicatalog.export.choice import DEFAULT_CYCLE_NS, HEEDED, Choice, check_numbers, parse_pdo_choice
@@ -43,13 +53,8 @@ _CHOICE: dict[str, Option] = {
     "pdos": click.option(
         "--pdo", metavar="0x1600,...", help="Assign these PDOs; with chosen entries: 0x1A00=0x6041+0x6064+0x60FE:1."
     ),
-    "modules": click.option(
-        "--module",
-        "modules",
-        metavar="SLOT=IDENT[/TYPE]",
-        multiple=True,
-        type=PLUGGED,
-        help="Plug this module, by its Type too where several share the ident: '0=0x1785/KL6021-A'.",
+    "modules": module_option(
+        "Plug this module, by its Type too where several share the ident: '0=0x1785/KL6021-A'.",
     ),
     "op_mode": click.option(
         "--op-mode",

@@ -4,7 +4,15 @@ from typing import TYPE_CHECKING
 
 import click
 
-from esicatalog.cli.common import IDENTITY, PLUGGED, Command, db_option, format_option, print_json, reporting_errors
+from esicatalog.cli.common import (
+    IDENTITY,
+    Command,
+    db_option,
+    format_option,
+    module_option,
+    print_json,
+    reporting_errors,
+)
 from esicatalog.identity import modules_by_slot
 
 if TYPE_CHECKING:
@@ -14,13 +22,8 @@ if TYPE_CHECKING:
 @click.command("show", cls=Command)
 @click.argument("identity", type=IDENTITY)
 @db_option
-@click.option(
-    "--module",
-    "modules",
-    metavar="SLOT=IDENT[/TYPE]",
-    multiple=True,
-    type=PLUGGED,
-    help="Plug this module into this slot (counted from 0), by its Type too where several share the ident: "
+@module_option(
+    "Plug this module into this slot (counted from 0), by its Type too where several share the ident: "
     "'0=0x1785/KL6021-A'. May be repeated; else the default modules.",
 )
 @format_option("table", "json")

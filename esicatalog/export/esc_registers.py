@@ -1,6 +1,6 @@
 """Initial values of registers of the slave controller, which a description gives below ESC (ESI-FACTS section 13)."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
@@ -23,6 +23,16 @@ class EscRegister(NamedTuple):
     words: str
 
 
+class SettableRegisters(NamedTuple):
+    """The registers that a program can write, and the lowest value that it writes."""
+
+    registers: tuple[int, ...]
+    lowest: int = 0
+
+
+NO_REGISTERS = SettableRegisters(())
+
+
 def esc_registers(device: Device) -> Iterator[EscRegister]:
     """The values of a description in the order of their registers."""
     for register, field, words in _REGISTERS:
@@ -31,15 +41,18 @@ def esc_registers(device: Device) -> Iterator[EscRegister]:
             yield EscRegister(register, value, f"{words}, register 0x{register:04X}")
 
 
-def settable(device: Device, registers: Collection[int], lowest: int = 0) -> tuple[EscRegister, ...]:
-    """The values that a program can write which knows these registers, and values from ``lowest`` up."""
+def settable(device: Device, known: SettableRegisters) -> tuple[EscRegister, ...]:
+    """The values of a description that a program can write."""
     return tuple(
-        item for item in esc_registers(device) if item.register in registers and lowest <= item.value <= _MAX_VALUE
+        item
+        for item in esc_registers(device)
+        if item.register in known.registers and known.lowest <= item.value <= _MAX_VALUE
     )
 
 
-def left_out(device: Device, program: str, written: Collection[EscRegister]) -> Iterator[str]:
-    """Remarks about the values that a program does not write."""
+def register_remarks(device: Device, program: str, known: SettableRegisters) -> Iterator[str]:
+    """Remarks about the values that a program cannot write."""
+    written = settable(device, known)
     for item in esc_registers(device):
         if item not in written:
             yield f"{item.words}: the value {item.value} is left out, {program} does not set it"

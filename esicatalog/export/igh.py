@@ -5,10 +5,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from esicatalog.errors import InputError
 from esicatalog.export.c_text import comment_lines
 from esicatalog.export.configuration import Configuration
+from esicatalog.export.esc_registers import register_remarks
 from esicatalog.export.headings import heading_lines
 from esicatalog.export.igh_device import DeviceCode, device_code
 from esicatalog.export.igh_limits import lrw_remarks
-from esicatalog.export.igh_startup import register_remarks, timeout_remarks, unsendable_remarks
+from esicatalog.export.igh_startup import WATCHDOG_REGISTERS, timeout_remarks, unsendable_remarks
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.version import __version__
@@ -75,7 +76,7 @@ def _heading_lines(configuration: Configuration) -> Iterator[str]:
         *configuration.remarks,
         *configuration.copy_remarks,
         *timeout_remarks(device),
-        *register_remarks(device, "IgH"),
+        *register_remarks(device, "IgH", WATCHDOG_REGISTERS),
         *unsendable_remarks(configuration),
         *lrw_remarks(device, "register its outputs in one domain and its inputs in another"),
     )

@@ -12,8 +12,7 @@ from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import (
     PROCESS_DATA_WATCHDOG,
     WATCHDOG_DIVIDER,
-    EscRegister,
-    left_out,
+    SettableRegisters,
     settable,
 )
 from esicatalog.export.igh_limits import master_written
@@ -25,6 +24,8 @@ from esicatalog.model.start_up import BEFORE_SAFE_OP, SENT_IN
 _AL_STATES = {PREOP: "EC_AL_STATE_PREOP", SAFEOP: "EC_AL_STATE_SAFEOP"}
 _IDN_STATES = {transition: _AL_STATES[state] for transition, state in SENT_IN.items()}
 """At which transitions the master writes IDNs itself, and the state in which it does. SDOs it writes in PREOP only."""
+WATCHDOG_REGISTERS = SettableRegisters((WATCHDOG_DIVIDER, PROCESS_DATA_WATCHDOG), lowest=1)
+"""Those of ecrt_slave_config_watchdog(), which takes 0 for a value that is to stay."""
 _TIMEOUTS = (
     ("preop_timeout_ms", (("INIT", "PREOP"),)),
     ("safeop_op_timeout_ms", (("PREOP", "SAFEOP"), ("SAFEOP", "OP"))),
@@ -80,18 +81,8 @@ def _is_sent_by_master(command: StartCommand) -> bool:
 
 def watchdog(device: Device) -> tuple[int, int] | None:
     """Divider and intervals for ecrt_slave_config_watchdog(), 0 for one that is not to be written."""
-    values = {item.register: item.value for item in _watchdog_registers(device)}
+    values = {item.register: item.value for item in settable(device, WATCHDOG_REGISTERS)}
     return (values.get(WATCHDOG_DIVIDER, 0), values.get(PROCESS_DATA_WATCHDOG, 0)) if values else None
-
-
-def _watchdog_registers(device: Device) -> tuple[EscRegister, ...]:
-    """Those of ecrt_slave_config_watchdog(), which takes 0 for a value that is to stay."""
-    return settable(device, (WATCHDOG_DIVIDER, PROCESS_DATA_WATCHDOG), lowest=1)
-
-
-def register_remarks(device: Device, program: str) -> Iterator[str]:
-    """Registers that :func:`watchdog` leaves out."""
-    return left_out(device, program, _watchdog_registers(device))
 
 
 def _timeouts(device: Device) -> Iterator[StateTimeout]:

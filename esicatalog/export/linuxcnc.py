@@ -9,10 +9,11 @@ from esicatalog.export.c_access import on_byte
 from esicatalog.export.c_text import comment_text, wrapped
 from esicatalog.export.clocks import Clocks, Time
 from esicatalog.export.configuration import Configuration
+from esicatalog.export.esc_registers import register_remarks
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.igh_files import Listed, listed
 from esicatalog.export.igh_limits import pieces
-from esicatalog.export.igh_startup import off_beat, register_remarks, watchdog
+from esicatalog.export.igh_startup import WATCHDOG_REGISTERS, off_beat, watchdog
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.export.rendering import render
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
@@ -134,7 +135,7 @@ def linuxcnc_configuration(configuration: Configuration) -> str:
         raise InputError(f"{PROGRAM} finds slaves by their ring position: give no alias")
     found = listed(configuration, PROGRAM)
     device = configuration.subject.device
-    remarks = [*configuration.remarks, *found.remarks, *register_remarks(device, PROGRAM)]
+    remarks = [*configuration.remarks, *found.remarks, *register_remarks(device, PROGRAM, WATCHDOG_REGISTERS)]
     slave_name = configuration.prefix[:_MAX_SLAVE_NAME].strip("_").replace("_", "-")
     pins = _Pins(slave_name)
     sync_managers = [_sync_manager(sm, found, pins, remarks) for sm in found.sync_managers]

@@ -8,6 +8,7 @@ from esicatalog.export.c_access import byte_count
 from esicatalog.export.c_text import comment_lines, comment_text
 from esicatalog.export.clocks import Condition, Notation
 from esicatalog.export.configuration import Configuration
+from esicatalog.export.esc_registers import register_remarks
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.init_cmds import StartCommand, by_transition
 from esicatalog.export.io_map import IoMap, Member, io_map
@@ -15,11 +16,11 @@ from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.export.sm_configuration import MappedEntry
 from esicatalog.export.soem_startup import (
+    HOOK_REGISTERS,
     RegisterWrite,
     command_remarks,
     hook_commands,
     later_commands,
-    register_remarks,
     soem_clocks,
 )
 from esicatalog.model.sm_facts import INPUT, OUTPUT
@@ -83,7 +84,7 @@ def pysoem_module(configuration: Configuration) -> str:
     maps = [io_map(configuration, direction) for direction in (OUTPUT, INPUT)]
     remarks = [*configuration.remarks, *configuration.copy_remarks]
     remarks += [remark for layout in maps for remark in (*layout.remarks, *_sharing(layout))]
-    remarks += register_remarks(configuration.subject.device, "pysoem")
+    remarks += register_remarks(configuration.subject.device, "pysoem", HOOK_REGISTERS)
     remarks += command_remarks(configuration, "pysoem")
     remarks += [
         f"{command.transition} {command.place} is left out: pysoem has no call for SoE"

@@ -12,7 +12,7 @@ from esicatalog.export.c_access import on_byte
 from esicatalog.export.c_text import comment_lines, comment_text
 from esicatalog.export.cia402_names import CIA402_NAMES
 from esicatalog.export.configuration import Configuration
-from esicatalog.export.esc_registers import left_out
+from esicatalog.export.esc_registers import NO_REGISTERS, register_remarks
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.igh_files import Listed, listed
 from esicatalog.export.igh_limits import pieces
@@ -93,7 +93,7 @@ def ros2_slave(configuration: Configuration) -> str:
         *configuration.remarks,
         *found.remarks,
         *_dc_remarks(configuration),
-        *left_out(configuration.subject.device, PROGRAM, ()),
+        *register_remarks(configuration.subject.device, PROGRAM, NO_REGISTERS),
         *_drive_remarks(configuration, found),
     ]
     lists = [_pdo_list(configuration, found, direction, remarks) for direction in (OUTPUT, INPUT)]

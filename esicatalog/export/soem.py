@@ -5,16 +5,17 @@ from typing import NamedTuple
 from esicatalog.export.c_clocks import clock_code
 from esicatalog.export.c_text import c_bytes, comment_lines, comment_text
 from esicatalog.export.configuration import Configuration
+from esicatalog.export.esc_registers import register_remarks
 from esicatalog.export.headings import heading_lines
 from esicatalog.export.init_cmds import SentCommand, StartCommand, by_transition
 from esicatalog.export.rendering import render
 from esicatalog.export.soem_image import image_code
 from esicatalog.export.soem_startup import (
+    HOOK_REGISTERS,
     RegisterWrite,
     command_remarks,
     hook_commands,
     later_commands,
-    register_remarks,
     soem_clocks,
 )
 from esicatalog.model.sm_facts import INPUT, OUTPUT
@@ -77,7 +78,7 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
     remarks = (
         *configuration.remarks,
         *configuration.copy_remarks,
-        *register_remarks(configuration.subject.device, "SOEM"),
+        *register_remarks(configuration.subject.device, "SOEM", HOOK_REGISTERS),
         *command_remarks(configuration, "SOEM"),
         *(remark for image in images for remark in image.remarks),
     )

@@ -10,8 +10,7 @@ from esicatalog.export.esc_registers import (
     PDI_WATCHDOG,
     PROCESS_DATA_WATCHDOG,
     WATCHDOG_DIVIDER,
-    EscRegister,
-    left_out,
+    SettableRegisters,
     settable,
 )
 from esicatalog.export.init_cmds import StartCommand
@@ -22,6 +21,8 @@ _SYNC0_ACTIVE, _SYNC01_ACTIVE = 0x03, 0x07
 """What SOEM writes to register 0x0981 for SYNC0 alone and for both; to 0x0980 it writes 0."""
 _SYNC_REGISTERS = 0x0980
 _LAST_COMPLETE_SUBINDEX = 1
+HOOK_REGISTERS = SettableRegisters((WATCHDOG_DIVIDER, PDI_WATCHDOG, PROCESS_DATA_WATCHDOG))
+"""Those that the hook writes."""
 
 
 class RegisterWrite(NamedTuple):
@@ -101,17 +102,8 @@ def soem_clocks(found: Clocks) -> SoemClocks:
 
 
 def _watchdogs(device: Device) -> Iterator[RegisterWrite]:
-    for item in _watchdog_registers(device):
+    for item in settable(device, HOOK_REGISTERS):
         yield RegisterWrite(item.register, item.value.to_bytes(2, "little"), item.words)
-
-
-def _watchdog_registers(device: Device) -> tuple[EscRegister, ...]:
-    return settable(device, (WATCHDOG_DIVIDER, PDI_WATCHDOG, PROCESS_DATA_WATCHDOG))
-
-
-def register_remarks(device: Device, program: str) -> Iterator[str]:
-    """Registers that the hook does not write."""
-    return left_out(device, program, _watchdog_registers(device))
 
 
 def _pdo_configuration(configuration: Configuration) -> Iterator[StartCommand]:
