@@ -10,6 +10,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 import msgspec
 
 from esicatalog.catalog.results import NONE, VENDOR, DeviceSource, FoundDevice, Identification, IdentifiedDevice
+from esicatalog.catalog.views import image_is_known
 from esicatalog.identity import is_read
 from esicatalog.model.bus import DeviceAtBus
 from esicatalog.model.pdo_facts import mapped_words
@@ -25,7 +26,7 @@ _MOST_KEPT = 4096
 _COLUMNS = "d.id, d.vendor_id, d.product_code, d.revision_no, d.variant, v.name, d.type, d.name, d.hidden"
 _OF_PRODUCT = (
     f"SELECT {_COLUMNS}, d.check_revision_no, f.image_signature, "
-    "f.output_bytes IS NOT NULL AND f.input_bytes IS NOT NULL FROM devices d "
+    f"{image_is_known('f')} FROM devices d "
     "LEFT JOIN vendors v ON v.vendor_id = d.vendor_id JOIN device_facts f ON f.device_id = d.id "
     "WHERE d.vendor_id = ? AND d.product_code = ? ORDER BY d.revision_no NULLS FIRST, d.type NULLS FIRST, d.variant"
 )

@@ -47,6 +47,14 @@ def mapped_subindex(entry: str) -> str:
     )
 
 
+def image_is_known(facts: str) -> str:
+    """SQL for whether it is known all that a device exchanges without a choice; ``facts`` names its device_facts.
+
+    As :attr:`esicatalog.model.process_data.ProcessData.image_is_known` tells it.
+    """
+    return f"{facts}.output_bytes IS NOT NULL AND {facts}.input_bytes IS NOT NULL"
+
+
 def _integer(expression: str) -> str:
     """SQL for an integer that a view computes: without a type, SQLite would never find it equal to a text.
 
@@ -239,11 +247,10 @@ def _capabilities(dialect: str) -> list[View]:
     identity = _device_identity(dialect)
     module = f"{hex_text('m.module_ident', 8, dialect)} AS module_ident_hex"
     previous = f"coalesce({_previous('AND o.type = n.type ')}, {_previous('')})"
-    both_known = " AND ".join(f"{facts}.{size}_bytes IS NOT NULL" for facts in "fb" for size in ("output", "input"))
     changed = (
         "CASE WHEN r.previous_id IS NULL THEN 0 "
         "WHEN coalesce(f.image_signature, '') <> coalesce(b.image_signature, '') THEN 1 "
-        f"WHEN {both_known} THEN 0 END"
+        f"WHEN {image_is_known('f')} AND {image_is_known('b')} THEN 0 END"
     )
     same_pdo_set = (
         "CASE WHEN f.pdo_signature = g.pdo_signature THEN 1 "
@@ -293,7 +300,7 @@ def _capabilities(dialect: str) -> list[View]:
             f"{_integer(same_pdo_set)} AS same_pdo_set, f.output_bytes, "
             f"f.input_bytes {_DEVICES} JOIN device_facts f ON f.device_id = d.id "
             "JOIN device_facts g ON g.image_signature = f.image_signature JOIN devices o ON o.id = g.device_id "
-            "WHERE o.id <> d.id AND o.variant = 1 AND f.output_bytes IS NOT NULL AND f.input_bytes IS NOT NULL",
+            f"WHERE o.id <> d.id AND o.variant = 1 AND {image_is_known('f')}",
         ),
         View(
             "drive_modes_by_vendor",
