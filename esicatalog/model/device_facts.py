@@ -18,7 +18,7 @@ _SIZE = (
     "Bytes that the master {} in the default process image; 0 = none, NULL = not known: PDOs without SyncManagers, too "
     "long for them or of a length that is not described, a SyncManager with DefaultSize and no PDO, or a required slot "
     "without a preset and with several ModuleIdents or a ModuleClass for modules with PDOs, with an ident of several "
-    "that differ, or of none that is described"
+    "that differ, or naming a module that is not described"
 )
 
 

@@ -46,7 +46,7 @@ class ObjectEntry(Record, kw_only=False):
         None
     )
     safety_mapping: Annotated[str | None, Doc("si, so, sio or sp")] = None
-    default_raw: Annotated[str | None, Doc("Default as written")] = None
+    default_raw: Annotated[str | None, Doc("Default as written; else its part of the data of the whole object")] = None
     default_kind: Annotated[str | None, Doc("How it is written: data (hex bytes), value (number) or string")] = None
     default_int: Annotated[int | None, Doc("Default as integer")] = None
     default_real: Annotated[float | None, Doc("Default as floating point number")] = None
