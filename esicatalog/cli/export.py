@@ -95,16 +95,19 @@ def command() -> None:
 def _target(*extra: Option) -> Callable[[Callable[..., str | bytes]], click.Command]:
     """Make a command of a function from :class:`Inputs` and its own options to text or bytes.
 
-    Its name is that of the target, whose :data:`HEEDED` choices are options too.
+    Its name is that of the target. All targets that heed any choice take the options of all choices, so that one set of
+    options serves every master; what a target does not heed is told.
     """
 
     def decorate(function: Callable[..., str | bytes]) -> click.Command:
+        target = function.__name__
+
         @functools.wraps(function)
         def run(
             identity: Identity | None, db: str, esi: Path | None, output: str | None, accept_revision: bool, **rest: Any
         ) -> None:
             choice = _choice(rest)
-            notes: list[str] = []
+            notes = [f"{option} changes nothing in what {target} gives" for option in _unheeded(target, choice)]
             named = filter(None, (esi, *(rest.get(option) for option in _FILES_OF_TARGETS)))
             inputs = Inputs(
                 identity, db, esi, accept_revision, choice, notes, output, [*own_files(db), *map(str, named)]
@@ -116,12 +119,20 @@ def _target(*extra: Option) -> Callable[[Callable[..., str | bytes]], click.Comm
                 click.echo(f"esicatalog: {note}", err=True)
 
         callback: Callable[..., Any] = reporting_errors(run)
-        heeded = (_CHOICE[field] for field in HEEDED[function.__name__])
-        for option in reversed((*_DEVICE, *heeded, *extra)):
+        choosing = _CHOICE.values() if HEEDED[target] else ()
+        for option in reversed((*_DEVICE, *choosing, *extra)):
             callback = option(callback)
-        return command.command(function.__name__)(callback)
+        return command.command(target)(callback)
 
     return decorate
+
+
+def _unheeded(target: str, choice: Choice) -> list[str]:
+    """Options that choose something and that a target does not heed."""
+    nothing = Choice()
+    unheeded = [field for field in _PLAIN_FIELDS if field not in HEEDED[target]]
+    chosen = [field for field in unheeded if getattr(choice, field) != getattr(nothing, field)]
+    return [f"--{field.replace('_', '-')}" for field in chosen]
 
 
 def _choice(options: dict[str, Any]) -> Choice:
