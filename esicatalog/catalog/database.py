@@ -150,7 +150,7 @@ def open_catalog(
     if create and path is not None and not path.exists() and not path.parent.is_dir():
         raise CatalogError(f"{path.parent}: no such folder for the catalog")
     engine, version = _connected(target, create, read_only)
-    with _disposed_of_when_refused(engine, target):
+    with _disposed_of_when_refused(engine, target, is_writing=True):
         if version is None:
             when_new()
             version = _create(engine)
@@ -160,14 +160,16 @@ def open_catalog(
 
 
 @contextlib.contextmanager
-def _disposed_of_when_refused(engine: sa.Engine, target: str | os.PathLike[str]) -> Iterator[None]:
+def _disposed_of_when_refused(
+    engine: sa.Engine, target: str | os.PathLike[str], is_writing: bool = False
+) -> Iterator[None]:
     """Close the connections of an engine that nobody gets; errors of the database become :class:`CatalogError`."""
     try:
         yield
     except BaseException as error:
         engine.dispose()
         if isinstance(error, sa.exc.DBAPIError):
-            raise database_error(shown_target(target), error) from error
+            raise database_error(shown_target(target), error, is_writing) from error
         raise
 
 
