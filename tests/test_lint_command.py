@@ -232,7 +232,7 @@ def test_selecting_the_schema_rule_without_schema_tells_what_was_left_out(tmp_pa
     write(tmp_path, {"a.xml": esi(device())})
     result = run(tmp_path, "--select", "l03")
     assert result.stderr.splitlines()[0] == (
-        "esicatalog: L03 looked at booleans and numbers only; for all kinds: --schema DIR"
+        "esicatalog: L03 looked at booleans and numbers only; for all kinds: lint PATH --schema DIR"
     )
     assert "booleans" not in run(tmp_path).stderr
 

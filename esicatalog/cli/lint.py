@@ -61,7 +61,8 @@ def command(
         click.echo(f"esicatalog: {problem}", err=True)
     if schema is None and SCHEMA_RULE in map(str.upper, selected):
         click.echo(
-            f"esicatalog: {SCHEMA_RULE} looked at booleans and numbers only; for all kinds: --schema DIR", err=True
+            f"esicatalog: {SCHEMA_RULE} looked at booleans and numbers only; for all kinds: lint PATH --schema DIR",
+            err=True,
         )
     click.echo(summary(shown) + run.counts(), err=True)
     if run.unreadable or any(finding.severity == ERROR for finding in shown):
