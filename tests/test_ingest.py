@@ -1,5 +1,6 @@
 """Ingest: idempotent, resumable, the same catalog whatever the order, and nothing left of what went."""
 
+import gc
 import io
 import shutil
 import sqlite3
@@ -603,3 +604,14 @@ def test_a_new_catalog_is_indexed_before_the_last_documents_come(tmp_path):
         catalog.ingest([folder], jobs=1, progress=look)
     assert pending == [1] * 16 + [0] * 4
     assert one(db, "SELECT count(*) FROM sqlite_master WHERE name = 'ix_objects_object_index'") == 1
+
+
+def test_what_an_ingest_leaves_is_not_old_at_once(tmp_path):
+    """Nobody would look at it again: a process that ingests again and again would grow each time."""
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        for name in ("first", "second"):
+            folder = write(tmp_path / "in", {"a.xml": esi(device(name=name))})
+            gc.collect()
+            before = len(gc.get_objects(generation=2))
+            catalog.ingest([folder], jobs=1)
+        assert len(gc.get_objects(generation=2)) - before < 500

@@ -58,8 +58,8 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, prof
         finally:
             if sys.stderr.isatty():
                 click.echo("\r\033[K", nl=False, err=True)
-    # The process is about to end: searching all that it holds for cycles would be in vain.
-    gc.freeze()
+            # The process is about to end: searching all that it holds for cycles would be in vain.
+            gc.freeze()
     if output_format == "json":
         print_json(report.as_json() | ({"profile": _profile(report)} if profile else {}))
     else:

@@ -98,9 +98,6 @@ def without_cycle_search() -> Iterator[None]:
         yield
     finally:
         if was_enabled:
-            # All that is there becomes old without being looked at: as new it would be searched at once.
-            gc.freeze()
-            gc.unfreeze()
             gc.enable()
 
 
