@@ -41,7 +41,7 @@ class Identity(NamedTuple):
 
 def identity_text(vendor_id: int | None, product_code: int | None, revision_no: int | None, variant: int = 1) -> str:
     """The identity of a description as the commands take it: ``@VARIANT`` unless preferred, ``-`` where not given."""
-    text = ":".join(hex32(number) or NO_REVISION for number in (vendor_id, product_code, revision_no))
+    text = ":".join(hex32(number, NO_REVISION) for number in (vendor_id, product_code, revision_no))
     return text if variant == 1 else f"{text}@{variant}"
 
 

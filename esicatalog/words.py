@@ -1,7 +1,5 @@
 """Numbers and texts as every part of the program writes them."""
 
-from typing import overload
-
 
 def counted(number: int, one: str, many: str | None = None) -> str:
     """A number of things: "1 byte", "2 bytes"; ``many`` where it is not ``one`` with an s."""
@@ -13,13 +11,9 @@ def one_line(text: str) -> str:
     return " ".join(text.split())
 
 
-@overload
-def hex32(value: int) -> str: ...
-@overload
-def hex32(value: None) -> None: ...
-def hex32(value: int | None) -> str | None:
-    """A number of 32 bits: ``0x`` and eight digits."""
-    return None if value is None else f"0x{value:08x}"
+def hex32(value: int | None, absent: str = "-") -> str:
+    """A number of 32 bits: ``0x`` and eight digits; ``absent`` where there is none."""
+    return f"0x{value:08x}" if value is not None else absent
 
 
 def index_words(index: int | None) -> str:

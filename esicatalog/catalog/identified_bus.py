@@ -47,7 +47,7 @@ class IdentifiedSlave(NamedTuple):
         answer = self.identification
         if answer.device is None or answer.is_exact:
             return ""
-        return hex32(answer.device.device.revision_no) or NO_REVISION
+        return hex32(answer.device.device.revision_no, NO_REVISION)
 
     @property
     def source(self) -> str:

@@ -208,7 +208,7 @@ class IdentityLookup:
         candidates = tuple(map(_device, others[:NEAREST]))
         of_variants = self._variant_warning(chosen[0], chosen[1:])
         of_revisions = self._warning(
-            chosen[0], others, "revisions", lambda row: hex32(row.revision_no) or "the one without RevisionNo"
+            chosen[0], others, "revisions", lambda row: hex32(row.revision_no, "the one without RevisionNo")
         )
         return Identification(*query, match, reason, variants[0], variants, candidates, of_variants, of_revisions)
 

@@ -56,11 +56,11 @@ class FoundDevice(msgspec.Struct, frozen=True):
         """Identities as integers and as ``…_hex`` text."""
         return {
             "vendor_id": self.vendor_id,
-            "vendor_id_hex": hex32(self.vendor_id),
+            "vendor_id_hex": _hex(self.vendor_id),
             "product_code": self.product_code,
-            "product_code_hex": hex32(self.product_code),
+            "product_code_hex": _hex(self.product_code),
             "revision_no": self.revision_no,
-            "revision_no_hex": hex32(self.revision_no),
+            "revision_no_hex": _hex(self.revision_no),
             "variant": self.variant,
             "vendor": self.vendor,
             "type": self.type,
@@ -152,7 +152,11 @@ class Identification(msgspec.Struct, frozen=True):
 def identity_json(vendor_id: int | None, product_code: int | None, revision_no: int | None) -> dict[str, Any]:
     """The numbers of an identity as integers, then as ``…_hex`` text."""
     numbers = {"vendor_id": vendor_id, "product_code": product_code, "revision_no": revision_no}
-    return numbers | {f"{key}_hex": hex32(value) for key, value in numbers.items()}
+    return numbers | {f"{key}_hex": _hex(value) for key, value in numbers.items()}
+
+
+def _hex(value: int | None) -> str | None:
+    return hex32(value) if value is not None else None
 
 
 def json_bytes(value: Any) -> bytes:

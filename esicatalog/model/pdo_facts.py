@@ -13,6 +13,7 @@ from esicatalog.words import index_words
 
 PDO_MAPPINGS = {RX_PDO: range(0x1600, 0x1800), TX_PDO: range(0x1A00, 0x1C00)}
 """Mapping objects of each direction: a PDO has the index of one (ETG.1000.6)."""
+_MAPPING_OBJECTS = frozenset(index for indices in PDO_MAPPINGS.values() for index in indices)
 PDO_ASSIGNMENTS = range(0x1C10, 0x1C30)
 """Assignment objects: one for each SyncManager, from 0 (ETG.1000.6)."""
 
@@ -34,9 +35,9 @@ def has_idns(owner: Device | Module) -> bool:
     return owner.mailbox is not None and owner.mailbox.soe and not owner.mailbox.coe
 
 
-def is_pdo_mapping(index: int) -> bool:
+def is_pdo_mapping(index: int | None) -> bool:
     """Whether an object describes the content of a PDO."""
-    return any(index in indices for indices in PDO_MAPPINGS.values())
+    return index in _MAPPING_OBJECTS
 
 
 class PdoFacts(Record):

@@ -14,6 +14,7 @@ from esicatalog.model.pdo_facts import (
     entry_words,
     has_idns,
     has_object,
+    is_pdo_mapping,
     places_words,
     symmetric_exclusions,
 )
@@ -23,8 +24,6 @@ from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import listed_pdos
 from esicatalog.sii.records import MAX_ENTRY_BITS
 from esicatalog.words import counted, index_words
-
-_MAPPING_OBJECTS = frozenset(index for indices in PDO_MAPPINGS.values() for index in indices)
 
 
 def _words(direction: str, index: int | None) -> str:
@@ -92,8 +91,8 @@ def index_range(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
                     f"{direction} are 0x{allowed.start:04X} to 0x{allowed.stop - 1:04X}",
                     (field, position, "pdo_index"),
                 )
-            mapped = [number for number, entry in enumerate(pdo.entries) if entry.entry_index in _MAPPING_OBJECTS]
-            if mapped and index in _MAPPING_OBJECTS:
+            mapped = [number for number, entry in enumerate(pdo.entries) if is_pdo_mapping(entry.entry_index)]
+            if mapped and is_pdo_mapping(index):
                 yield Found(
                     f"{_words(direction, index)} maps {_mapping_objects([pdo.entries[number] for number in mapped])}",
                     (field, position, "entries", mapped[0], "entry_index"),

@@ -202,7 +202,7 @@ def _revisions(description: DeviceDescription) -> list[dict[str, Any]]:
         {
             "path": device_path(item.device),
             "found": item.device,
-            "number": hex32(item.device.revision_no) or "-",
+            "number": hex32(item.device.revision_no),
             "text": revision_text(item.device.vendor_id, item.device.revision_no),
             "hidden": item.hidden,
             "layout": item.layout_words,
