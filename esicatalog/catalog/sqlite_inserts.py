@@ -14,17 +14,14 @@ import sqlalchemy as sa
 from esicatalog.catalog.inserts import SHARED_FROM, Links, Part
 from esicatalog.catalog.mapping import to_json
 from esicatalog.catalog.shared import Row
-from esicatalog.esi.numbers import MAX_STORED
 
-_CHUNK_ROWS = 10_000
-_NULL = -MAX_STORED - 1
-"""Stands for NULL: no whole number that is stored is so low."""
 _MAKER_BITS = 32
 """A shared row's key: the ordinal of its maker above these bits, its number below."""
 
 # What the driver would bind anyway: without these it looks for adapters in vain, which takes longer than binding.
 sqlite3.register_adapter(bool, int)
 sqlite3.register_adapter(bytes, bytes)
+sqlite3.register_adapter(type(None), {}.get)
 
 
 class SqliteInserts:
@@ -83,27 +80,13 @@ class SqliteInserts:
         )
 
     def _insert(self, name: str, columns: Iterable[sa.Column[Any]], rows: Sequence[Row]) -> None:
-        marks = ", ".join(_mark(column, number) for number, column in enumerate(columns, 1))
-        names = ", ".join(column.name for column in columns)
-        statement = f"INSERT INTO {name} ({names}) VALUES ({marks})"
-        for start in range(0, len(rows), _CHUNK_ROWS):
-            part = rows[start : start + _CHUNK_ROWS]
-            self._execute(statement, [tuple([_NULL if value is None else value for value in row]) for row in part])
+        names = [column.name for column in columns]
+        marks = ", ".join("?" * len(names))
+        self._execute(f"INSERT INTO {name} ({', '.join(names)}) VALUES ({marks})", rows)
 
-    def _execute(self, statement: str, values: list[Any]) -> None:
+    def _execute(self, statement: str, values: Sequence[Any]) -> None:
         if values:
             self._connection.exec_driver_sql(statement, values)
-
-
-def _mark(column: sa.Column[Any], number: int) -> str:
-    """What takes the value of a column; a real number may equal the one that stands for NULL.
-
-    No NULLIF: SQLite calls it, and it copies texts.
-    """
-    if not column.nullable:
-        return f"?{number}"
-    real = f" OR typeof(?{number}) = 'real'" if isinstance(column.type, sa.Double) else ""
-    return f"CASE WHEN ?{number} IS NOT {_NULL}{real} THEN ?{number} END"
 
 
 def _kept(table: sa.Table) -> str:
