@@ -26,7 +26,7 @@ serve: install
 	$(BIN)/esicatalog serve --db $(DB) --port $(PORT)
 
 test: install lint
-	$(BIN)/python -m pytest -n auto --dist loadfile -m 'not corpus and not faults'
+	$(BIN)/python -m pytest -n auto --dist loadfile --no-loadscope-reorder -m 'not corpus and not faults'
 
 # The web pages and routes once more, on the coming line of Datasette, which would close after each test what it made.
 test-datasette-1: $(VENV)-datasette-1/installed

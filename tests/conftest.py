@@ -31,8 +31,13 @@ settings.register_profile("on any machine", deadline=None)
 settings.load_profile("on any machine")
 
 
+_LONGEST = ("kill", "postgres_writers", "faults", "browser", "upgrade", "ingest", "compare_complete", "export_compile")
+"""Test files that take long for the number of their tests: they come first, lest one process is left with them."""
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark what answers through Datasette: ``make test-datasette-1`` runs that on the coming line of it."""
+    items.sort(key=lambda item: item.path.stem.removeprefix("test_") not in _LONGEST)
     for item in items:
         names = vars(item.module)
         sources = {getattr(value, "__module__", None) for value in names.values()}

@@ -167,6 +167,7 @@ def test_kills_of_an_ingest_of_real_archives(tmp_path, real, moment, target):
     survive(real, tmp_path, moment, target)
 
 
+@pytest.mark.faults
 @pytest.mark.skipif(not Path("/proc/self").is_dir(), reason="needs /proc to find the workers")
 def test_a_dead_worker_costs_one_document_which_is_read_the_next_time(tmp_path, small):
     db = tmp_path / "c.db"

@@ -50,7 +50,7 @@ def test_every_migration_that_leads_on_has_a_catalog():
     assert {version for version in VERSIONS if version != SCHEMA_VERSION} <= dumped <= set(VERSIONS)
 
 
-@pytest.mark.parametrize("dump", DUMPS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("dump", SOME_DUMPS, ids=lambda path: path.stem)
 def test_a_released_migration_still_makes_what_it_made(tmp_path: Path, dump: Path):
     """The dump holds the tables as they were when the version was released."""
     made = tmp_path / "made.db"
