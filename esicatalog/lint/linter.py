@@ -21,6 +21,7 @@ from esicatalog.lint.subjects import (
     DeviceSubject,
     Dictionaries,
     FileFinder,
+    Gaps,
     InfoSubject,
     ModuleSubject,
     Owner,
@@ -106,9 +107,14 @@ class Linter:
             hits += _below(("dictionary",), self._dictionary(document.dictionary))
         references = document.references
         external = {reference.text for reference in references if reference.sha256 is not None}
-        missing = [item.text for item in references if not item.is_whole and item.kind == "InfoReference"]
+        broken = [item for item in references if not item.is_whole]
+        gaps = Gaps(
+            not document.is_whole,
+            [item.text for item in broken if item.kind == "InfoReference"],
+            [item.text for item in broken if item.kind == "DictionaryFile"],
+        )
         for number, (info, offer) in enumerate(zip(document.infos, module_offers(document), strict=True)):
-            found = self._info(info, offer, external, missing, find_file)
+            found = self._info(info, offer, external, gaps, find_file)
             hits += _below(("infos", number), found)
         return hits
 
@@ -117,14 +123,14 @@ class Linter:
         info: EsiInfo,
         offer: ModuleOffer,
         external: set[str],
-        missing: Sequence[str],
+        gaps: Gaps,
         find_file: FileFinder | None,
     ) -> list[_Hit]:
         """Modules that an InfoReference pulls in are checked in their own document, which does not know the devices:
         so what a module has to have in common with its device is told for modules of the document alone.
         """
-        modules = [ModuleSubject(module, info, self._views.of(module.profiles)) for module in offer.modules]
-        devices = [self._device(device, info, offer, modules, missing) for device in info.devices]
+        modules = [ModuleSubject(module, info, self._views.of(module.profiles), gaps) for module in offer.modules]
+        devices = [self._device(device, info, offer, modules, gaps) for device in info.devices]
         for device in devices:
             for module in device.modules:
                 module.hosts.append(device)
@@ -147,11 +153,11 @@ class Linter:
         info: EsiInfo,
         offer: ModuleOffer,
         modules: Iterable[ModuleSubject],
-        missing: Sequence[str],
+        gaps: Gaps,
     ) -> DeviceSubject:
         reachable = list(compress(modules, offer.reached_by(device))) if device.slots else []
         derivation = self._deriver.derive(device, [item.module for item in reachable])
-        return DeviceSubject(device, info, self._views.of(device.profiles), reachable, derivation, missing)
+        return DeviceSubject(device, info, self._views.of(device.profiles), reachable, derivation, gaps)
 
     def _owner(self, owner: Owner, kind: type[Owner], external: set[str]) -> list[_Hit]:
         hits = self._check(owner, kind)
@@ -171,10 +177,10 @@ class Linter:
 
     def _process(self, device: DeviceSubject) -> _Hits:
         data = device.derivation.process_data
-        return self._of_process.get((id(data), bool(device.missing)), data, self._check_process, device)
+        return self._of_process.get((id(data), device.is_complete), data, self._check_process, device)
 
     def _check_process(self, device: DeviceSubject) -> _Hits:
-        subject = ProcessSubject(device.derivation.process_data, device.modules, bool(device.missing))
+        subject = ProcessSubject(device.derivation.process_data, device.modules, device.is_complete)
         return self._check(subject, ProcessSubject)
 
     def _pdos(self, owner: Owner) -> _Hits:
