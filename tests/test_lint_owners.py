@@ -296,3 +296,54 @@ def test_l54_looks_at_modules_with_a_class_where_slots_go_by_ident(tmp_path, car
     by_slot = slots(1).replace("<ModuleIdent>#x10</ModuleIdent>", carried)
     found = linted(tmp_path, "L54", device(SYNC_MANAGERS + by_slot), of_class * 2)
     assert len(found) == count
+
+
+def referring(folder: Path, of_device: str, *modules: str) -> dict[str, list[dict]]:
+    """What is found in a device whose modules lie in another document, and in that document."""
+    text = esi(device(of_device + SYNC_MANAGERS + slots(1)))
+    text = text.replace("<Vendor>", "\n<InfoReference>modules.xml</InfoReference><Vendor>", 1)
+    offered = f"<EtherCATModule><Vendor><Id>#x1</Id></Vendor><Modules>{''.join(modules)}</Modules></EtherCATModule>"
+    write(folder, {"a.xml": text, "modules.xml": offered})
+    found: dict[str, list[dict]] = {"a.xml": [], "modules.xml": []}
+    for item in findings(folder):
+        found[Path(item["file"]).name].append(item)
+    return found
+
+
+def test_a_module_of_another_document_is_held_against_its_device(tmp_path):
+    """Its PDO is for a SyncManager that the device does not have; that document alone cannot know."""
+    content = module(f'<RxPdo Sm="9"><Index>#x1601</Index><Name>p</Name>{mapped("#x7000", 8)}</RxPdo>')
+    found = referring(tmp_path, "", content, content.replace('"#x10"', '"#x11"'))
+    (told,) = [item for item in found["a.xml"] if item["rule"] == "L27"]
+    assert told["message"].startswith(
+        "module 0x10 of another document: RxPdo 0x1601 is assigned to SM 9 of 'T1', which has 4"
+    )
+    assert (told["line"], told["path"]) == (2, "EtherCATInfo/InfoReference")
+    assert [item for item in found["modules.xml"] if item["rule"] == "L27"] == []
+
+
+@pytest.mark.parametrize(
+    ("of_device", "told"),
+    [
+        ("", ["L32", "L56"]),
+        ('<RxPdo><Index>#x1602</Index><Name>p</Name></RxPdo>' + dictionary(TYPES, declared("#x2000", "UINT", 16)), []),
+    ],
+)  # fmt: skip
+def test_what_the_device_of_a_module_has_is_not_missed_in_another_document(tmp_path, of_device, told):
+    """The module excludes a PDO and writes an object that may be those of its device: only with that is it known."""
+    command = (
+        "<InitCmd><Transition>PS</Transition><Index>#x2000</Index><SubIndex>0</SubIndex><Data>0100</Data></InitCmd>"
+    )
+    content = "<RxPdo><Index>#x1601</Index><Name>p</Name><Exclude>#x1602</Exclude></RxPdo>"
+    content += f"<Mailbox><CoE>{command}</CoE></Mailbox>" + dictionary(TYPES, declared("#x6000", "UINT", 16))
+    found = referring(tmp_path, of_device, module(content))
+    rules = {name: [item["rule"] for item in items if item["rule"] in ("L32", "L56")] for name, items in found.items()}
+    assert rules == {"a.xml": told, "modules.xml": []}
+
+
+def test_what_is_wrong_with_a_module_of_another_document_is_told_there_alone(tmp_path):
+    found = referring(tmp_path, "", module('<RxPdo Sm="2"><Index>#x1601</Index><Name>p</Name><Entry/></RxPdo>'))
+    assert {name: sum(item["rule"] == "L33" for item in items) for name, items in found.items()} == {
+        "a.xml": 0,
+        "modules.xml": 1,
+    }

@@ -213,6 +213,11 @@ class ModuleSubject(Owner):
         self.hosts: list[DeviceSubject] = []
         """The devices of the section whose slots accept it."""
 
+    @property
+    def is_complete(self) -> bool:
+        """Whether the devices that may carry it are at hand: a document of modules has none."""
+        return super().is_complete and bool(self.info.devices)
+
 
 class ProcessSubject:
     """What a device exchanges in cycles and the modules that it can reach.

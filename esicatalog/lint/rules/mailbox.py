@@ -31,6 +31,7 @@ def init_cmd(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
         return
     is_complete = (
         bool(subject.own)
+        and subject.is_complete
         and dictionaries.is_complete
         and not (isinstance(subject, DeviceSubject) and subject.is_modular)
     )
