@@ -186,6 +186,63 @@ def test_a_record_as_a_whole_has_values(left, right, expected):
     ]
 
 
+ENTRIES = record(member(1, "Gain", "UINT", 16, 16, f"<Flags>{RW}</Flags>"), member(2, "Serial", "UINT", 16, 32))
+GAIN_DIFFERS = ("0x8000:01 default", "10 (0xA)", "11 (0xB)", True)
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "expected"),
+    [
+        ("02000A00070000000000", "02000B00070000000000", [GAIN_DIFFERS]),
+        ("02000A00070000000000", "02000A00080000000000", [("0x8000:02 default", "7", "8", False)]),  # it is read-only
+        ("02000A000700000000ab", "02000A000700000000AB", []),
+        (  # bits that no entry has: beside it, behind it, and those of an object of another length
+            "02000A00070000000000",
+            "02FF0A00070000000000",
+            [("0x8000 default data", "02000A00070000000000", "02FF0A00070000000000", True)],
+        ),
+        (
+            "02000A00070000000000",
+            "02000B00070000000001",
+            [("0x8000 default data", "02000A00070000000000", "02000B00070000000001", True), GAIN_DIFFERS],
+        ),
+        ("0200", "0300", [("0x8000 default data", "0200", "0300", True)]),
+    ],
+)
+def test_data_of_a_whole_object_are_told_once(left, right, expected):
+    """They are the defaults of its entries: 0x8000:01 in the third and fourth byte, 0x8000:02 behind it."""
+    ours, theirs = (
+        objects(RECORD.replace("</Object>", f"<Info><DefaultData>{data}</DefaultData></Info></Object>"), types=ENTRIES)
+        for data in (left, right)
+    )
+    assert told(ours, theirs) == expected
+
+
+def test_data_of_a_whole_object_and_defaults_of_its_entries_may_say_the_same():
+    whole = RECORD.replace("</Object>", "<Info><DefaultData>02000A00070000000000</DefaultData></Info></Object>")
+    parts = "".join(
+        f"<SubItem><Name>{name}</Name><Info><DefaultData>{data}</DefaultData></Info></SubItem>"
+        for name, data in (("SubIndex 000", "02"), ("Gain", "0A00"), ("Serial", "0700"))
+    )
+    single_parts = RECORD.replace("</Object>", f"<Info>{parts}</Info></Object>")
+    assert told(objects(whole, types=ENTRIES), objects(single_parts, types=ENTRIES)) == []
+    other = objects(single_parts.replace("0A00", "0B00"), types=ENTRIES)
+    assert told(objects(whole, types=ENTRIES), other) == [GAIN_DIFFERS]
+
+
+def test_data_that_an_entry_contradicts_are_told_with_the_whole_object():
+    """A default of its own counts more, so the entry does not tell that the data of the whole differ."""
+    own = "<SubItem><Name>Gain</Name><Info><DefaultData>0C00</DefaultData></Info></SubItem>"
+    ours, theirs = (
+        objects(
+            RECORD.replace("</Object>", f"<Info><DefaultData>{data}</DefaultData>{own}</Info></Object>"), types=ENTRIES
+        )
+        for data in ("02000A00070000000000", "02000B00070000000000")
+    )
+    (found,) = told(ours, theirs)
+    assert found == ("0x8000 default data", "02000A00070000000000", "02000B00070000000000", True)
+
+
 def enumeration(*values: tuple[int, str]) -> str:
     infos = "".join(f"<EnumInfo><Text>{words}</Text><Enum>{number}</Enum></EnumInfo>" for number, words in values)
     return f"<DataType><Name>DT0800EN08</Name><BaseType>USINT</BaseType><BitSize>8</BitSize>{infos}</DataType>"

@@ -179,6 +179,61 @@ def test_a_dictionary_that_is_there_is_complete(tmp_path):
     assert len(linted(tmp_path, "L36", drive("", dictionary_file=True))) == 1
 
 
+@pytest.mark.parametrize("rule_id", ["L36", "L48", "L56", "L58"])
+def test_what_a_broken_dictionary_may_have_is_not_missed(tmp_path, rule_id):
+    """Recovery may have lost it: what follows the objects stays open. A wrong encoding loses no element."""
+    content = OBJECT_0X1000[OBJECT_0X1000.index("<Dictionary>") : -len("</Profile>")]
+    whole = f"<EtherCATDict>{content}</EtherCATDict>"
+    mended = b'<?xml version="1.0" encoding="utf-8"?>' + whole.replace("<Name>O<", "<Name>\xb5<").encode("latin-1")
+    of_devices = drive("", dictionary_file=True)
+    for dictionary_file, count in ((whole.encode(), 1), (mended, 1), (whole.replace("</Objects>", "").encode(), 0)):
+        (tmp_path / "d.xml").write_bytes(dictionary_file)
+        assert len(linted(tmp_path, rule_id, of_devices)) == count, dictionary_file
+
+
+def test_what_a_broken_dictionary_of_referenced_modules_may_have_is_not_missed(tmp_path):
+    """0x6040, which the device maps, may have been described there."""
+    assigned = f'<RxPdo Sm="2"><Index>#x1600</Index><Name>p</Name>{mapped("#x6040", 16)}</RxPdo>'
+    text = esi(device(OBJECT_0X1000 + SYNC_MANAGERS + assigned + slots(1)))
+    text = text.replace("<Vendor>", "<InfoReference>sub\\modules.xml</InfoReference><Vendor>", 1)
+    described = module("<Profile><DictionaryFile>d.xml</DictionaryFile></Profile>")
+    modules = f"<EtherCATModule><Modules>{described}</Modules></EtherCATModule>"
+    whole = f"<EtherCATDict>{OBJECT_0X1000[OBJECT_0X1000.index('<Dictionary>') : -len('</Profile>')]}</EtherCATDict>"
+    (tmp_path / "sub").mkdir()
+    for content, count in ((whole, 1), (whole.replace("</Objects>", ""), 0)):
+        write(tmp_path, {"a.xml": text, "sub/modules.xml": modules, "sub/d.xml": content})
+        found = [item for item in findings(tmp_path) if item["rule"] == "L36" and item["file"].endswith("a.xml")]
+        assert len(found) == count
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "content"),
+    [
+        ("L32", '<RxPdo Sm="2"><Index>#x1601</Index><Name>p</Name><Exclude>#x1602</Exclude></RxPdo>'),
+        ("L52", "<Dc><OpMode><Name>S</Name><AssignActivate>0</AssignActivate>"
+                '<Sm No="2"><Pdo>#x1602</Pdo></Sm></OpMode></Dc>'),
+        ("L36", OBJECT_0X1000),
+        ("L56", OBJECT_0X1000 + '<Mailbox><CoE><InitCmd><Transition>PS</Transition><Index>#x1000</Index>'
+                '<SubIndex>1</SubIndex><Data>01</Data></InitCmd></CoE></Mailbox>'),
+        ("L58", OBJECT_0X1000),
+    ],
+)  # fmt: skip
+def test_what_a_broken_document_may_have_lost_is_not_missed(tmp_path, rule_id, content):
+    """Its own objects, PDOs and modules; the linter has met the same in a document that is whole."""
+    assigned = f'<RxPdo Sm="2"><Index>#x1600</Index><Name>p</Name>{mapped("#x6040", 16)}</RxPdo>'
+    text = esi(device(content + SYNC_MANAGERS + assigned))
+    write(tmp_path, {"a.xml": text, "b.xml": text.replace("</Devices>", "")})
+    assert [Path(item["file"]).name for item in findings(tmp_path) if item["rule"] == rule_id] == ["a.xml"]
+    assert [Path(item["file"]).name for item in findings(tmp_path) if item["rule"] == "L01"] == ["b.xml"]
+
+
+def test_l53_is_no_error_in_a_broken_document(tmp_path):
+    write(tmp_path, {"a.xml": esi(device(SYNC_MANAGERS + slots(1))).replace("</Devices>", "")})
+    (found,) = [item for item in findings(tmp_path) if item["rule"] == "L53"]
+    assert found["severity"] == "W"
+    assert found["message"].endswith("which no module at hand has, but this document is broken")
+
+
 def test_l61_knows_a_dictionary_that_is_missing(tmp_path):
     """It tells the objects; without such a name nothing does."""
     bare = "<Mailbox><CoE/></Mailbox>"
@@ -241,3 +296,54 @@ def test_l54_looks_at_modules_with_a_class_where_slots_go_by_ident(tmp_path, car
     by_slot = slots(1).replace("<ModuleIdent>#x10</ModuleIdent>", carried)
     found = linted(tmp_path, "L54", device(SYNC_MANAGERS + by_slot), of_class * 2)
     assert len(found) == count
+
+
+def referring(folder: Path, of_device: str, *modules: str) -> dict[str, list[dict]]:
+    """What is found in a device whose modules lie in another document, and in that document."""
+    text = esi(device(of_device + SYNC_MANAGERS + slots(1)))
+    text = text.replace("<Vendor>", "\n<InfoReference>modules.xml</InfoReference><Vendor>", 1)
+    offered = f"<EtherCATModule><Vendor><Id>#x1</Id></Vendor><Modules>{''.join(modules)}</Modules></EtherCATModule>"
+    write(folder, {"a.xml": text, "modules.xml": offered})
+    found: dict[str, list[dict]] = {"a.xml": [], "modules.xml": []}
+    for item in findings(folder):
+        found[Path(item["file"]).name].append(item)
+    return found
+
+
+def test_a_module_of_another_document_is_held_against_its_device(tmp_path):
+    """Its PDO is for a SyncManager that the device does not have; that document alone cannot know."""
+    content = module(f'<RxPdo Sm="9"><Index>#x1601</Index><Name>p</Name>{mapped("#x7000", 8)}</RxPdo>')
+    found = referring(tmp_path, "", content, content.replace('"#x10"', '"#x11"'))
+    (told,) = [item for item in found["a.xml"] if item["rule"] == "L27"]
+    assert told["message"].startswith(
+        "module 0x10 of another document: RxPdo 0x1601 is assigned to SM 9 of 'T1', which has 4"
+    )
+    assert (told["line"], told["path"]) == (2, "EtherCATInfo/InfoReference")
+    assert [item for item in found["modules.xml"] if item["rule"] == "L27"] == []
+
+
+@pytest.mark.parametrize(
+    ("of_device", "told"),
+    [
+        ("", ["L32", "L56"]),
+        ('<RxPdo><Index>#x1602</Index><Name>p</Name></RxPdo>' + dictionary(TYPES, declared("#x2000", "UINT", 16)), []),
+    ],
+)  # fmt: skip
+def test_what_the_device_of_a_module_has_is_not_missed_in_another_document(tmp_path, of_device, told):
+    """The module excludes a PDO and writes an object that may be those of its device: only with that is it known."""
+    command = (
+        "<InitCmd><Transition>PS</Transition><Index>#x2000</Index><SubIndex>0</SubIndex><Data>0100</Data></InitCmd>"
+    )
+    content = "<RxPdo><Index>#x1601</Index><Name>p</Name><Exclude>#x1602</Exclude></RxPdo>"
+    content += f"<Mailbox><CoE>{command}</CoE></Mailbox>" + dictionary(TYPES, declared("#x6000", "UINT", 16))
+    found = referring(tmp_path, of_device, module(content))
+    rules = {name: [item["rule"] for item in items if item["rule"] in ("L32", "L56")] for name, items in found.items()}
+    assert rules == {"a.xml": told, "modules.xml": []}
+
+
+def test_what_is_wrong_with_a_module_of_another_document_is_told_there_alone(tmp_path):
+    found = referring(tmp_path, "", module('<RxPdo Sm="2"><Index>#x1601</Index><Name>p</Name><Entry/></RxPdo>'))
+    assert {name: sum(item["rule"] == "L33" for item in items) for name, items in found.items()} == {
+        "a.xml": 0,
+        "modules.xml": 1,
+    }

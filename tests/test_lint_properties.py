@@ -1,10 +1,12 @@
 """The linter never raises: whatever a document says, as long as the reader takes it."""
 
 import contextlib
+import re
 from pathlib import Path
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from lxml import etree
 
 from esicatalog.errors import DocumentError
 from esicatalog.esi.documents import parse_document
@@ -52,3 +54,49 @@ def test_a_linter_remembers_nothing_wrong():
         for seed in SEEDS:
             with contextlib.suppress(DocumentError):
                 assert check(seed.read_bytes(), used) == check(seed.read_bytes(), Linter())
+
+
+CONTAINERS = (
+    *("Descriptions", "Groups", "Devices", "Modules", "Info", "Slots", "Dc", "Mailbox", "CoE"),
+    *("Profile", "Dictionary", "DataTypes", "Objects"),
+)
+
+
+def with_repeated_containers(root, chance) -> bytes:
+    """A document with some of its containers in two parts; every element stands on a line of its own."""
+    for element in list(root.iter(*CONTAINERS)):
+        if len(element) and element.getparent() is not None and chance.random() < 0.5:
+            behind = element.makeelement(element.tag)
+            behind.extend(list(element)[chance.randrange(len(element) + 1) :])
+            element.addnext(behind)
+    return etree.tostring(root, pretty_print=True)
+
+
+def lines_at(root, path: str) -> list[int]:
+    """The lines of what a path selects, or the nearest step of it that the document has."""
+    steps = re.sub(r"\[(\d+)\]", lambda found: f"[{int(found[1]) + 1}]", path).split("/")
+    while not (found := root.xpath("/" + "/".join(steps))):
+        steps.pop()
+    return [element.sourceline for element in found]
+
+
+def check_paths(content: bytes) -> None:
+    read, tree = Reader().read_tree(content)
+    root = parse_document(content).root
+    for finding in Linter().document(read, tree):
+        if finding.path and "{" not in finding.path:
+            assert lines_at(root, finding.path) == [finding.line], finding
+
+
+@settings(deadline=None, max_examples=100)
+@given(st.sampled_from(SEEDS), st.randoms(use_true_random=False))
+def test_the_path_of_a_finding_selects_what_stands_on_its_line(seed, chance):
+    """In XPath positions count from 1, in ours from 0."""
+    with contextlib.suppress(DocumentError):
+        check_paths(with_repeated_containers(parse_document(seed.read_bytes()).root, chance))
+
+
+def test_paths_and_lines_of_documents_as_they_are():
+    for seed in SEEDS:
+        with contextlib.suppress(DocumentError):
+            check_paths(seed.read_bytes())

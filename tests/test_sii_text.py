@@ -66,11 +66,17 @@ def test_the_sheet_says_what_the_image_says():
         (0x0C, "16/64 bit multiplexed asynchronous microcontroller"),
         (0x15, "SPI master"),
         (0x82, "SPI, direct mapped (Microchip LAN9255)"),
+        (0x89, "16 bit host bus, multiplexed in 1 phase (Microchip LAN925x)"),
+        (0x8A, "8 bit host bus, multiplexed in 2 phases (Microchip LAN925x)"),
+        (0x8B, "16 bit host bus, multiplexed in 2 phases (Microchip LAN925x)"),
+        (0x92, "8 bit host bus, multiplexed in 2 phases, direct mapped (Microchip LAN925x)"),
+        (0x96, "8 bit host bus, demultiplexed, direct mapped (Microchip LAN9253)"),
+        (0x97, "16 bit host bus, demultiplexed, direct mapped (Microchip LAN9253)"),
         (0x16, "unknown type"),
     ],
 )
 def test_the_type_of_the_pdi_in_words(code, words):
-    """Register 0x0140, section II of the ESC data sheet; from 0x80 on the LAN9255 of Microchip."""
+    """Register 0x0140, section II of the ESC data sheet; from 0x80 on the LAN9253 and LAN9255 of Microchip."""
     assert f"PDI control 0x03{code:02X} {words}" in sheet(bytes((code,)) + by_hand.WHOLE[1:])
 
 

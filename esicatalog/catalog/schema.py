@@ -440,5 +440,5 @@ findings = _table(
     _text("severity", "E error, W warning, I information", nullable=False),
     _text("message", "What was found and what was done", nullable=False),
     _integer("line", "Line in the document, 0 when unknown", nullable=False),
-    _text("path", "Element path", nullable=False),
+    _text("path", "Element path; positions of repeated tags count from 0 (in XPath from 1)", nullable=False),
 )

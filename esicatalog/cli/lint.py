@@ -40,8 +40,8 @@ def command(
 
     Files that are no ESI are skipped unless they are named themselves. Exit code 1 when there are errors, or
     documents that could not be checked: these are told whatever rules are chosen. Modules that an InfoReference pulls
-    in are checked in their own document: whether they fit a device (SyncManagers of PDOs, objects of InitCmds) is told
-    for modules of the device's document alone.
+    in are checked in their own document; that they do not fit a device (SyncManagers of PDOs, objects of InitCmds) is
+    told in the device's document, at the InfoReference.
     """
     from esicatalog.ingest.lint_files import FilesRun
     from esicatalog.lint.registry import ERROR, chosen_rules

@@ -73,6 +73,8 @@ class ParsedDocument(NamedTuple):
     encoding: str
     recovered: str | None
     error_line: int
+    is_whole: bool
+    """Whether nothing of it may be lost: it is well-formed once its encoding is known, and has no entities."""
 
 
 def make_parser(recover: bool = False, encoding: str | None = None) -> etree.XMLParser:
@@ -166,9 +168,10 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
     if not _is_text(rest):
         raise BrokenDocument("a character reference between &#xD800; and &#xDFFF; means no character: remove it", line)
     try:
-        return _known(content, rest, f"{reason}; read by recovery{_left_out(content, rest)}", line)
+        found = _known(content, rest, f"{reason}; read by recovery{_left_out(content, rest)}", line)
     except NotAnEsiDocument as other:
         raise BrokenDocument(f"not well-formed: {reason}", line) from other
+    return found._replace(is_whole=False)
 
 
 def _is_text(root: etree._Element) -> bool:
@@ -257,7 +260,7 @@ def _known(content: bytes, root: etree._Element, recovered: str | None, line: in
             line = line or entity.sourceline or 0
             etree.strip_elements(root, etree.Entity, with_tail=False)
             problems.append(f"entity {entity.text} and others are not expanded; left out")
-        return ParsedDocument(root, encoding, "; ".join(problems) or None, line)
+        return ParsedDocument(root, encoding, "; ".join(problems) or None, line, is_whole=entity is None)
     raise NotAnEsiDocument(_other_root(root), root.sourceline or 0)
 
 

@@ -1,6 +1,5 @@
 """What the reader notices while it reads: findings with line numbers, and values that no record field holds."""
 
-from collections import Counter
 from collections.abc import Callable, Container
 from typing import Any, Protocol
 
@@ -8,6 +7,7 @@ import msgspec
 from lxml import etree
 
 from esicatalog.errors import BrokenDocument
+from esicatalog.esi.element_paths import ElementPaths
 from esicatalog.esi.numbers import Remark
 
 MAX_FINDINGS = 100_000
@@ -50,37 +50,6 @@ class Recognised(Protocol):
         """How many elements of the document an element stands for."""
 
 
-def _one(element: etree._Element) -> int:
-    return 1
-
-
-class _Positions:
-    """Positions of elements among their siblings of the same tag; each family is counted once.
-
-    ``count`` tells how many elements of the document an element stands for.
-    """
-
-    def __init__(self, count: Callable[[etree._Element], int]) -> None:
-        self._count = count
-        self._families: dict[etree._Element, dict[etree._Element, int]] = {}
-
-    def of(self, element: etree._Element, parent: etree._Element) -> int | None:
-        """The position from 0, None for the only one of its tag."""
-        family = self._families.get(parent)
-        if family is None:
-            counts = [(child, self._count(child)) for child in parent]
-            sizes: Counter[object] = Counter()
-            for child, count in counts:
-                sizes[child.tag] += count
-            seen: Counter[object] = Counter()
-            family = self._families[parent] = {}
-            for child, count in counts:
-                if sizes[child.tag] > 1:
-                    family[child] = seen[child.tag]
-                    seen[child.tag] += count
-        return family.get(element)
-
-
 def _source_line(element: etree._Element) -> int:
     return element.sourceline or 0
 
@@ -103,21 +72,14 @@ class Notes:
         self._base: etree._Element | None = None
         self._cut = cut
         self._line_of = line_of
-        self._positions = _Positions(cut.count if cut is not None else _one)
+        self._paths = ElementPaths(cut.count) if cut is not None else ElementPaths()
         self._owners = owners
         self.watched: frozenset[Any] = owners | (cut.record_types if cut is not None else frozenset())
         """Record types that :meth:`read_child` has to be asked for."""
 
     def path(self, element: etree._Element, base: etree._Element | None = None) -> str:
-        """Path of ``element`` below ``base`` (or the root), with a position wherever a tag repeats: ``Sm[2]/Foo``."""
-        steps: list[str] = []
-        node: etree._Element | None = element
-        while node is not None and node is not base:
-            parent = node.getparent()
-            position = self._positions.of(node, parent) if parent is not None else None
-            steps.append(str(node.tag) if position is None else f"{node.tag!s}[{position}]")
-            node = parent
-        return "/".join(reversed(steps))
+        """Path of ``element`` below ``base`` (or from the root on), with a position wherever a tag repeats."""
+        return self._paths.path(element, base)
 
     def remark(self, element: etree._Element, remark: Remark, attribute: str | None = None) -> None:
         """A scalar that breaks the format: the text of ``element``, or one of its attributes."""

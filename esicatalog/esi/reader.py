@@ -262,6 +262,7 @@ def _result(parsed: ParsedDocument, notes: Notes, **fields: Any) -> ReadDocument
         root=str(parsed.root.tag),
         encoding=parsed.encoding,
         recovered=parsed.recovered,
+        is_whole=parsed.is_whole,
         unmapped=tuple(notes.unmapped),
         **fields,
     )
@@ -333,7 +334,7 @@ class _Puller:
                 problem = f"cannot be used: {error}"
         if held is None:
             self._notes.find(element, "L60", "W", f"{kind} {text!r} {problem}")
-        is_whole = document is not None and document.recovered is None
+        is_whole = document is not None and document.is_whole
         self._references.append(Reference(kind=kind, text=text, location=member, sha256=sha256, is_whole=is_whole))
         # When one of these changes, what this document says does too.
         further = document.references if document is not None else ()

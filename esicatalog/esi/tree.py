@@ -3,15 +3,25 @@
 from bisect import bisect_right
 from collections.abc import Iterator
 from itertools import accumulate
+from typing import NamedTuple
 
 from lxml import etree
 
+from esicatalog.esi.element_paths import ElementPaths
 from esicatalog.esi.lines import Lines, Located
 from esicatalog.esi.repeats import MARK, Cut
 
 _Family = tuple[list[etree._Element], list[int]]
 """The elements at a path below another, and the number of the first that each of them stands for, with the number of
 all behind: those that were cut out are many in one."""
+
+
+class FoundElement(NamedTuple):
+    """An element that was looked for below another one."""
+
+    located: Located
+    path: str
+    """Its path below the other one, with a position wherever a tag repeats: there may be several containers."""
 
 
 class DocumentTree:
@@ -21,6 +31,7 @@ class DocumentTree:
         self.root = root
         self.cut = cut
         self._lines = lines
+        self._paths = ElementPaths(cut.count) if cut is not None else ElementPaths()
         self._families: dict[tuple[etree._Element, str], _Family] = {}
 
     def itself(self) -> "DocumentTree":
@@ -31,8 +42,8 @@ class DocumentTree:
         """The root with its line."""
         return Located(self.root, self._lines, 0)
 
-    def element(self, around: Located, path: str, number: int) -> Located | None:
-        """Element ``number`` from 0 at a path below another; one that was cut out stands alone."""
+    def element(self, around: Located, path: str, number: int) -> FoundElement | None:
+        """Element ``number`` from 0 of those at a path below another; one that was cut out stands alone."""
         if number == 0:  # mostly, and then nothing needs to be counted
             element = next(_at(around.element, path), None)
         else:
@@ -42,7 +53,8 @@ class DocumentTree:
         if element is None:
             return None
         alone = self.cut.standing_alone(element, number) if self.cut is not None and element.get(MARK) else None
-        return alone or Located(element, around.lines, around.lines_before)
+        located = alone or Located(element, around.lines, around.lines_before)
+        return FoundElement(located, self._paths.path(element, around.element, number))
 
     def _family(self, inside: etree._Element, path: str) -> _Family:
         elements = list(_at(inside, path))

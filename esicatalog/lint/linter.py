@@ -1,7 +1,7 @@
 """The linter: runs the rules over a document and gives findings with element path and line."""
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import compress, repeat
 from typing import Any, NamedTuple
 
@@ -11,6 +11,7 @@ from esicatalog.esi.reader import ReadDocument
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.dictionary import Dictionary, Object
 from esicatalog.esi.records.document import Document, EsiInfo
+from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.lint.locator import Locator, Tree
 from esicatalog.lint.objects import DataTypeSubject, ObjectSubject, ObjectValues, ValuesOfType
@@ -21,6 +22,7 @@ from esicatalog.lint.subjects import (
     DeviceSubject,
     Dictionaries,
     FileFinder,
+    Gaps,
     InfoSubject,
     ModuleSubject,
     Owner,
@@ -40,6 +42,8 @@ _MAX_RECORDS = 20_000
 _MAX_TYPES = 5_000
 _MAX_OWNERS = 2_000
 _MAX_DICTIONARIES = 500
+_NO_DEVICES = EsiInfo()
+"""The section of a document of modules, as far as rules look at it."""
 
 
 class _Hit(NamedTuple):
@@ -106,9 +110,14 @@ class Linter:
             hits += _below(("dictionary",), self._dictionary(document.dictionary))
         references = document.references
         external = {reference.text for reference in references if reference.sha256 is not None}
-        missing = [item.text for item in references if not item.is_whole and item.kind == "InfoReference"]
+        broken = [item for item in references if not item.is_whole]
+        gaps = Gaps(
+            not document.is_whole,
+            [item.text for item in broken if item.kind == "InfoReference"],
+            [item.text for item in broken if item.kind == "DictionaryFile"],
+        )
         for number, (info, offer) in enumerate(zip(document.infos, module_offers(document), strict=True)):
-            found = self._info(info, offer, external, missing, find_file)
+            found = self._info(info, offer, external, gaps, find_file)
             hits += _below(("infos", number), found)
         return hits
 
@@ -117,14 +126,14 @@ class Linter:
         info: EsiInfo,
         offer: ModuleOffer,
         external: set[str],
-        missing: Sequence[str],
+        gaps: Gaps,
         find_file: FileFinder | None,
     ) -> list[_Hit]:
         """Modules that an InfoReference pulls in are checked in their own document, which does not know the devices:
-        so what a module has to have in common with its device is told for modules of the document alone.
+        here is told what they have not in common with these, at the reference.
         """
-        modules = [ModuleSubject(module, info, self._views.of(module.profiles)) for module in offer.modules]
-        devices = [self._device(device, info, offer, modules, missing) for device in info.devices]
+        modules = [self._module(module, info, gaps) for module in offer.modules]
+        devices = [self._device(device, info, offer, modules, gaps) for device in info.devices]
         for device in devices:
             for module in device.modules:
                 module.hosts.append(device)
@@ -137,9 +146,26 @@ class Linter:
             hits += _below(("devices", number), self._owner(device, DeviceSubject, external))
         for number, module in enumerate(modules[: len(info.modules)]):
             hits += _below(("modules", number), self._owner(module, ModuleSubject, external))
+        at_reference: Place = ("info_references", 0) if len(info.info_references) == 1 else ()
+        for module in modules[len(info.modules) :]:
+            hits += _below(at_reference, self._with_hosts_only(module, gaps, external))
         for module in modules:
             module.hosts.clear()  # no circles: they would stay in memory until the collector comes by
         return hits
+
+    def _module(self, module: Module, info: EsiInfo, gaps: Gaps) -> ModuleSubject:
+        return ModuleSubject(module, info, self._views.of(module.profiles), gaps)
+
+    def _with_hosts_only(self, module: ModuleSubject, gaps: Gaps, external: set[str]) -> Iterator[_Hit]:
+        """What is found in a module of another document because of the devices here, and not there already."""
+        if not module.hosts:
+            return
+        alone = self._owner(self._module(module.module, _NO_DEVICES, gaps), ModuleSubject, external)
+        told_there = {(hit.rule.id, hit.found) for hit in alone}
+        words = f"module 0x{module.module.module_ident or 0:X} of another document: "
+        for hit in self._owner(module, ModuleSubject, external):
+            if (hit.rule.id, hit.found) not in told_there:
+                yield hit._replace(found=hit.found._replace(message=words + hit.found.message), place=())
 
     def _device(
         self,
@@ -147,11 +173,11 @@ class Linter:
         info: EsiInfo,
         offer: ModuleOffer,
         modules: Iterable[ModuleSubject],
-        missing: Sequence[str],
+        gaps: Gaps,
     ) -> DeviceSubject:
         reachable = list(compress(modules, offer.reached_by(device))) if device.slots else []
         derivation = self._deriver.derive(device, [item.module for item in reachable])
-        return DeviceSubject(device, info, self._views.of(device.profiles), reachable, derivation, missing)
+        return DeviceSubject(device, info, self._views.of(device.profiles), reachable, derivation, gaps)
 
     def _owner(self, owner: Owner, kind: type[Owner], external: set[str]) -> list[_Hit]:
         hits = self._check(owner, kind)
@@ -171,10 +197,10 @@ class Linter:
 
     def _process(self, device: DeviceSubject) -> _Hits:
         data = device.derivation.process_data
-        return self._of_process.get((id(data), bool(device.missing)), data, self._check_process, device)
+        return self._of_process.get((id(data), device.is_complete), data, self._check_process, device)
 
     def _check_process(self, device: DeviceSubject) -> _Hits:
-        subject = ProcessSubject(device.derivation.process_data, device.modules, bool(device.missing))
+        subject = ProcessSubject(device.derivation.process_data, device.modules, device.is_complete)
         return self._check(subject, ProcessSubject)
 
     def _pdos(self, owner: Owner) -> _Hits:
@@ -264,7 +290,7 @@ def _increments(owner: Owner) -> tuple[int | None, int | None]:
     return owner.device.slot_index_increment, owner.device.slot_group_index_increment
 
 
-def _below(place: Place, hits: _Hits) -> list[_Hit]:
+def _below(place: Place, hits: Iterable[_Hit]) -> list[_Hit]:
     return [hit.below(place) for hit in hits] if hits else []
 
 

@@ -1,6 +1,7 @@
 """From a place in the records to element path and line: the declarations of the record fields say where each lies.
 
-Records carry no lines, so the parsed document is asked, and only when there is something to report.
+Records carry no lines and do not tell which of several containers an element lies in, so the parsed document is asked,
+and only when there is something to report.
 """
 
 from collections.abc import Callable, Mapping
@@ -85,13 +86,15 @@ class Locator:
         if not path:
             return around
         value = getattr(around.record, name)
-        shown = f"{around.path}/{path}"
+        step = path
         if is_list and position is not None:
-            shown += f"[{position}]" if len(value) > 1 else ""
+            step += f"[{position}]" if len(value) > 1 else ""
             value = value[position]
         ways = _ways(value.__class__)
         found = self._tree.element(around.located, path, position or 0) if around.exact else None
-        return _Known(value, ways, shown, found or around.located, found is not None)
+        if found is None:
+            return _Known(value, ways, f"{around.path}/{step}", around.located, False)
+        return _Known(value, ways, f"{around.path}/{found.path}", found.located, True)
 
 
 _Ways = Mapping[str, tuple[str, bool]]

@@ -13,7 +13,7 @@ from esicatalog.esi.records.document import EsiInfo
 from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
-from esicatalog.esi.records.profile import declared_objects
+from esicatalog.esi.records.profile import Profile, declared_objects
 from esicatalog.lint.registry import Place
 from esicatalog.model.derivation import Derivation
 from esicatalog.model.dictionary import ObjectEntry
@@ -92,18 +92,58 @@ def declared_pdos(record: Device | Module | ProcessData) -> list[DeclaredPdo]:
     ]
 
 
+class Gaps(NamedTuple):
+    """What of a document was not read as a whole and may say more than is known: nothing follows from what is absent
+    there.
+    """
+
+    is_itself: bool
+    """Whether it is the document itself."""
+    module_documents: Sequence[str]
+    """What an InfoReference names."""
+    dictionaries: Sequence[str]
+    """What a DictionaryFile names, seen from the document; others name what modules of other documents refer to."""
+
+    def missing(self, may_have_modules: bool) -> list[str]:
+        """In words, what may say more of a device or a module."""
+        words = [f"{name!r} is missing or broken" for name in self.module_documents if may_have_modules]
+        return [*words, "this document is broken"] if self.is_itself else words
+
+    def concerns(self, profile: Profile) -> bool:
+        """Whether the dictionary of a profile is missing, or may have further objects."""
+        name = _path(profile.dictionary_file or "")
+        return bool(name) and (
+            profile.dictionary is None or any(_path(text).endswith(name) for text in self.dictionaries)
+        )
+
+
+def _path(reference: str) -> str:
+    return reference.strip().replace("\\", "/")
+
+
 class Owner:
     """What devices and modules have in common."""
 
     def __init__(
-        self, record: Device | Module, info: EsiInfo, views: Sequence[DictionaryView], is_complete: bool = True
+        self,
+        record: Device | Module,
+        info: EsiInfo,
+        views: Sequence[DictionaryView],
+        gaps: Gaps,
+        may_have_modules: bool = False,
     ) -> None:
         self.record = record
         self.info = info
-        is_missing = any(profile.dictionary_file and profile.dictionary is None for profile in record.profiles)
-        self.own = Dictionaries(views, is_complete and not is_missing)
+        self.missing = gaps.missing(may_have_modules)
+        """Documents, in words, that were not read as a whole: they may have further parts of it."""
+        self.own = Dictionaries(views, not self.missing and not any(map(gaps.concerns, record.profiles)))
         self.types = tuple([view.types for view in views])
         """The data types that its dictionaries declare."""
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether no document is missing that may have further parts of it."""
+        return not self.missing
 
     @cached_property
     def pdos(self) -> list[DeclaredPdo]:
@@ -136,13 +176,11 @@ class DeviceSubject(Owner):
         views: Sequence[DictionaryView],
         modules: Sequence["ModuleSubject"],
         derivation: Derivation,
-        missing: Sequence[str] = (),
+        gaps: Gaps,
     ) -> None:
-        super().__init__(device, info, views, not (missing and device.slots))
+        super().__init__(device, info, views, gaps, may_have_modules=bool(device.slots))
         self.device = device
         self.modules = modules
-        self.missing = missing if device.slots else ()
-        """Documents that an InfoReference names and that were not read as a whole: they may have further modules."""
         self.derivation = derivation
 
     @property
@@ -169,11 +207,16 @@ class ModuleSubject(Owner):
 
     record: Module
 
-    def __init__(self, module: Module, info: EsiInfo, views: Sequence[DictionaryView]) -> None:
-        super().__init__(module, info, views)
+    def __init__(self, module: Module, info: EsiInfo, views: Sequence[DictionaryView], gaps: Gaps) -> None:
+        super().__init__(module, info, views, gaps)
         self.module = module
         self.hosts: list[DeviceSubject] = []
         """The devices of the section whose slots accept it."""
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether the devices that may carry it are at hand: a document of modules has none."""
+        return super().is_complete and bool(self.info.devices)
 
 
 class ProcessSubject:
@@ -182,11 +225,11 @@ class ProcessSubject:
     A rule that looks at nothing else of a device is asked once for all devices that have equal ones.
     """
 
-    def __init__(self, data: ProcessData, modules: Sequence[ModuleSubject], misses_modules: bool) -> None:
+    def __init__(self, data: ProcessData, modules: Sequence[ModuleSubject], is_complete: bool) -> None:
         self.data = data
         self.modules = modules
-        self.misses_modules = misses_modules
-        """Whether a document is missing that may have further ones."""
+        self.is_complete = is_complete
+        """Whether no document is missing that may have further modules or PDOs."""
         self.pdos = declared_pdos(data)
 
 

@@ -40,6 +40,7 @@ from esicatalog.model.dictionary import (
     OBJECT_CODES,
     ObjectEntry,
     ResolvedObject,
+    data_beside_entries,
     resolve_object,
     type_table,
     used_types,
@@ -127,7 +128,6 @@ _OBJECT = (
     Fact("scaling", "scaling", always),
 )
 _WHOLE_VALUES = (
-    Fact("default_data", "default data", contradicted),
     Fact("default_value", "default value", contradicted),
     Fact("default_string", "default text", contradicted, literal),
     Fact("min_data", "minimum data", always),
@@ -242,10 +242,18 @@ def _compare_object(left: _Declared, right: _Declared) -> Iterator[Difference]:
     if composite and not inside:
         yield from compare_facts(OBJECTS, place, left.object, right.object, _WHOLE_SIZE)
     if composite:
+        yield from _compare_whole_data(place, ours, theirs)
         yield from compare_facts(OBJECTS, place, left.object, right.object, _WHOLE_VALUES)
     yield from inside
     yield from _compare_places(place, pairs)
     yield from _compare_unreadable(place, left, right)
+
+
+def _compare_whole_data(place: str, left: ResolvedObject, right: ResolvedObject) -> Iterator[Difference]:
+    """DefaultData of an object with subindices, where the defaults of its entries do not tell how they differ."""
+    said, also = (item.object.default_data or None for item in (left, right))
+    if said != also and data_beside_entries(left) != data_beside_entries(right):
+        yield difference(OBJECTS, f"{place} default data", said, also, contradicted(said, also))
 
 
 def _compare_unreadable(place: str, left: _Declared, right: _Declared) -> Iterator[Difference]:

@@ -211,19 +211,45 @@ def _single_values(declared: Object, remarks: list[str]) -> DeclaredValues:
 
 
 def _with_parts(entries: tuple[ObjectEntry, ...], declared: Object) -> tuple[ObjectEntry, ...]:
-    """The entries with their part of DefaultData of the whole object, where they have no default of their own.
+    """The entries with their part of DefaultData of the whole object, where they have no default of their own."""
+    data = _image(entries, declared)
+    if data is None:
+        return entries
+    return tuple(_with_part(entry, data) if entry.default_raw is None else entry for entry in entries)
 
-    These data are the complete-access image (ESI-FACTS section 6.1). They say nothing where they have another length
-    than the object, or where the places of entries overlap or leave them.
+
+def data_beside_entries(resolved: ResolvedObject) -> str | None:
+    """DefaultData of a whole object as far as they are not the defaults of its entries, None where nothing is left.
+
+    All of them where they say nothing of the entries; else bits that no entry has, or has another default for.
+    """
+    declared, entries = resolved.object, resolved.entries
+    data = _image(entries, declared)
+    if data is None:
+        return (declared.default_data or "").upper() or None
+    left = int.from_bytes(data, "little")
+    for entry in entries:
+        place, part = _place(entry), _part(entry, data)
+        if place is not None and part is not None and part == (entry.default_raw or "").upper():
+            start, end = place
+            left &= ~((1 << end) - (1 << start))
+    return left.to_bytes(len(data), "little").hex().upper() if left else None
+
+
+def _image(entries: tuple[ObjectEntry, ...], declared: Object) -> bytes | None:
+    """DefaultData of a whole object: its complete-access image (ESI-FACTS section 6.1).
+
+    They say nothing of the entries (None) where they have another length than the object, or where the places of
+    entries overlap or leave them.
     """
     data = decode_hex_binary(declared.default_data)
     if data is None or declared.bit_size is None or len(data) != byte_length(declared.bit_size):
-        return entries
+        return None
     places = sorted(place for place in map(_place, entries) if place is not None)
     ends = [0, *(end for _, end in places)]
     if any(start < end for (start, _), end in zip(places, ends, strict=False)) or ends[-1] > 8 * len(data):
-        return entries
-    return tuple(_with_part(entry, data) if entry.default_raw is None else entry for entry in entries)
+        return None
+    return data
 
 
 def _place(entry: ObjectEntry) -> tuple[int, int] | None:
@@ -233,20 +259,29 @@ def _place(entry: ObjectEntry) -> tuple[int, int] | None:
     return entry.bit_offset, entry.bit_offset + entry.bit_size
 
 
-def _with_part(entry: ObjectEntry, data: bytes) -> ObjectEntry:
-    """An entry with the bytes that are its own; with its bits where it is a bit field of a whole number."""
+def _part(entry: ObjectEntry, data: bytes) -> str | None:
+    """The bytes of the image that are an entry's own, as hex; its bits where it is a bit field of a whole number."""
     place = _place(entry)
     if place is None:
-        return entry
+        return None
     start, end = place
-    size, base = end - start, BASE_TYPES.get(entry.base_type or "")
     part = data[start // 8 : byte_length(end)]
     if start % 8 or end % 8:
+        base = BASE_TYPES.get(entry.base_type or "")
         if base is None or not base.integral or base.signed:
-            return entry
+            return None
+        size = end - start
         bits = int.from_bytes(part, "little") >> start % 8 & (1 << size) - 1
         part = bits.to_bytes(byte_length(size), "little")
-    value = decode_data(part.hex().upper(), base, size)
+    return part.hex().upper()
+
+
+def _with_part(entry: ObjectEntry, data: bytes) -> ObjectEntry:
+    """An entry with its part of the image as its default."""
+    part = _part(entry, data)
+    if part is None:
+        return entry
+    value = decode_data(part, BASE_TYPES.get(entry.base_type or ""), entry.bit_size)
     return msgspec.structs.replace(
         entry,
         default_raw=value.raw,

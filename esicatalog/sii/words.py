@@ -123,11 +123,18 @@ PDI_TYPES = {
     0x15: "SPI master",
     0x80: "on-chip bus (Microchip LAN925x: SPI)",
     0x82: "SPI, direct mapped (Microchip LAN9255)",
+    0x89: "16 bit host bus, multiplexed in 1 phase (Microchip LAN925x)",
+    0x8A: "8 bit host bus, multiplexed in 2 phases (Microchip LAN925x)",
+    0x8B: "16 bit host bus, multiplexed in 2 phases (Microchip LAN925x)",
     0x91: "16 bit host bus, multiplexed in 1 phase, direct mapped (Microchip LAN9255)",
+    0x92: "8 bit host bus, multiplexed in 2 phases, direct mapped (Microchip LAN925x)",
     0x93: "16 bit host bus, multiplexed in 2 phases, direct mapped (Microchip LAN9255)",
     0x95: "16 bit host bus, indexed, direct mapped (Microchip LAN9255)",
+    0x96: "8 bit host bus, demultiplexed, direct mapped (Microchip LAN9253)",
+    0x97: "16 bit host bus, demultiplexed, direct mapped (Microchip LAN9253)",
 }
-"""Low byte of PDI control, register 0x0140 (ESC data sheet, section II; above 0x80 as Microchip has it)."""
+"""Low byte of PDI control, register 0x0140 (ESC data sheet, section II; from 0x80 on as Microchip has it: its list for
+the LAN9255, and for others the names and ConfigData of the ESI files that it publishes with its software framework)."""
 CATEGORY_NAMES = {
     0: "NOP",
     **dict.fromkeys(range(1, 10), "device specific"),

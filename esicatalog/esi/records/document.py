@@ -110,7 +110,7 @@ class Reference(Record):
     """Where it was found, relative to the folder or archive; None when it was not."""
     sha256: str | None = None
     is_whole: bool = False
-    """Whether it was read, and nothing of it had to be recovered; else it may say more than is known of it."""
+    """Whether it was read as :attr:`Document.is_whole` says; else it may say more than is known of it."""
 
 
 class Document(Record):
@@ -121,6 +121,11 @@ class Document(Record):
     encoding: str = ""
     recovered: str | None = None
     """What was wrong when the document could only be read by recovery."""
+    is_whole: bool = True
+    """Whether no element of it may be lost; else nothing follows from what it does not have.
+
+    What is wrong with its encoding alone loses none.
+    """
     schema_version: str | None = None
     """Schema version that the author of an EtherCATDict or EtherCATDiag document used; others say it in ``infos``."""
     infos: tuple[EsiInfo, ...] = ()

@@ -125,7 +125,7 @@ def _assignment(
         if index is None:
             continue
         described = by_index.get(index, [])
-        if not described and not subject.misses_modules and not data.in_slots.has_pdo(index):
+        if not described and subject.is_complete and not data.in_slots.has_pdo(index):
             yield Found(f"assigns PDO 0x{index:04X}, which is not described", ("pdos", nth))
         elif described and sm is not None and not any(may_transport(sm, placed.direction) for placed in described):
             kinds = " and ".join(sorted({placed.direction for placed in described}))

@@ -31,6 +31,7 @@ def init_cmd(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
         return
     is_complete = (
         bool(subject.own)
+        and subject.is_complete
         and dictionaries.is_complete
         and not (isinstance(subject, DeviceSubject) and subject.is_modular)
     )
@@ -70,7 +71,7 @@ def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete:
         return None
     entry = entries.get(command.subindex or 0)
     if entry is None:
-        return "writes a subindex that the dictionary does not have: correct it"
+        return "writes a subindex that the dictionary does not have: correct it" if dictionaries.is_complete else None
     writable = states_to_write(entry.access_word)
     if not writable:
         return f"writes an object that is {entry.access}: remove it, or correct Access"

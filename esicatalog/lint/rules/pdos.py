@@ -251,7 +251,7 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
     if not _any_excludes(subject):
         return
     hosts = [] if isinstance(subject, ProcessSubject) else subject.hosts
-    if subject.misses_modules if isinstance(subject, ProcessSubject) else any(host.missing for host in hosts):
+    if not all(owner.is_complete for owner in (subject, *hosts)):
         return
     modules = subject.modules if isinstance(subject, ProcessSubject) else [m for host in hosts for m in host.modules]
     known = {placed.pdo.pdo_index for owner in (subject, *hosts, *modules) for placed in owner.pdos}

@@ -13,12 +13,12 @@ from esicatalog.model.slots import accepts, default_modules, expand_module, leav
 
 @rule("L53", ERROR, "ETG.2000 Slot/ModuleIdent, @Default, @MinInstances, @MaxInstances")
 def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
-    """A slot names an unknown module (W where a document of modules is missing or broken), presets several, or needs
-    more than it takes (presets none: W).
+    """A slot names an unknown module (W where a document that may have it is missing or broken), presets several, or
+    needs more than it takes (presets none: W).
     """
     unknown, severity = "no module of the document has", ERROR
     if subject.missing:
-        unknown = f"no module at hand has, but {listed([repr(name) for name in subject.missing])} is missing or broken"
+        unknown = f"no module at hand has, but {listed(subject.missing)}"
         severity = WARNING
     idents = {module.module_ident for module in subject.module_records}
     for number, (slot, instances) in enumerate(slot_runs(subject.device)):
