@@ -56,6 +56,9 @@ def sizes(slots: str, own: str = OWN) -> tuple[int | None, int | None]:
         (slot(REQUIRED, 3, 9, preset=9), (None, None)),
         (slot(REQUIRED, 3, 9, preset=3), (2, 2)),
         (slot(OPTIONAL, 9, preset=9), (None, None)),  # nor here, where it is there unless another is chosen
+        (slot(f'{OPTIONAL} Default="9" Fallback="1"', 1, 3), (None, None)),  # the fallback is not what is there
+        (slot(f'{REQUIRED} Default="9"', 3, 4), (None, None)),  # 9 may have PDOs, whether the slot lists it or not
+        (slot(f'{REQUIRED} Default="3" Fallback="9"', 3, 4), (2, 2)),
         (slot(OPTIONAL, 1, 2), (2, 2)),  # empty is a configuration
         (slot(REQUIRED, 1, 2, preset=2), (3, 6)),
         (slot(REQUIRED, 1), (3, 2)),  # the only one that fits
@@ -136,6 +139,16 @@ def test_an_image_that_lacks_required_modules_is_another_layout():
     sides = [DescribedDevice(None, None, *item, 0) for item in (required, optional)]
     places = {item.place: (item.left, item.right) for item in compare_devices(*sides)}
     assert places["SM2 size"] == ("at least 2 bytes (16 bits)", "2 bytes (16 bits)")
+
+
+def test_a_default_module_that_is_not_described_is_named():
+    words = "without a module, though required: PDOs of modules are missing; what fits slot"
+    images = default_process_image(*described(slot(f'{REQUIRED} Default="9" Fallback="1"', 1, 3)))
+    said = f"slot 0 {words} 0: 0x1, 0x3; default module 0x9 of slot 0 is not described, or does not fit"
+    assert [image.remarks for image in images] == [(said,)] * 2
+    images = default_process_image(*described(slot(REQUIRED, 1, 2) + slot(REQUIRED, 3, 9, preset=9)))
+    said = f"slots 0, 1 {words} 0: 0x1, 0x2; default module 0x9 of slot 1 is not described, or does not fit"
+    assert images[0].remarks == (said,)
 
 
 def test_catalog_sheet_and_scan(tmp_path):

@@ -1,7 +1,7 @@
 """Slots that need a module and have none: what its PDOs add is not known (ESI-FACTS sections 12 and 18).
 
-A required slot stays empty where several modules fit and none is preset, or where what it takes is not described. An
-image without such a module is none that the device can have.
+A required slot stays empty where several modules fit and none is preset, or where what it takes, or has by default, is
+not described. An image without such a module is none that the device can have.
 """
 
 from collections import defaultdict
@@ -13,7 +13,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
 from esicatalog.model.module_choice import fitting_choices
 from esicatalog.model.pdo_facts import pdos_by_direction
-from esicatalog.model.slots import PluggedModule, accepts, required_instances, slot_runs
+from esicatalog.model.slots import PluggedModule, accepts, preset_ident, required_instances, slot_runs
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS
 
 _MOST_NUMBERS = 4
@@ -32,10 +32,17 @@ class EmptySlots(NamedTuple):
         return tuple(module for module in self.fitting if module.rx_pdos or module.tx_pdos)
 
     @property
+    def undescribed_default(self) -> int | None:
+        """ModuleIdent of the module that is there without a choice, where none of those that fit is it."""
+        preset = preset_ident(self.slot)
+        return preset if preset not in {module.module_ident for module in self.fitting} else None
+
+    @property
     def are_all_described(self) -> bool:
         """Whether there is a module for each ModuleIdent, and one at all; a module that is not may have PDOs."""
         idents = {module.module_ident for module in self.fitting}
-        return bool(self.fitting) and all(item.module_ident in idents for item in self.slot.module_idents)
+        wanted = [item.module_ident for item in self.slot.module_idents]
+        return bool(self.fitting) and self.undescribed_default is None and idents.issuperset(wanted)
 
     @property
     def may_add_pdos(self) -> bool:
@@ -86,9 +93,19 @@ def empty_words(empty: Sequence[EmptySlots], are_required: bool) -> str:
 
 
 def fitting_words(empty: Sequence[EmptySlots], modules: Sequence[Module]) -> str:
-    """What fits the first of them; ``modules`` are all of the device."""
+    """What fits the first of them, and default modules of any that nobody describes; ``modules`` are all of the device.
+
+    A description that does not fit the slot is none of its module.
+    """
     first = empty[0]
-    return f"what fits slot {first.numbers[0]}: {fitting_choices(first.slot, modules)}"
+    defaults = [
+        f"default module 0x{item.undescribed_default:X} of slot {item.numbers[0]} is not described, or does not fit"
+        for item in empty
+        if item.undescribed_default is not None
+    ]
+    return "; ".join(
+        [f"what fits slot {first.numbers[0]}: {fitting_choices(first.slot, modules)}", *defaults[:_MOST_NUMBERS]]
+    )
 
 
 def missing_pdos(device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]) -> dict[str, MissingPdos]:
