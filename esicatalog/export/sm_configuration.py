@@ -1,6 +1,5 @@
 """SyncManagers with what is assigned to them: every entry with its place, type and name."""
 
-import itertools
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
@@ -39,7 +38,7 @@ class MappedEntry(NamedTuple):
     """Unique in the device; empty without a value."""
     value: ValueType
     is_placed: bool = True
-    """Whether ``bit_offset`` is known; behind a PDO without described entries nothing tells the place."""
+    """Whether ``bit_offset`` is known; behind what has no known length nothing tells the place."""
 
     @property
     def is_gap(self) -> bool:
@@ -128,9 +127,8 @@ class SmConfiguration(NamedTuple):
 
     @property
     def placed_bit_size(self) -> int:
-        """Bits whose place is known: those before the first PDO without described entries."""
-        described = itertools.takewhile(lambda pdo: pdo.is_described, self.pdos)
-        return sum(entry.bit_length for pdo in described for entry in pdo.entries)
+        """Bits whose place is known: those before the first of which no length is known."""
+        return sum(entry.bit_length for pdo in self.pdos for entry in pdo.entries if entry.is_placed)
 
     @property
     def is_described(self) -> bool:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
+from esicatalog.model.assignable_pdos import group_order
 from esicatalog.model.module_choice import fitting_choices
 from esicatalog.model.pdo_facts import pdos_by_direction
 from esicatalog.model.slots import PluggedModule, accepts, preset_ident, required_instances, slot_runs
@@ -57,6 +58,8 @@ class MissingPdos(NamedTuple):
     """Which slots are empty, and what fits."""
     sms: frozenset[int]
     """SyncManagers that PDOs of the modules that fit name."""
+    first_slot: int
+    """PDOs of modules from this slot on may lie behind them; -1 where those of the device may, too."""
 
 
 def required_empty_slots(
@@ -134,6 +137,20 @@ def missing_pdos(device: Device, modules: Sequence[Module], plugged: Sequence[Pl
         direction: MissingPdos(
             f"{empty_words(items, True)}: PDOs of modules are missing; {fitting_words(items, modules)}",
             frozenset(sms[direction]),
+            _first_slot_behind(device, items),
         )
         for direction, items in adding.items()
     }
+
+
+def _first_slot_behind(device: Device, empty: Sequence[EmptySlots]) -> int:
+    """The first slot whose PDOs may lie behind those of the modules that belong into empty ones.
+
+    PDOs lie in the order of the slots; where they lie in groups, those of any slot can come first, and those of the
+    device can lie behind.
+    """
+    if not device.module_pdo_groups:
+        return empty[0].numbers[0]
+    groups = [module.module_pdo_group if item.are_all_described else None for item in empty for module in item.fitting]
+    first = min(map(group_order, groups or [None]))
+    return 0 if group_order(device.module_pdo_group) <= first else -1
