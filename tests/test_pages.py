@@ -697,6 +697,24 @@ async def test_an_image_that_is_too_long_is_offered_as_one_that_fits_with_what_i
     assert wrong.json() == {"error": "fit: 'x' is neither 1 nor 0"}
 
 
+async def test_what_cstruct_remarks_on_stderr_is_told_beside_its_button(tmp_path):
+    """What ``ethercat cstruct`` prints has no place for it, and the file on the web is what the command prints."""
+    modules = "".join(
+        f'<Module><Type ModuleIdent="{ident}">M</Type><Name>M</Name>{pdo("RxPdo", "#x1600", 8)}</Module>'
+        for ident in (1, 2)
+    )
+    idents = "<ModuleIdent>1</ModuleIdent><ModuleIdent>2</ModuleIdent>"
+    slots = f'<Slots><Slot MinInstances="1" MaxInstances="1">{idents}</Slot></Slots>'
+    db = catalog_of(tmp_path, esi(device(f"<Sm ControlByte='#x64'>Outputs</Sm>{slots}"), modules))
+    for query, options, count in (("", (), 1), ("?module=0%3D1", ("--module", "0=1"), 0)):
+        said = run("export", "cstruct", "0xe5c:1:1", *options, db=db)
+        told = texts(await page(db, f"/-/esi/device/0xe5c/1/1{query}"), "section[aria-labelledby=exports] #remarks p")
+        assert [f"esicatalog: {words}" for words in told] == said.stderr.splitlines()
+        assert len(told) == count
+        served = await (await client(db)).get(f"/-/esi/device/0xe5c/1/1/export/cstruct{query}")
+        assert served.text == said.stdout
+
+
 async def test_chosen_modules_go_to_the_exports_that_take_them(data_db):
     section = (await page(data_db, f"{EYOU}?module=0%3D0x219800")).cssselect("section[aria-labelledby=exports]")[0]
     links = {link.partition("/export/")[2] for link in section.xpath(".//a/@href") if "/export/" in link}

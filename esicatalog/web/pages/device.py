@@ -14,6 +14,8 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox, init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
+from esicatalog.export.choice import Choice
+from esicatalog.export.configuration import configure
 from esicatalog.export.eeprom import eeprom_image
 from esicatalog.export.sii_remarks import eeprom_remarks
 from esicatalog.export.sii_summary import WHY_MERGE
@@ -85,13 +87,25 @@ def _asked(request: Any) -> tuple[Identity, Mapping[int, ModuleChoice]]:
     return asked_identity(request), choice
 
 
-def _eeprom_image(description: DeviceDescription) -> dict[str, Any]:
-    """What is told beside the EEPROM image, of which there is one only for a device with all codes."""
+def _beside_exports(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
+    """What is told of exports that have no place for it themselves; they are made only of a device with all codes."""
     found = description.found
     if None in (found.vendor_id, found.product_code, found.revision_no):
-        return {"eeprom_remarks": (), "left_out": ()}
+        return {"eeprom_remarks": (), "left_out": (), "cstruct_remarks": ()}
     subject = subject_of_description(found, description.sources, description.device, description.modules)
-    return {"eeprom_remarks": (WHY_MERGE, *eeprom_remarks(subject)), "left_out": _left_out(subject)}
+    return {
+        "eeprom_remarks": (WHY_MERGE, *eeprom_remarks(subject)),
+        "left_out": _left_out(subject),
+        "cstruct_remarks": _configuration_remarks(subject, choice),
+    }
+
+
+def _configuration_remarks(subject: Subject, choice: Mapping[int, ModuleChoice]) -> tuple[str, ...]:
+    """What other files say in their heading; nothing where no file is made, and the export says why."""
+    try:
+        return configure(subject, Choice(modules=choice)).remarks
+    except InputError:
+        return ()
 
 
 def _left_out(subject: Subject) -> tuple[str, ...]:
@@ -128,7 +142,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "commands": _commands(device.mailbox),
         "objects": object_counts(description, choice),
         "eeprom": eeprom_words(device),
-        **_eeprom_image(description),
+        **_beside_exports(description, choice),
         "findings": description.findings,
         "revisions": _revisions(description),
         "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
