@@ -914,6 +914,38 @@ async def test_after_the_last_page_comes_no_other(library_db):
     assert shown[0][0] == ["previous page 2 of 2"]
 
 
+async def test_sheet_and_page_list_the_same_slots_with_what_fits(tmp_path):
+    """Slots 0 to 2 take modules 0x10 and 0x20, of which 0x20 is the default of the first; nothing fits slot 3."""
+    first = "<Name>Port</Name><ModuleIdent>#x10</ModuleIdent><ModuleIdent Default='1'>#x20</ModuleIdent>"
+    slots = f'<Slot MinInstances="0" MaxInstances="3">{first}</Slot>'
+    slots += '<Slot MinInstances="0" MaxInstances="1"><ModuleIdent>#x30</ModuleIdent></Slot>'
+    modules = "".join(
+        f'<Module><Type ModuleIdent="#x{ident}">M{ident}</Type><Name>N{ident}</Name></Module>' for ident in (10, 20)
+    )
+    db = catalog_of(tmp_path, esi(device(f"<Slots>{slots}</Slots>"), modules))
+    by_default = {"0": "0x20"}
+    for query, options, runs, plugged in (
+        ("", (), ("0", "1 to 2"), by_default),
+        ("?module=1=0x10", ("--module", "1=0x10"), "012", {**by_default, "1": "0x10"}),
+    ):
+        sheet = run("show", "0xe5c:1:1", *options, db=db).stdout.partition("\nSlots and the modules that fit")[2]
+        lines = [re.split(r"  +", line.strip()) for line in sheet.partition("\n\n")[0].splitlines()[2:]]
+        assert lines == [
+            *(
+                [numbers, "Port", *["*"][: plugged.get(numbers) == ident], ident, f"N{ident[2:]}"]
+                for numbers in runs
+                for ident in ("0x10", "0x20")
+            ),
+            ["3", "no described module to choose"],
+        ]
+        tree = await page(db, f"/-/esi/device/0xe5c/1/1{query}")
+        offered = [option.get("value") for option in tree.cssselect("#slots option")]
+        assert offered == [f"{number}={ident}" for number in range(3) for ident in ("", "0x10", "0x20")]
+        selected = [option.get("value") for option in tree.cssselect("#slots option[selected]")]
+        assert selected == [f"{number}={ident}" for number, ident in plugged.items()]
+        assert "Slot 3: no described module to choose" in texts(tree, "section[aria-labelledby=image] p")
+
+
 async def test_slots_beyond_those_that_are_offered(tmp_path):
     slot = '<Slot MinInstances="0" MaxInstances="30"><ModuleIdent>#x10</ModuleIdent></Slot>'
     module = f'<Module><Type ModuleIdent="#x10">M</Type><Name>M</Name>{pdo("TxPdo", "#x1A00", 8)}</Module>'
