@@ -14,7 +14,7 @@ from esicatalog.export.naming import EntryNames
 from esicatalog.export.pdo_objects import PdoObject
 from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX
 from esicatalog.model.assignable_pdos import declares_pdo_assign
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, entry_words, has_length, has_object, is_described
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, carries_value, entry_words, has_length, has_object, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, is_mailbox, sm_role, transfer_direction
 from esicatalog.model.values import byte_length
@@ -44,11 +44,6 @@ class MappedEntry(NamedTuple):
     def is_gap(self) -> bool:
         """Whether only its length counts."""
         return self.entry_index == 0
-
-    @property
-    def carries_value(self) -> bool:
-        """Whether something is read or written in it."""
-        return self.bit_length > 0 and not self.is_gap
 
     @property
     def name(self) -> str:
@@ -151,7 +146,7 @@ class SmConfiguration(NamedTuple):
     @property
     def entries(self) -> Iterator[MappedEntry]:
         """All entries that carry a value, in order."""
-        return (entry for pdo in self.pdos for entry in pdo.entries if entry.carries_value)
+        return (entry for pdo in self.pdos for entry in pdo.entries if carries_value(entry))
 
 
 def pdo_objects(sync_managers: Iterable[SmConfiguration]) -> Iterator[PdoObject]:
