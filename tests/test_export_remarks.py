@@ -231,6 +231,13 @@ def test_process_data_of_modules_that_are_not_plugged(slots, words, modules, may
     assert plugged.missing_modules is None
 
 
+@pytest.mark.parametrize("idents", [("#x30",), ("#x10", "#x30")])
+def test_a_missing_module_that_nobody_describes_may_move_something(idents):
+    slots = slot(idents, 'MinInstances="1" MaxInstances="1"')
+    found = configured(f"{SMS}<Slots>{slots}</Slots>", VALUE_MODULES)
+    assert "Something may move" in igh_header(found)
+
+
 @pytest.mark.parametrize(("ident", "is_told"), [("#x10", False), ("#x20", True)])
 def test_missing_modules_say_why_a_sync_manager_with_a_size_has_no_pdo(ident, is_told):
     """Modules of the other ident have no PDOs: they fill nothing, plugged or not."""
@@ -261,6 +268,21 @@ def test_exports_state_no_size_where_a_required_module_is_missing():
     assert '"size of the described outputs"' in soem and '"size of the inputs"' in soem
     plugged = configured(content, modules, modules={0: ModuleChoice(0x30)})
     assert "_SM2_BITS 24" in igh_header(plugged) and "_OUTPUT_BITS 24" in soem_header(plugged)
+
+
+def test_no_export_says_where_that_lies_which_is_behind_a_missing_module():
+    """Module 0x20 in slot 1 has 8 bits; those of the module that belongs into slot 0 lie before them."""
+    modules = a_module("#x10", pdo("RxPdo", "#x1600", 8, attributes='Sm="2"'))
+    modules += a_module("#x20", pdo("RxPdo", "#x1601", 8, attributes='Sm="2"').replace("#x7000", "#x7010"))
+    own = pdo("RxPdo", "#x1700", 16, attributes='Sm="2"')
+    slots = slot(BOTH, 'MinInstances="1" MaxInstances="1"') * 2
+    found = configured(f"{SMS}{own}<Slots>{slots}</Slots>", modules, modules={1: ModuleChoice(0x20)})
+    assert "at least 3 bytes output: 0x1700, 0x1601" in igh_header(found)
+    assert "place not known" in igh_header(found)
+    for text in (soem_header(found), pysoem_module(found)):
+        words = "the structure of the outputs ends before PDOs of modules that are missing in SM2"
+        assert words in " ".join(text.replace("*", " ").replace("#", " ").split())
+        assert "2 bytes" in text or "== 2" in text
 
 
 def test_a_missing_module_may_bring_all_that_is_exchanged():

@@ -697,6 +697,24 @@ async def test_an_image_that_is_too_long_is_offered_as_one_that_fits_with_what_i
     assert wrong.json() == {"error": "fit: 'x' is neither 1 nor 0"}
 
 
+async def test_what_cstruct_remarks_on_stderr_is_told_beside_its_button(tmp_path):
+    """What ``ethercat cstruct`` prints has no place for it, and the file on the web is what the command prints."""
+    modules = "".join(
+        f'<Module><Type ModuleIdent="{ident}">M</Type><Name>M</Name>{pdo("RxPdo", "#x1600", 8)}</Module>'
+        for ident in (1, 2)
+    )
+    idents = "<ModuleIdent>1</ModuleIdent><ModuleIdent>2</ModuleIdent>"
+    slots = f'<Slots><Slot MinInstances="1" MaxInstances="1">{idents}</Slot></Slots>'
+    db = catalog_of(tmp_path, esi(device(f"<Sm ControlByte='#x64'>Outputs</Sm>{slots}"), modules))
+    for query, options, count in (("", (), 1), ("?module=0%3D1", ("--module", "0=1"), 0)):
+        said = run("export", "cstruct", "0xe5c:1:1", *options, db=db)
+        told = texts(await page(db, f"/-/esi/device/0xe5c/1/1{query}"), "section[aria-labelledby=exports] #remarks p")
+        assert [f"esicatalog: {words}" for words in told] == said.stderr.splitlines()
+        assert len(told) == count
+        served = await (await client(db)).get(f"/-/esi/device/0xe5c/1/1/export/cstruct{query}")
+        assert served.text == said.stdout
+
+
 async def test_chosen_modules_go_to_the_exports_that_take_them(data_db):
     section = (await page(data_db, f"{EYOU}?module=0%3D0x219800")).cssselect("section[aria-labelledby=exports]")[0]
     links = {link.partition("/export/")[2] for link in section.xpath(".//a/@href") if "/export/" in link}
@@ -894,6 +912,38 @@ async def test_after_the_last_page_comes_no_other(library_db):
     shown = [(texts(tree, ".pages"), texts(tree, ".device-head"), texts(tree, "h2")) for tree in (last, beyond)]
     assert shown[0] == shown[1]
     assert shown[0][0] == ["previous page 2 of 2"]
+
+
+async def test_sheet_and_page_list_the_same_slots_with_what_fits(tmp_path):
+    """Slots 0 to 2 take modules 0x10 and 0x20, of which 0x20 is the default of the first; nothing fits slot 3."""
+    first = "<Name>Port</Name><ModuleIdent>#x10</ModuleIdent><ModuleIdent Default='1'>#x20</ModuleIdent>"
+    slots = f'<Slot MinInstances="0" MaxInstances="3">{first}</Slot>'
+    slots += '<Slot MinInstances="0" MaxInstances="1"><ModuleIdent>#x30</ModuleIdent></Slot>'
+    modules = "".join(
+        f'<Module><Type ModuleIdent="#x{ident}">M{ident}</Type><Name>N{ident}</Name></Module>' for ident in (10, 20)
+    )
+    db = catalog_of(tmp_path, esi(device(f"<Slots>{slots}</Slots>"), modules))
+    by_default = {"0": "0x20"}
+    for query, options, runs, plugged in (
+        ("", (), ("0", "1 to 2"), by_default),
+        ("?module=1=0x10", ("--module", "1=0x10"), "012", {**by_default, "1": "0x10"}),
+    ):
+        sheet = run("show", "0xe5c:1:1", *options, db=db).stdout.partition("\nSlots and the modules that fit")[2]
+        lines = [re.split(r"  +", line.strip()) for line in sheet.partition("\n\n")[0].splitlines()[2:]]
+        assert lines == [
+            *(
+                [numbers, "Port", *["*"][: plugged.get(numbers) == ident], ident, f"N{ident[2:]}"]
+                for numbers in runs
+                for ident in ("0x10", "0x20")
+            ),
+            ["3", "no described module to choose"],
+        ]
+        tree = await page(db, f"/-/esi/device/0xe5c/1/1{query}")
+        offered = [option.get("value") for option in tree.cssselect("#slots option")]
+        assert offered == [f"{number}={ident}" for number in range(3) for ident in ("", "0x10", "0x20")]
+        selected = [option.get("value") for option in tree.cssselect("#slots option[selected]")]
+        assert selected == [f"{number}={ident}" for number, ident in plugged.items()]
+        assert "Slot 3: no described module to choose" in texts(tree, "section[aria-labelledby=image] p")
 
 
 async def test_slots_beyond_those_that_are_offered(tmp_path):

@@ -487,7 +487,6 @@ UP_TO_TWO = 'MinInstances="0" MaxInstances="2"'
         (f'{ONE} Fallback="#x2"', 2),
         (f'{ONE} Default="#x1" Fallback="#x2"', 1),
         (f'{ONE} Fallback="#x2" marked', 1),  # what is plugged leaves nothing to fall back to
-        (f'{ONE} Default="#x9" Fallback="#x2"', 2),  # no module 9 fits
         (f'{UP_TO_TWO} Fallback="#x2"', 2),
     ],
 )
@@ -498,6 +497,12 @@ def test_a_slot_has_its_default_else_its_fallback(slot, ident):
 
 def test_without_default_and_fallback_a_slot_with_a_choice_stays_empty():
     assert plugged_idents(ONE, f'{ONE} Default="#x9"') == []
+
+
+@pytest.mark.parametrize("slot", [f'{ONE} Default="#x9" Fallback="#x2"', f'{UP_TO_TWO} Default="#x9" Fallback="#x1"'])
+def test_a_default_that_is_not_described_does_not_give_way_to_the_fallback(slot):
+    """Module 9 is what the vendor plugs: the fallback is for a slot in which nothing is plugged."""
+    assert plugged_idents(slot) == []
 
 
 def test_a_slot_element_of_no_instances_is_no_slot():

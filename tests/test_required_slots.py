@@ -56,6 +56,9 @@ def sizes(slots: str, own: str = OWN) -> tuple[int | None, int | None]:
         (slot(REQUIRED, 3, 9, preset=9), (None, None)),
         (slot(REQUIRED, 3, 9, preset=3), (2, 2)),
         (slot(OPTIONAL, 9, preset=9), (None, None)),  # nor here, where it is there unless another is chosen
+        (slot(f'{OPTIONAL} Default="9" Fallback="1"', 1, 3), (None, None)),  # the fallback is not what is there
+        (slot(f'{REQUIRED} Default="9"', 3, 4), (None, None)),  # 9 may have PDOs, whether the slot lists it or not
+        (slot(f'{REQUIRED} Default="3" Fallback="9"', 3, 4), (2, 2)),
         (slot(OPTIONAL, 1, 2), (2, 2)),  # empty is a configuration
         (slot(REQUIRED, 1, 2, preset=2), (3, 6)),
         (slot(REQUIRED, 1), (3, 2)),  # the only one that fits
@@ -129,6 +132,36 @@ def test_a_chosen_module_leaves_what_the_other_slots_need():
     assert [image.byte_size for image in whole_process_image(found, modules, both)] == [4, 6]
 
 
+GROUPS = "<ModulePdoGroup>A</ModulePdoGroup><ModulePdoGroup>B</ModulePdoGroup>"
+
+
+@pytest.mark.parametrize(
+    ("idents", "own", "of_modules", "groups", "plugged", "places"),
+    [
+        ((1, 2), "", "", "", 0, [0, 16]),  # its PDOs lie before those of slot 1
+        ((1, 2), "", "", "", 1, [0, None]),
+        ((1, 2), "", "1", GROUPS, 0, [0, None]),  # the other module may be in a group that lies before
+        ((1, 2), "0", "1", GROUPS, 0, [0, None]),  # but not before the device's own PDOs
+        ((1, 2), "1", "0", GROUPS, 0, [None, None]),  # here it is
+        ((1, 9), "0", "1", GROUPS, 0, [None, None]),  # and nobody knows the group of module 9
+    ],
+)
+def test_what_lies_behind_a_missing_module_has_no_place(idents, own, of_modules, groups, plugged, places):
+    """The device has 16 bits of its own in SM2; a required slot beside the plugged one, with 8 bits, is empty."""
+
+    def of_group(text: str, group: str) -> str:
+        return text.replace("<Type ", f'<Type ModulePdoGroup="{group}" ') if group else text
+
+    slots = slot(REQUIRED, *idents) * 2
+    described = of_group(device(f"{SMS}{OWN}<Slots>{slots}{groups}</Slots>"), own)
+    info = read(esi(described, of_group(MODULES, of_modules))).document.infos[0]
+    found = info.devices[0]
+    outputs = whole_process_image(found, info.modules, [PluggedModule(plugged, found.slots[plugged], info.modules[0])])
+    places_found = {item.slot_number: placed.bit_offset for item in outputs[0].pdos for placed in item.entries}
+    assert [places_found[None], places_found[plugged]] == places
+    assert (outputs[0].bit_size, outputs[0].byte_size) == (24, None)
+
+
 def test_an_image_that_lacks_required_modules_is_another_layout():
     required, optional = described(slot(REQUIRED, 1, 2)), described(slot(OPTIONAL, 1, 2))
     signatures = [derive(*item).facts.image_signature for item in (required, optional)]
@@ -136,6 +169,16 @@ def test_an_image_that_lacks_required_modules_is_another_layout():
     sides = [DescribedDevice(None, None, *item, 0) for item in (required, optional)]
     places = {item.place: (item.left, item.right) for item in compare_devices(*sides)}
     assert places["SM2 size"] == ("at least 2 bytes (16 bits)", "2 bytes (16 bits)")
+
+
+def test_a_default_module_that_is_not_described_is_named():
+    words = "without a module, though required: PDOs of modules are missing; what fits slot"
+    images = default_process_image(*described(slot(f'{REQUIRED} Default="9" Fallback="1"', 1, 3)))
+    said = f"slot 0 {words} 0: 0x1, 0x3; default module 0x9 of slot 0 is not described, or does not fit"
+    assert [image.remarks for image in images] == [(said,)] * 2
+    images = default_process_image(*described(slot(REQUIRED, 1, 2) + slot(REQUIRED, 3, 9, preset=9)))
+    said = f"slots 0, 1 {words} 0: 0x1, 0x2; default module 0x9 of slot 1 is not described, or does not fit"
+    assert images[0].remarks == (said,)
 
 
 def test_catalog_sheet_and_scan(tmp_path):

@@ -15,6 +15,7 @@ from esicatalog.catalog.devices import ORDER, SUMMARY, find_device, summary
 from esicatalog.catalog.full_text import text_condition
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import devices, vendors
+from esicatalog.catalog.siblings import IMAGE_IS_KNOWN
 from esicatalog.errors import InputError
 from esicatalog.identity import Identity
 
@@ -140,8 +141,9 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
 
 def _like_condition(connection: sa.Connection, identity: Identity) -> Condition:
     number, found, _ = find_device(connection, identity)
-    facts = connection.execute(sa.select(schema.device_facts).where(schema.device_facts.c.device_id == number)).one()
-    if facts.output_bytes is None or facts.input_bytes is None:
+    of_device = sa.select(schema.device_facts, IMAGE_IS_KNOWN.label("image_is_known"))
+    facts = connection.execute(of_device.where(schema.device_facts.c.device_id == number)).one()
+    if not facts.image_is_known:
         raise InputError(
             f"the length of the default process image of {found.identity_text} is not known; "
             "there is no layout to compare"

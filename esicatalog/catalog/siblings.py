@@ -8,8 +8,9 @@ import sqlalchemy as sa
 from esicatalog.catalog.devices import SUMMARY, summary
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import device_facts, devices
+from esicatalog.catalog.views import image_is_known
 
-_IMAGE_IS_KNOWN = sa.and_(device_facts.c.output_bytes.is_not(None), device_facts.c.input_bytes.is_not(None))
+IMAGE_IS_KNOWN = sa.literal_column(f"({image_is_known(device_facts.name)})", sa.Boolean)
 """Whether the default process image of a description is known in full."""
 
 
@@ -40,7 +41,7 @@ def revisions_of(connection: sa.Connection, device_id: int, found: FoundDevice) 
     columns = devices.c
     other = sa.and_(columns.variant == 1, columns.revision_no.is_distinct_from(found.revision_no))
     rows = connection.execute(
-        SUMMARY.add_columns(device_facts.c.image_signature, _IMAGE_IS_KNOWN.label("image_is_known"))
+        SUMMARY.add_columns(device_facts.c.image_signature, IMAGE_IS_KNOWN.label("image_is_known"))
         .join(device_facts, device_facts.c.device_id == columns.id)
         .where(
             columns.vendor_id == found.vendor_id,
@@ -71,7 +72,7 @@ def same_layout(connection: sa.Connection, device_id: int) -> tuple[FoundDevice,
     None where its length is not known: what is not described may differ.
     """
     facts = device_facts.c
-    ours = sa.select(facts.image_signature).where(facts.device_id == device_id, _IMAGE_IS_KNOWN)
+    ours = sa.select(facts.image_signature).where(facts.device_id == device_id, IMAGE_IS_KNOWN)
     signature = connection.execute(ours).scalar()
     if signature is None:
         return ()

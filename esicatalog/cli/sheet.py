@@ -15,7 +15,7 @@ from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.drive_modes import DriveModes
-from esicatalog.model.module_choice import module_labels
+from esicatalog.model.module_choice import module_labels, slot_offers
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
@@ -38,6 +38,7 @@ def device_sheet_lines(description: DeviceDescription, choice: Mapping[int, Modu
     yield from _process_image(images, "Process image" if choice else "Default process image")
     yield from _assignments(description)
     yield from _pdos(description.device, assigned_sms(images), "PDOs of the device")
+    yield from _slots(description, choice)
     for module, label in zip(description.modules, module_labels(description.modules), strict=True):
         yield from _module(module, label)
     yield from _init_cmds(description.device.mailbox, "InitCmds")
@@ -221,6 +222,15 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
                 ]
             )
     yield from _section(title, ("", "index", "assigned", "entries", "bits", "flags", "excludes", "name"), rows)
+
+
+def _slots(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> Iterator[str]:
+    rows = []
+    for offer in slot_offers(description.device, description.modules, description.plugged(choice)):
+        cells = [["*" if item.is_plugged else "", str(item.choice), item.name] for item in offer.fitting]
+        place = [offer.number_words, offer.name]
+        rows += [[*place, *row] for row in cells or [["", "", "no described module to choose"]]]
+    yield from _section("Slots and the modules that fit (* = plugged)", ("slot", "", "", "module", "name"), rows)
 
 
 def _module(module: Module, label: str) -> Iterator[str]:

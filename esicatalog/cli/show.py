@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 @format_option("table", "json")
 @reporting_errors
 def command(identity: "Identity", db: str, modules: "tuple[tuple[int, ModuleChoice], ...]", output_format: str) -> None:
-    """Print the sheet of one device: sync managers, process image, PDOs, InitCmds, DC modes, drive modes, findings.
+    """Print the sheet of one device: sync managers, process image, PDOs, slots, InitCmds, DC modes, drive modes and
+    findings.
 
     IDENTITY is VENDOR:PRODUCT[:REVISION][@VARIANT]; without REVISION the latest, with - as REVISION the description
     that names none. JSON has every fact, drive mode and evidence complete, with null for what is not known or not

@@ -22,6 +22,7 @@ from esicatalog.export.configuration import Configuration
 from esicatalog.export.igh_limits import check_limits, pieces
 from esicatalog.export.igh_startup import Startup, startup
 from esicatalog.export.sm_configuration import AssignedPdo, MappedEntry, SmConfiguration
+from esicatalog.model.pdo_facts import carries_value
 from esicatalog.model.sm_facts import OUTPUT, sm_facts
 from esicatalog.words import counted
 
@@ -187,7 +188,7 @@ def _registrations(configuration: Configuration) -> Iterator[Registration]:
             row = 0
             for entry in pdo.entries:
                 place = (entry.entry_index, entry.subindex)
-                if entry.carries_value:
+                if carries_value(entry):
                     inside_byte = not on_byte(entry) or entry.bit_length < 8
                     yield Registration(entry, inside_byte, sm.number, pdo_position, row, place in known)
                 # One of no bits too: the master takes the first that it finds.

@@ -1,7 +1,8 @@
 """The process image as an application of SOEM sees it: its IOmap, in one direction.
 
-Its SyncManagers lie one after the other, each in whole bytes. Behind a PDO without described entries, or a SyncManager
-that exchanges something without PDOs, nothing tells where anything lies: there the layout ends.
+Its SyncManagers lie one after the other, each in whole bytes. Behind a PDO without described entries, a SyncManager
+that exchanges something without PDOs, or PDOs of modules that are missing, nothing tells where anything lies: there the
+layout ends.
 """
 
 from collections.abc import Iterator, Sequence
@@ -49,7 +50,8 @@ class IoMap(NamedTuple):
 
 def io_map(configuration: Configuration, direction: str) -> IoMap:
     """The image of one direction; without members when nothing is exchanged."""
-    entries, byte_size, bit_size, is_described = [], 0, 0, direction not in configuration.lacking
+    is_lacking = direction in configuration.lacking
+    entries, byte_size, bit_size, is_described = [], 0, 0, not is_lacking
     images = [sm for sm in configuration.sync_managers if sm.direction == direction and (sm.pdos or sm.is_left_open)]
     has_pdos = any(sm.pdos for sm in images)
     remarks = []
@@ -59,7 +61,7 @@ def io_map(configuration: Configuration, direction: str) -> IoMap:
                 entries.append(entry._replace(bit_offset=entry.bit_offset + byte_size * 8))
         byte_size += byte_length(sm.placed_bit_size)
         bit_size += sm.placed_bit_size
-        if not sm.is_described:
+        if is_lacking or not sm.is_described:
             is_described = False
             # Of a direction without any PDO the remark about the SyncManager says all.
             if has_pdos:
@@ -86,9 +88,9 @@ def io_map(configuration: Configuration, direction: str) -> IoMap:
 def _end(sm: SmConfiguration) -> str:
     """What has no known length in a SyncManager."""
     end = next((pdo for pdo in sm.pdos if not pdo.is_described), None)
-    if end is None:
-        return f"SM{sm.number}, which has no PDO"
-    return f"PDO 0x{end.pdo_index:04X} of SM{sm.number}, which has no described entries"
+    if end is not None:
+        return f"PDO 0x{end.pdo_index:04X} of SM{sm.number}, which has no described entries"
+    return f"PDOs of modules that are missing in SM{sm.number}" if sm.pdos else f"SM{sm.number}, which has no PDO"
 
 
 def _end_words(direction: str, byte_size: int, end: str) -> str:

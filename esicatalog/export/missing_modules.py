@@ -11,7 +11,7 @@ from esicatalog.model.slots import PluggedModule
 
 
 class MissingModules(NamedTuple):
-    """What is missing in words, and whether something may move that one of the modules drives."""
+    """What is missing in words, and whether one of the modules, or one that nobody describes, may move something."""
 
     words: str
     may_move: bool
@@ -32,7 +32,9 @@ def missing_modules(
         f"{empty_words(lacking, bool(required))}: PDOs of modules are missing here; choose with --module SLOT=IDENT; "
         + fitting_words(lacking, modules)
     )
-    return MissingModules(words, any(any(map(may_move, item.with_pdos)) for item in lacking))
+    return MissingModules(
+        words, any(not item.are_all_described or any(map(may_move, item.with_pdos)) for item in lacking)
+    )
 
 
 def unplugged_remarks(device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]) -> Iterator[str]:

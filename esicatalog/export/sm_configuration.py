@@ -1,6 +1,5 @@
 """SyncManagers with what is assigned to them: every entry with its place, type and name."""
 
-import itertools
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
@@ -15,7 +14,7 @@ from esicatalog.export.naming import EntryNames
 from esicatalog.export.pdo_objects import PdoObject
 from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX
 from esicatalog.model.assignable_pdos import declares_pdo_assign
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, entry_words, has_length, has_object, is_described
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, carries_value, entry_words, has_length, has_object, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, is_mailbox, sm_role, transfer_direction
 from esicatalog.model.values import byte_length
@@ -39,17 +38,12 @@ class MappedEntry(NamedTuple):
     """Unique in the device; empty without a value."""
     value: ValueType
     is_placed: bool = True
-    """Whether ``bit_offset`` is known; behind a PDO without described entries nothing tells the place."""
+    """Whether ``bit_offset`` is known; behind what has no known length nothing tells the place."""
 
     @property
     def is_gap(self) -> bool:
         """Whether only its length counts."""
         return self.entry_index == 0
-
-    @property
-    def carries_value(self) -> bool:
-        """Whether something is read or written in it."""
-        return self.bit_length > 0 and not self.is_gap
 
     @property
     def name(self) -> str:
@@ -128,9 +122,8 @@ class SmConfiguration(NamedTuple):
 
     @property
     def placed_bit_size(self) -> int:
-        """Bits whose place is known: those before the first PDO without described entries."""
-        described = itertools.takewhile(lambda pdo: pdo.is_described, self.pdos)
-        return sum(entry.bit_length for pdo in described for entry in pdo.entries)
+        """Bits whose place is known: those before the first of which no length is known."""
+        return sum(entry.bit_length for pdo in self.pdos for entry in pdo.entries if entry.is_placed)
 
     @property
     def is_described(self) -> bool:
@@ -153,7 +146,7 @@ class SmConfiguration(NamedTuple):
     @property
     def entries(self) -> Iterator[MappedEntry]:
         """All entries that carry a value, in order."""
-        return (entry for pdo in self.pdos for entry in pdo.entries if entry.carries_value)
+        return (entry for pdo in self.pdos for entry in pdo.entries if carries_value(entry))
 
 
 def pdo_objects(sync_managers: Iterable[SmConfiguration]) -> Iterator[PdoObject]:

@@ -68,6 +68,11 @@ class Meant(NamedTuple):
     obstacle: str = ""
 
 
+def group_order(pdo_group: int | None) -> int:
+    """Where the PDOs of a group lie among those of others: those that are in none come first."""
+    return pdo_group if pdo_group is not None else -1
+
+
 def available_pdos(device: Device, plugged: Iterable[PluggedModule]) -> AvailablePdos:
     """The PDOs of the device, without those that yield to modules (OverwrittenByModule), and of the modules."""
     problems: list[str] = []

@@ -4,17 +4,43 @@ Bus couplers give terminals of one kind one ident (BK1120: 19 modules of ident 0
 """
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
+from typing import NamedTuple
 
 from esicatalog.errors import InputError
+from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
 from esicatalog.identity import ModuleChoice
-from esicatalog.model.slots import PluggedModule, accepts, configure_alike, default_modules, numbered_slots
+from esicatalog.model.slots import PluggedModule, accepts, configure_alike, default_modules, numbered_slots, slot_runs
 from esicatalog.words import one_line
 
 _MOST_NAMED = 10
+
+
+class FittingModule(NamedTuple):
+    """A module that can be chosen for a slot."""
+
+    choice: ModuleChoice
+    name: str
+    is_plugged: bool
+
+
+class SlotOffer(NamedTuple):
+    """Slots of one Slot element, one behind the other, that have the same module or none, and what can be chosen."""
+
+    numbers: range
+    name: str
+    fitting: tuple[FittingModule, ...]
+    """Described modules; one without ModuleIdent cannot be chosen."""
+
+    @property
+    def number_words(self) -> str:
+        """The slots as sheets and pages say them: ``3`` or ``0 to 253``."""
+        first, last = self.numbers[0], self.numbers[-1]
+        return str(first) if first == last else f"{first} to {last}"
 
 
 def module_labels(modules: Sequence[Module]) -> list[str]:
@@ -89,6 +115,29 @@ def _meant(slot_number: int, fitting: Sequence[tuple[Module, str]], wanted: Modu
             + _listed(named)
         )
     return named[0][0]
+
+
+def slot_offers(device: Device, modules: Sequence[Module], plugged: Iterable[PluggedModule]) -> Iterator[SlotOffer]:
+    """All slots with the modules that fit them, in the order of their numbers; ``modules`` are all of the device."""
+    there = {item.slot_number: item.module for item in plugged}
+    labelled = list(zip(modules, module_choices(modules), strict=True))
+    for slot, numbers in slot_runs(device):
+        fitting = [(module, choice) for module, choice in labelled if choice is not None and accepts(slot, module)]
+        for _, group in groupby(numbers, lambda number: id(there.get(number))):
+            alike = list(group)
+            yield SlotOffer(
+                range(alike[0], alike[-1] + 1),
+                display_text(slot.names) or "",
+                tuple(
+                    FittingModule(choice, module_name(module), module is there.get(alike[0]))
+                    for module, choice in fitting
+                ),
+            )
+
+
+def module_name(module: Module) -> str:
+    """What a module is called; its Type where it has no name."""
+    return display_text(module.names) or module.type or ""
 
 
 def fitting_choices(slot: Slot, modules: Sequence[Module]) -> str:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.pdo import TX_PDO, Pdo
-from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos
+from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos, group_order
 from esicatalog.model.pdo_facts import PDO_MAPPINGS
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import may_transport, sm_role
@@ -114,7 +114,7 @@ def _candidates(device: Device, plugged: Sequence[PluggedModule]) -> AvailablePd
     """All PDOs that could be assigned, group by group where modules have groups of PDOs."""
     found = available_pdos(device, plugged)
     if device.module_pdo_groups:
-        found.pdos.sort(key=lambda candidate: candidate.pdo_group if candidate.pdo_group is not None else -1)
+        found.pdos.sort(key=lambda candidate: group_order(candidate.pdo_group))
     return found
 
 

@@ -1,7 +1,7 @@
 """Small facts about PDOs and their entries that every reader of the catalog needs."""
 
 from collections.abc import Container, Iterable, Mapping
-from typing import Annotated
+from typing import Annotated, Protocol
 
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.numbers import MAX_STORED
@@ -115,7 +115,19 @@ def has_length(entry: Entry) -> bool:
     return entry.bit_length is not None and entry.bit_length >= 0
 
 
-def carries_value(entry: Entry) -> bool:
+class Exchanged(Protocol):
+    """What a PDO maps: an entry as it is described, or as an export writes it."""
+
+    @property
+    def entry_index(self) -> int | None:
+        """Index of the object, 0 for a gap."""
+
+    @property
+    def bit_length(self) -> int | None:
+        """Length in bits."""
+
+
+def carries_value(entry: Exchanged) -> bool:
     """Whether an object is exchanged in an entry: one of no bits stands in the mapping, and nothing is read there."""
     return bool(entry.entry_index) and (entry.bit_length or 0) > 0
 

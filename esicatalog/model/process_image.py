@@ -3,10 +3,11 @@
 PDOs follow each other bit by bit in document order; a SyncManager is as long as all its bits, rounded up once.
 An oversampled PDO repeats its entries: as often as the OpMode says, else by its own OSFac, each sample OSIndexInc
 further. How long a PDO with variable content is, one with an entry without BitLen or one that is listed and not
-described, is not known, nor where lies what follows it.
+described, is not known, nor where lies what follows it; nor what follows the PDOs of a required module that is missing.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import takewhile
 from typing import NamedTuple
 
 import msgspec
@@ -39,7 +40,7 @@ class PlacedEntry(NamedTuple):
     """An entry in the process image of a SyncManager, at the index that it has in its slot and sample."""
 
     bit_offset: int | None
-    """None behind a PDO or an entry whose length is not known."""
+    """None behind a PDO or an entry whose length is not known, and behind PDOs of a module that is not there."""
     entry: Entry
 
 
@@ -142,13 +143,30 @@ def whole_process_image(device: Device, modules: Sequence[Module], plugged: Sequ
 
 
 def without_modules(images: Iterable[SmImage], missing: Mapping[str, MissingPdos]) -> list[SmImage]:
-    """The same images where such PDOs are missing of modules, by transfer direction: their length is not known."""
+    """The same images where such PDOs are missing of modules, by transfer direction.
+
+    Their length is not known, nor where lies what is behind the missing PDOs.
+    """
     return [
-        image._replace(remarks=(*image.remarks, pdos.words), has_known_size=False, missing_modules=pdos.words)
-        if (pdos := missing.get(image.transfer_direction)) is not None
-        else image
+        _without(image, missing[image.transfer_direction]) if image.transfer_direction in missing else image
         for image in images
     ]
+
+
+def _without(image: SmImage, missing: MissingPdos) -> SmImage:
+    before = tuple(
+        takewhile(lambda item: (-1 if item.slot_number is None else item.slot_number) < missing.first_slot, image.pdos)
+    )
+    behind = tuple(
+        item._replace(entries=tuple(placed._replace(bit_offset=None) for placed in item.entries))
+        for item in image.pdos[len(before) :]
+    )
+    return image._replace(
+        pdos=before + behind,
+        remarks=(*image.remarks, missing.words),
+        has_known_size=False,
+        missing_modules=missing.words,
+    )
 
 
 def _without_pdos(device: Device, number: int, direction: str) -> SmImage:

@@ -1,7 +1,7 @@
 """Slots that need a module and have none: what its PDOs add is not known (ESI-FACTS sections 12 and 18).
 
-A required slot stays empty where several modules fit and none is preset, or where what it takes is not described. An
-image without such a module is none that the device can have.
+A required slot stays empty where several modules fit and none is preset, or where what it takes, or has by default, is
+not described. An image without such a module is none that the device can have.
 """
 
 from collections import defaultdict
@@ -11,9 +11,10 @@ from typing import NamedTuple
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.slots import Slot
+from esicatalog.model.assignable_pdos import group_order
 from esicatalog.model.module_choice import fitting_choices
 from esicatalog.model.pdo_facts import pdos_by_direction
-from esicatalog.model.slots import PluggedModule, accepts, required_instances, slot_runs
+from esicatalog.model.slots import PluggedModule, accepts, preset_ident, required_instances, slot_runs
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS
 
 _MOST_NUMBERS = 4
@@ -32,10 +33,17 @@ class EmptySlots(NamedTuple):
         return tuple(module for module in self.fitting if module.rx_pdos or module.tx_pdos)
 
     @property
+    def undescribed_default(self) -> int | None:
+        """ModuleIdent of the module that is there without a choice, where none of those that fit is it."""
+        preset = preset_ident(self.slot)
+        return preset if preset not in {module.module_ident for module in self.fitting} else None
+
+    @property
     def are_all_described(self) -> bool:
         """Whether there is a module for each ModuleIdent, and one at all; a module that is not may have PDOs."""
         idents = {module.module_ident for module in self.fitting}
-        return bool(self.fitting) and all(item.module_ident in idents for item in self.slot.module_idents)
+        wanted = [item.module_ident for item in self.slot.module_idents]
+        return bool(self.fitting) and self.undescribed_default is None and idents.issuperset(wanted)
 
     @property
     def may_add_pdos(self) -> bool:
@@ -50,6 +58,8 @@ class MissingPdos(NamedTuple):
     """Which slots are empty, and what fits."""
     sms: frozenset[int]
     """SyncManagers that PDOs of the modules that fit name."""
+    first_slot: int
+    """PDOs of modules from this slot on may lie behind them; -1 where those of the device may, too."""
 
 
 def required_empty_slots(
@@ -86,9 +96,19 @@ def empty_words(empty: Sequence[EmptySlots], are_required: bool) -> str:
 
 
 def fitting_words(empty: Sequence[EmptySlots], modules: Sequence[Module]) -> str:
-    """What fits the first of them; ``modules`` are all of the device."""
+    """What fits the first of them, and default modules of any that nobody describes; ``modules`` are all of the device.
+
+    A description that does not fit the slot is none of its module.
+    """
     first = empty[0]
-    return f"what fits slot {first.numbers[0]}: {fitting_choices(first.slot, modules)}"
+    defaults = [
+        f"default module 0x{item.undescribed_default:X} of slot {item.numbers[0]} is not described, or does not fit"
+        for item in empty
+        if item.undescribed_default is not None
+    ]
+    return "; ".join(
+        [f"what fits slot {first.numbers[0]}: {fitting_choices(first.slot, modules)}", *defaults[:_MOST_NUMBERS]]
+    )
 
 
 def missing_pdos(device: Device, modules: Sequence[Module], plugged: Sequence[PluggedModule]) -> dict[str, MissingPdos]:
@@ -117,6 +137,20 @@ def missing_pdos(device: Device, modules: Sequence[Module], plugged: Sequence[Pl
         direction: MissingPdos(
             f"{empty_words(items, True)}: PDOs of modules are missing; {fitting_words(items, modules)}",
             frozenset(sms[direction]),
+            _first_slot_behind(device, items),
         )
         for direction, items in adding.items()
     }
+
+
+def _first_slot_behind(device: Device, empty: Sequence[EmptySlots]) -> int:
+    """The first slot whose PDOs may lie behind those of the modules that belong into empty ones.
+
+    PDOs lie in the order of the slots; where they lie in groups, those of any slot can come first, and those of the
+    device can lie behind.
+    """
+    if not device.module_pdo_groups:
+        return empty[0].numbers[0]
+    groups = [module.module_pdo_group if item.are_all_described else None for item in empty for module in item.fitting]
+    first = min(map(group_order, groups or [None]))
+    return 0 if group_order(device.module_pdo_group) <= first else -1

@@ -113,37 +113,37 @@ def fitting_modules(device: Device, modules: Sequence[Module]) -> Iterator[tuple
         yield number, slot, fitting[id(slot)]
 
 
-def preset_idents(slot: Slot) -> list[int]:
-    """ModuleIdents of what a slot has without a choice, in the order in which they count.
+def preset_ident(slot: Slot) -> int | None:
+    """ModuleIdent of what a slot has without a choice, be that module described or not.
 
-    Those marked Default, then Slot/@Default and Slot/@Fallback of schema 1.17: "automatically plugged when no other
-    module is plugged to this slot".
+    The first that is marked Default, else Slot/@Default, else Slot/@Fallback of schema 1.17: "automatically plugged
+    when no other module is plugged to this slot", which is no word about a default module that nobody describes.
     """
     marked = [item.module_ident for item in slot.module_idents if item.is_default]
-    return [ident for ident in (*marked, slot.default_ident, slot.fallback_ident) if ident is not None]
+    return next((ident for ident in (*marked, slot.default_ident, slot.fallback_ident) if ident is not None), None)
 
 
 def required_instances(slot: Slot) -> int:
     """How many slots of a Slot element need a module: MinInstances; a preset makes the first one such a slot."""
-    return slot.min_instances or (1 if preset_idents(slot) else 0)
+    return slot.min_instances or (1 if preset_ident(slot) is not None else 0)
 
 
 def default_modules(device: Device, modules: Sequence[Module]) -> list[PluggedModule]:
     """What is plugged without a choice: in required slots the preset module, else that of the only ModuleIdent.
 
-    A preset counts where it fits. Nothing is plugged where modules of the ident are configured in different ways, nor
-    for a ModuleClass: what else belongs to it may be described in other documents.
+    Nothing is plugged where no described module of the ident fits, where several do that are configured in different
+    ways, nor for a ModuleClass: what else belongs to it may be described in other documents.
     """
     by_ident: dict[int | None, list[Module]] = defaultdict(list)
     for module in modules:
         by_ident[module.module_ident].append(module)
     plugged = []
     for slot, numbers in slot_runs(device):
-        idents: list[int | None] = [*preset_idents(slot)]
-        if not idents and len(slot.module_idents) == 1:
-            idents = [slot.module_idents[0].module_ident]
-        alternatives = ([module for module in by_ident.get(ident, ()) if accepts(slot, module)] for ident in idents)
-        fitting = next(filter(None, alternatives), [])
+        ident = preset_ident(slot)
+        if ident is None and len(slot.module_idents) == 1:
+            ident = slot.module_idents[0].module_ident
+        described = by_ident.get(ident, []) if ident is not None else []
+        fitting = [module for module in described if accepts(slot, module)]
         if fitting and configure_alike(fitting):
             plugged += [PluggedModule(number, slot, fitting[0]) for number in numbers[: required_instances(slot)]]
     return plugged

@@ -8,7 +8,7 @@ from esicatalog.esi.records.profile import declared_objects
 from esicatalog.lint.registry import ERROR, WARNING, Found, Place, listed, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject
 from esicatalog.model.pdo_facts import pdos_by_direction
-from esicatalog.model.slots import accepts, default_modules, expand_module, leaving_indices, preset_idents, slot_runs
+from esicatalog.model.slots import accepts, default_modules, expand_module, leaving_indices, preset_ident, slot_runs
 
 
 @rule("L53", ERROR, "ETG.2000 Slot/ModuleIdent, @Default, @MinInstances, @MaxInstances")
@@ -39,7 +39,7 @@ def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
         preset = [item for item in slot.module_idents if item.is_default]
         if len(preset) > 1:
             yield Found(f"{words} presets {len(preset)} modules: only one can be plugged", place)
-        elif not preset_idents(slot) and len(slot.module_idents) > 1 and slot.min_instances:
+        elif preset_ident(slot) is None and len(slot.module_idents) > 1 and slot.min_instances:
             yield Found(
                 f"{words} needs a module (MinInstances {slot.min_instances}) and presets none: "
                 "mark one ModuleIdent with Default=1",

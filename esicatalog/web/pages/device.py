@@ -13,18 +13,18 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox, init_cmds
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.slots import Slot
+from esicatalog.export.choice import Choice
+from esicatalog.export.configuration import configure
 from esicatalog.export.eeprom import eeprom_image
 from esicatalog.export.sii_remarks import eeprom_remarks
 from esicatalog.export.sii_summary import WHY_MERGE
 from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
-from esicatalog.model.module_choice import module_choices, module_labels
+from esicatalog.model.module_choice import module_labels, module_name, slot_offers
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
-from esicatalog.model.slots import fitting_modules, numbered_slots
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals
 from esicatalog.model.twincat import is_superseded, predefined_assignments
@@ -85,13 +85,25 @@ def _asked(request: Any) -> tuple[Identity, Mapping[int, ModuleChoice]]:
     return asked_identity(request), choice
 
 
-def _eeprom_image(description: DeviceDescription) -> dict[str, Any]:
-    """What is told beside the EEPROM image, of which there is one only for a device with all codes."""
+def _beside_exports(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
+    """What is told of exports that have no place for it themselves; they are made only of a device with all codes."""
     found = description.found
     if None in (found.vendor_id, found.product_code, found.revision_no):
-        return {"eeprom_remarks": (), "left_out": ()}
+        return {"eeprom_remarks": (), "left_out": (), "cstruct_remarks": ()}
     subject = subject_of_description(found, description.sources, description.device, description.modules)
-    return {"eeprom_remarks": (WHY_MERGE, *eeprom_remarks(subject)), "left_out": _left_out(subject)}
+    return {
+        "eeprom_remarks": (WHY_MERGE, *eeprom_remarks(subject)),
+        "left_out": _left_out(subject),
+        "cstruct_remarks": _configuration_remarks(subject, choice),
+    }
+
+
+def _configuration_remarks(subject: Subject, choice: Mapping[int, ModuleChoice]) -> tuple[str, ...]:
+    """What other files say in their heading; nothing where no file is made, and the export says why."""
+    try:
+        return configure(subject, Choice(modules=choice)).remarks
+    except InputError:
+        return ()
 
 
 def _left_out(subject: Subject) -> tuple[str, ...]:
@@ -128,7 +140,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "commands": _commands(device.mailbox),
         "objects": object_counts(description, choice),
         "eeprom": eeprom_words(device),
-        **_eeprom_image(description),
+        **_beside_exports(description, choice),
         "findings": description.findings,
         "revisions": _revisions(description),
         "alike": [(device_path(item), item) for item in description.same_layout[:_MOST_ALIKE]],
@@ -158,11 +170,18 @@ def _head(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) ->
 
 
 def _module_picker(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
-    """Slots with what fits them; the number of the last one where not all are shown."""
-    last_slot = sum(1 for _ in numbered_slots(description.device)) - 1
+    """Slots with what fits them, those that nothing fits, and the number of the last one where not all are shown."""
+    offers = list(slot_offers(description.device, description.modules, description.plugged(choice)))
+    last_slot = offers[-1].numbers[-1] if offers else 0
     return {
         "choice": choice,
-        "slots": _slots(description, choice),
+        "slots": [
+            (number, offer)
+            for offer in offers
+            for number in offer.numbers
+            if offer.fitting and (number < _MOST_SLOTS or number in choice)
+        ],
+        "not_fitted": [offer for offer in offers if not offer.fitting],
         "last_slot": last_slot if last_slot >= _MOST_SLOTS else None,
     }
 
@@ -172,7 +191,7 @@ def _modules(modules: Sequence[Module]) -> list[dict[str, Any]]:
         {
             "ident": module.module_ident,
             "label": label,
-            "name": display_text(module.names) or module.type or "",
+            "name": module_name(module),
             "pdos": _pdos(module, module_sms(module)),
             "commands": _commands(module.mailbox),
         }
@@ -302,26 +321,3 @@ def _value(cmd: InitCmd) -> str:
     if not data or len(data) > _LONGEST_NUMBER or cmd.complete_access:
         return ""
     return number_words(int.from_bytes(data, "little"))
-
-
-def _slots(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> list[dict[str, Any]]:
-    device, modules = description.device, description.modules
-    plugged = {item.slot_number: item.module for item in description.plugged(choice)}
-    words = dict(zip(map(id, modules), module_choices(modules), strict=True))
-    return [
-        {
-            "number": number,
-            "name": _slot_name(slot),
-            "modules": [
-                (words[id(module)], display_text(module.names) or module.type or "", module is plugged.get(number))
-                for module in fitting
-                if words[id(module)] is not None
-            ],
-        }
-        for number, slot, fitting in fitting_modules(device, modules)
-        if number < _MOST_SLOTS or number in choice
-    ]
-
-
-def _slot_name(slot: Slot) -> str:
-    return display_text(slot.names) or ""
