@@ -324,6 +324,50 @@ def test_views_of_others_stay(postgres):
         assert catalog.check().problems == [CUT_SHORT]
 
 
+OTHER_FIRST = "&options=-csearch_path%3Dother,public"
+
+
+def test_a_catalog_is_whole_where_its_tables_are(postgres, tmp_path):
+    """Another schema stands before it on the search path, with a table and a view of the same names."""
+    folder = write(tmp_path, {"a.xml": esi(device()), "b.xml": esi(device(product="#x2"))})
+    user = postgres.replace("//postgres@", "//other@") + OTHER_FIRST
+    query = "SELECT schemaname, count(*) FROM pg_tables WHERE tablename LIKE 'device%%' GROUP BY 1 ORDER BY 1"
+    views_of = "SELECT DISTINCT schemaname FROM pg_views WHERE viewname = 'device_overview'"
+    with Catalog.open(postgres, create=True) as catalog:
+        catalog.ingest([folder / "a.xml"], jobs=1)
+    with closing_engine(postgres) as engine, engine.begin() as connection:
+        connection.exec_driver_sql("CREATE ROLE other LOGIN SUPERUSER")
+        connection.exec_driver_sql("CREATE SCHEMA other")
+        connection.exec_driver_sql("CREATE TABLE other.devices (id INT)")
+        connection.exec_driver_sql("CREATE VIEW other.device_overview AS SELECT 2 AS n")
+        tables = connection.exec_driver_sql(query).all()
+    with Catalog.open(user, create=True) as catalog:
+        counts = catalog.ingest([folder], jobs=1).counts
+        assert (counts["stored"], counts["unchanged"]) == (1, 1)
+        assert [found.product_code for found in catalog.devices(text="0x2")] == [2]
+        assert catalog.check().problems == []
+    with closing_engine(user) as engine:
+        database.upgrade(engine)
+        with engine.begin() as connection:
+            assert connection.exec_driver_sql(query).all() == tables
+            assert connection.exec_driver_sql("SELECT n FROM other.device_overview").scalar_one() == 2
+            connection.exec_driver_sql("DROP VIEW other.device_overview")
+            assert connection.exec_driver_sql(views_of).scalars().all() == ["public"]
+
+
+def test_what_lies_behind_the_first_schema_does_not_count_for_a_new_catalog(postgres):
+    with closing_engine(postgres) as engine, engine.begin() as connection:
+        connection.exec_driver_sql("CREATE TABLE orders (id INT)")
+        connection.exec_driver_sql("CREATE SCHEMA other")
+    with Catalog.open(postgres + OTHER_FIRST, create=True) as catalog:
+        assert catalog.devices() == []
+    with closing_engine(postgres) as engine, engine.connect() as connection:
+        assert sa.inspect(connection).get_table_names() == ["orders"]
+        assert "devices" in sa.inspect(connection).get_table_names("other")
+    with pytest.raises(CatalogError, match="other tables"):
+        Catalog.open(postgres, create=True)
+
+
 def test_names_of_users_and_databases_are_no_reasons(postgres):
     Catalog.open(postgres, create=True).close()
     with closing_engine(postgres) as engine, engine.begin() as connection:
