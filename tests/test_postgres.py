@@ -27,6 +27,7 @@ from esicatalog import Catalog, CatalogError
 from esicatalog.catalog import database, schema
 from esicatalog.catalog.check import CUT_SHORT
 from esicatalog.catalog.device_filter import DeviceFilter
+from esicatalog.catalog.driver_errors import driver_message
 from esicatalog.catalog.views import FULL_TEXT, views
 from esicatalog.cli.main import cli
 
@@ -405,6 +406,19 @@ def test_names_of_users_and_databases_are_no_reasons(postgres):
         (line,) = words("devices", "--db", target).stderr.splitlines()
         assert line.startswith(f"esicatalog: {database.shown_target(target)}: ")
         assert expected in line
+
+
+@pytest.mark.parametrize(
+    "reason",
+    [
+        "consuming input failed: server closed the connection unexpectedly",
+        "connection failed: FATAL:  the database system is shutting down",
+        "connection failed: FATAL:  the database system is starting up",
+    ],
+)
+def test_what_passes_by_itself_is_to_be_tried_again(reason):
+    error = pytest.importorskip("psycopg").OperationalError(reason)
+    assert driver_message("c", error).endswith("; try again later")
 
 
 def test_check_looks_at_the_search(postgres, tmp_path):
