@@ -18,9 +18,10 @@ import pytest
 from snippets import device, esi, write
 
 from esicatalog import Catalog
-from esicatalog.esi import containers
+from esicatalog.esi import containers, documents
 from esicatalog.esi.reader import Reader
 from esicatalog.ingest import plan as planning
+from esicatalog.ingest import process
 from esicatalog.ingest import run as _run  # noqa: F401  (it must not be loaded while a test has changed the plan)
 from esicatalog.ingest.pool import Pool
 from esicatalog.ingest.process import Helper
@@ -219,6 +220,33 @@ def test_a_document_past_its_deadline_is_given_up_and_the_next_is_read(tmp_path)
     outcomes = {outcome.number: outcome.status for outcome in pool.outcomes()}
     pool.stop()
     assert outcomes == {0: "stored", 1: "stored"}
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no alarm")
+def test_a_document_without_end_is_given_up_where_the_ingest_itself_reads(tmp_path, monkeypatch):
+    """Also one that it refers to: a dictionary that was given up is none that cannot be used."""
+    dictionary = "<EtherCATDict><Dictionary><DataTypes/><Objects/></Dictionary></EtherCATDict>"
+    refers = esi(device("<Profile><DictionaryFile>endless.xml</DictionaryFile></Profile>", product="#x2"))
+    folder = write(tmp_path / "in", {"endless.xml": dictionary, "refers.xml": refers, GOOD: esi(device())})
+
+    def endless(root) -> bool:
+        while root.tag == "EtherCATDict":
+            pass
+        return False
+
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        with monkeypatch.context() as patch:
+            patch.setattr(process, "DEADLINE_SECONDS", 0.3)
+            patch.setattr(documents, "_HAS_TOO_MANY_ATTRIBUTES", endless)
+            report = catalog.ingest([folder], jobs=1)
+        given_up = ("failed", "gave up after 0 s")
+        assert {line.path: (line.status, line.message) for line in report.documents} == {
+            "endless.xml": given_up,
+            "refers.xml": given_up,
+            GOOD: ("stored", None),
+        }
+        assert catalog.ingest([folder], jobs=1).counts["stored"] == 2
+        assert catalog.check().problems == []
 
 
 def test_long_requests_and_long_answers_do_not_wait_for_each_other(tmp_path):

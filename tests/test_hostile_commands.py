@@ -4,6 +4,7 @@ A second line is allowed: what lint sums up, and what was lost by recovery.
 """
 
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -14,6 +15,7 @@ from snippets import REPEATED_ATTRIBUTE, UNDECLARED_PREFIX, device, esi, faulty_
 
 from esicatalog.cli.main import cli
 from esicatalog.esi import documents
+from esicatalog.ingest import process
 
 LAUGHS = "".join(f'<!ENTITY a{n} "{f"&a{n - 1};" * 10}">' for n in range(1, 12))
 FILES = {
@@ -142,6 +144,21 @@ def test_a_document_is_read_in_as_little_memory_as_in_an_ingest(data_db, data, m
     CliRunner().invoke(cli, arguments(words, data / "l6n_drive.xml", data_db, data))
     assert set(limits) == {3 * 1024**3}
     assert resource.getrlimit(resource.RLIMIT_AS) == before
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no alarm")
+@pytest.mark.parametrize("words", READING, ids=["lint", "export", "diff"])
+def test_a_document_without_end_is_given_up(data_db, data, monkeypatch, words):
+    def endless(root) -> bool:
+        while True:
+            pass
+
+    alarm = signal.getsignal(signal.SIGALRM)
+    monkeypatch.setattr(process, "DEADLINE_SECONDS", 0.2)
+    monkeypatch.setattr(documents, "_HAS_TOO_MANY_ATTRIBUTES", endless)
+    line, *_ = lines_of_failure(arguments(words, data / "l6n_drive.xml", data_db, data))
+    assert line.endswith("gave up after 0 s")
+    assert (signal.getsignal(signal.SIGALRM), signal.getitimer(signal.ITIMER_REAL)) == (alarm, (0, 0))
 
 
 @pytest.mark.parametrize("words", READING, ids=["lint", "export", "diff"])

@@ -115,6 +115,10 @@ DOCUMENTS = {
         lambda: vendor_specific("A & B" + "<a>" * 300 + "</a>" * 300), "failed", "more than 256 elements"
     ),
     "long-text.xml": Case(lambda: esi(device(name="x" * 30_000_000)), "failed", "a text of more than 10 MB"),
+    "long-type.xml": Case(
+        lambda: esi(device(type_text="x" * 1_999 + "é")), "failed", "line 1: Type of 2,001 bytes; a catalog takes 2,000"
+    ),
+    "type-that-fits.xml": Case(lambda: esi(device(type_text="x" * 2_000)), "stored"),
     "attributes.xml": Case(
         lambda: esi(device(f"<X {attributes(10**6)}/>")),
         "failed",
@@ -256,6 +260,9 @@ ARCHIVES = {
     "directory.zip": Case(large_directory, "failed", "directory is too large"),
     "cut.zip": Case(lambda: member("a.xml")[:200], "failed", "not a usable zip archive"),
     "no-name.zip": Case(lambda: member("a\nb.xml"), "failed", "rename it"),
+    "long-names.zip": Case(
+        lambda: members([(f"{'n' * 9_000}{n}.xml", b"") for n in range(2)]), "failed", "2,000 bytes"
+    ),
     "deep.zip": Case(lambda: nested(3), "failed", "archives nested deeper than 3"),
     "dots.zip": Case(lambda: member("../../dots.xml"), "stored"),
     "absolute.zip": Case(lambda: member("/absolute.xml"), "stored"),

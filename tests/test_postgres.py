@@ -1,7 +1,10 @@
 """PostgreSQL beside SQLite: the same tables, rows and views, and the same answers."""
 
 import json
+import random
 import sqlite3
+import string
+import zipfile
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from decimal import Decimal
@@ -24,6 +27,7 @@ from esicatalog import Catalog, CatalogError
 from esicatalog.catalog import database, schema
 from esicatalog.catalog.check import CUT_SHORT
 from esicatalog.catalog.device_filter import DeviceFilter
+from esicatalog.catalog.driver_errors import driver_message
 from esicatalog.catalog.views import FULL_TEXT, views
 from esicatalog.cli.main import cli
 
@@ -324,6 +328,71 @@ def test_views_of_others_stay(postgres):
         assert catalog.check().problems == [CUT_SHORT]
 
 
+def test_a_path_or_type_that_no_index_takes_costs_its_document_alone(postgres, tmp_path):
+    """An index of PostgreSQL takes 2,704 bytes, when compressing does not help."""
+
+    def text(size: int) -> str:
+        return "".join(noise.choices(string.ascii_letters + string.digits, k=size))
+
+    noise = random.Random(1)
+    folder = write(
+        tmp_path / "esi", {"a.xml": esi(device(type_text=text(2_000))), "b.xml": esi(device(type_text=text(2_001)))}
+    )
+    with zipfile.ZipFile(folder / "c.zip", "w") as archive:
+        for size in (2_000, 1_000):
+            archive.writestr(text(size), esi(device(product="#x2")))
+    with Catalog.open(postgres, create=True) as catalog:
+        for stored, unchanged in ((2, 0), (0, 2)):
+            counts = catalog.ingest([folder], jobs=1).counts
+            assert (counts["stored"], counts["unchanged"], counts["failed"]) == (stored, unchanged, 2)
+        assert [found.product_code for found in catalog.devices()] == [1, 2]
+        assert catalog.check().problems == []
+
+
+OTHER_FIRST = "&options=-csearch_path%3Dother,public"
+
+
+def test_a_catalog_is_whole_where_its_tables_are(postgres, tmp_path):
+    """Another schema stands before it on the search path, with a table and a view of the same names."""
+    folder = write(tmp_path, {"a.xml": esi(device()), "b.xml": esi(device(product="#x2"))})
+    user = postgres.replace("//postgres@", "//other@") + OTHER_FIRST
+    query = "SELECT schemaname, count(*) FROM pg_tables WHERE tablename LIKE 'device%%' GROUP BY 1 ORDER BY 1"
+    views_of = "SELECT DISTINCT schemaname FROM pg_views WHERE viewname = 'device_overview'"
+    with Catalog.open(postgres, create=True) as catalog:
+        catalog.ingest([folder / "a.xml"], jobs=1)
+    with closing_engine(postgres) as engine, engine.begin() as connection:
+        connection.exec_driver_sql("CREATE ROLE other LOGIN SUPERUSER")
+        connection.exec_driver_sql("CREATE SCHEMA other")
+        connection.exec_driver_sql("CREATE TABLE other.devices (id INT)")
+        connection.exec_driver_sql("CREATE VIEW other.device_overview AS SELECT 2 AS n")
+        tables = connection.exec_driver_sql(query).all()
+    with Catalog.open(user, create=True) as catalog:
+        counts = catalog.ingest([folder], jobs=1).counts
+        assert (counts["stored"], counts["unchanged"]) == (1, 1)
+        assert [found.product_code for found in catalog.devices(text="0x2")] == [2]
+        assert catalog.check().problems == []
+    with closing_engine(user) as engine:
+        database.upgrade(engine)
+        with engine.begin() as connection:
+            assert connection.exec_driver_sql(query).all() == tables
+            assert connection.exec_driver_sql("SELECT n FROM other.device_overview").scalar_one() == 2
+            connection.exec_driver_sql("DROP VIEW other.device_overview")
+            assert connection.exec_driver_sql(views_of).scalars().all() == ["public"]
+
+
+def test_what_lies_behind_the_first_schema_does_not_count_for_a_new_catalog(postgres):
+    with closing_engine(postgres) as engine, engine.begin() as connection:
+        connection.exec_driver_sql("CREATE TABLE orders (id INT)")
+        connection.exec_driver_sql("CREATE SCHEMA other")
+    with Catalog.open(postgres + OTHER_FIRST, create=True) as catalog:
+        assert catalog.devices() == []
+    with closing_engine(postgres) as engine, engine.connect() as connection:
+        assert sa.inspect(connection).get_table_names() == ["orders"]
+        assert "devices" in sa.inspect(connection).get_table_names("other")
+    with pytest.raises(CatalogError, match="other tables"):
+        Catalog.open(postgres, create=True)
+
+
 def test_names_of_users_and_databases_are_no_reasons(postgres):
     Catalog.open(postgres, create=True).close()
     with closing_engine(postgres) as engine, engine.begin() as connection:
@@ -337,6 +406,19 @@ def test_names_of_users_and_databases_are_no_reasons(postgres):
         (line,) = words("devices", "--db", target).stderr.splitlines()
         assert line.startswith(f"esicatalog: {database.shown_target(target)}: ")
         assert expected in line
+
+
+@pytest.mark.parametrize(
+    "reason",
+    [
+        "consuming input failed: server closed the connection unexpectedly",
+        "connection failed: FATAL:  the database system is shutting down",
+        "connection failed: FATAL:  the database system is starting up",
+    ],
+)
+def test_what_passes_by_itself_is_to_be_tried_again(reason):
+    error = pytest.importorskip("psycopg").OperationalError(reason)
+    assert driver_message("c", error).endswith("; try again later")
 
 
 def test_check_looks_at_the_search(postgres, tmp_path):

@@ -1,15 +1,20 @@
 """Helpers of an ingest: copies of its process where that is safe, with nothing of it but what they need."""
 
 import json
+import signal
 import subprocess
 import sys
+import threading
+import time
 from pathlib import Path
 
 import pytest
 from snippets import device, esi, one, write
 
 from esicatalog import Catalog
+from esicatalog.errors import UnreadableDocument
 from esicatalog.esi.content import sha256_hex
+from esicatalog.ingest import process
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="processes are copied only with /proc")
 
@@ -177,3 +182,35 @@ def test_an_ingest_without_standard_streams_stores_all(tmp_path, redirection):
     assert one(tmp_path / "c.db", "SELECT count(*) FROM sources WHERE status = 'stored'") == 8
     with Catalog.open(tmp_path / "c.db") as catalog:
         assert catalog.check().problems == []
+
+
+def test_time_is_limited_in_the_main_thread_and_where_nobody_else_has_set_an_alarm(monkeypatch):
+    monkeypatch.setattr(process, "DEADLINE_SECONDS", 0.05)
+    ended: list[str] = []
+
+    def wait() -> None:
+        try:
+            with process.limited_time():
+                time.sleep(0.2)
+            ended.append("at its end")
+        except UnreadableDocument:
+            ended.append("by the limit")
+
+    thread = threading.Thread(target=wait)
+    thread.start()
+    thread.join()
+    alarms: list[int] = []
+    theirs = signal.signal(signal.SIGALRM, lambda number, frame: alarms.append(number))
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.1)
+        wait()
+        wait()
+    finally:
+        signal.signal(signal.SIGALRM, theirs)
+    assert (ended, alarms) == (["at its end", "at its end", "by the limit"], [signal.SIGALRM])
+
+
+def test_ctrl_c_ends_what_has_a_limit_of_time():
+    with pytest.raises(KeyboardInterrupt), process.limited_time():
+        signal.raise_signal(signal.SIGINT)
+    assert signal.getitimer(signal.ITIMER_REAL) == (0, 0)

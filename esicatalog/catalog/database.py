@@ -42,6 +42,14 @@ _NO_FILE = re.compile(
     re.IGNORECASE,
 )
 """How texts begin that mean a database and are no URL: ``postgresql:…``, and the ``name=value …`` of libpq."""
+_OWN_TABLES = ("alembic_version", "device_sources")
+"""By which a catalog is known."""
+_SCHEMA_OF_CATALOG = f"""
+    SELECT quote_ident(name), place FROM unnest(current_schemas(false)) WITH ORDINALITY AS path (name, place)
+    WHERE (SELECT count(*) FROM pg_tables WHERE schemaname = name AND tablename IN {_OWN_TABLES}) = {len(_OWN_TABLES)}
+    ORDER BY place LIMIT 1
+"""
+"""Where on the search path of a server's user the first catalog lies."""
 
 
 def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
@@ -121,7 +129,21 @@ def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
             if read_only:
                 connection.execute("PRAGMA query_only = ON")
 
+    else:
+        sa.event.listen(engine, "connect", _keep_to_schema)
     return engine
+
+
+def _keep_to_schema(connection: Any, record: Any) -> None:
+    """All of a catalog lies in one schema: nothing is made or found in those that stand before it on the search path.
+
+    Where it stands first the path stays as it is, and a new catalog is made in the first schema.
+    """
+    with connection.cursor() as cursor:
+        found = cursor.execute(_SCHEMA_OF_CATALOG).fetchone()
+        if found is not None and found[1] > 1:
+            cursor.execute(f"SET search_path TO {found[0]}")
+    connection.commit()
 
 
 def reading_connection(engine: sa.Engine) -> sa.Connection:
@@ -303,8 +325,8 @@ class ConnectionQuery:
 def schema_version(connection: sa.Connection) -> str | None:
     """The migration a database stands at; None for an empty database; an error for a foreign one."""
     shown = shown_url(connection.engine.url)
-    names = set(sa.inspect(connection).get_table_names())
-    if "alembic_version" in names and "device_sources" in names:
+    names = set(sa.inspect(connection).get_table_names(views.own_schema(connection)))
+    if names.issuperset(_OWN_TABLES):
         versions = connection.execute(sa.text("SELECT version_num FROM alembic_version")).scalars().all()
         if len(versions) != 1:
             raise CatalogError(f"{shown}: does not say its schema version; delete it and ingest again")

@@ -57,6 +57,8 @@ _CONNECTION_HINTS = {
     "resolve host": "no such host",
     "server running": "no server answers there; look at host, port and whether it runs",
     "connection is closed": f"the connection was lost; {_LATER}",
+    "server closed the connection": f"the connection was lost; {_LATER}",
+    "database system is": _LATER,  # shutting down, starting up
 }
 """By words of PostgreSQL and its client where there is no SQLSTATE; names are taken out."""
 _QUOTED = re.compile("\"[^\"]*\"|'[^']*'")

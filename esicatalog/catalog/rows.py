@@ -14,6 +14,8 @@ from esicatalog.catalog.digests import Digests
 from esicatalog.catalog.mapping import codec, to_json
 from esicatalog.catalog.owned import Image, OwnedRowMaker, OwnedRows, image_row
 from esicatalog.catalog.shared import NewlyShared, Numbers, Row, Sharing
+from esicatalog.errors import BrokenDocument
+from esicatalog.esi.content import MAX_KEY_BYTES
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import ReadDocument
 from esicatalog.esi.records.common import Name
@@ -212,12 +214,13 @@ class RowMaker:
             line = document.module_lines[section][position]
             self._out.modules.append(Placement(section, position, line, keys[id(module)]))
         for position, device in enumerate(info.devices):
+            line = document.device_lines[section][position]
+            _check_type(device, line)
             reachable = offer.reachable(device)
             for module in reachable:
                 if id(module) not in keys:  # Of referenced modules only those are stored that a device carries.
                     keys[id(module)] = self._module(module, vendor_ids[id(module)])
             key = self._device(device, vendor_id, reachable, [keys[id(module)] for module in reachable])
-            line = document.device_lines[section][position]
             self._out.devices.append(Placement(section, position, line, key, device.group_type))
 
     def _new(self, key: bytes) -> bool:
@@ -311,6 +314,13 @@ class RowMaker:
         sub_items = self._sharing.records("sub_items", data_type.sub_items, SubItem)
         enum_values = self._sharing.records("enum_values", data_type.enum_infos, EnumInfo)
         return TypeRows(key, codec(DataType).encode(data_type), sub_items, enum_values)
+
+
+def _check_type(device: Device, line: int) -> None:
+    """Raise :class:`BrokenDocument` for a type that no index takes; real ones have up to 50 characters."""
+    size = len((device.type or "").encode())
+    if size > MAX_KEY_BYTES:
+        raise BrokenDocument(f"Type of {size:,} bytes; a catalog takes {MAX_KEY_BYTES:,}", line)
 
 
 def _texts(owner: Device | Module) -> list[tuple[str, int, int | None, str]]:

@@ -390,12 +390,19 @@ def create_views(connection: sa.Connection) -> None:
         )
 
 
+def own_schema(connection: sa.Connection) -> str | None:
+    """The schema of the database in which a catalog lies, or a new one would; None where the user has none."""
+    if connection.dialect.name == "sqlite":
+        return sa.inspect(connection).default_schema_name
+    return connection.execute(sa.select(sa.func.current_schema())).scalar()
+
+
 def drop_views(connection: sa.Connection) -> None:
     """Drop the catalog's views, which no version has named otherwise, and the full-text table.
 
     Views that others have made beside them stay, and so does what has these names in another schema of the database.
     """
-    own = connection.dialect.identifier_preparer.quote(str(sa.inspect(connection).default_schema_name))
+    own = connection.dialect.identifier_preparer.quote(str(own_schema(connection)))
     for view in views(connection.dialect.name):
         connection.exec_driver_sql(f"DROP VIEW IF EXISTS {own}.{view.name}")
     connection.exec_driver_sql(f"DROP TABLE IF EXISTS {own}.{FULL_TEXT}")

@@ -25,7 +25,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.reader import read_esi
 from esicatalog.esi.records.common import display_text
 from esicatalog.identity import Identity, identity_text
-from esicatalog.ingest.process import limited_memory
+from esicatalog.ingest.process import limited
 from esicatalog.model.compare import compare_devices, images_are_known, summary_words
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.model.compare_documents import DescribedDevice, described_devices, paired_devices
@@ -133,7 +133,7 @@ def _of_files(left: Path, right: Path) -> _Comparison:
 
 
 def _devices(path: Path) -> list[DescribedDevice]:
-    with limited_memory():
+    with limited():
         read = read_esi(path)
     for finding in read.findings:
         if finding.rule in _TOLD:

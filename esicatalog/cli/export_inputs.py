@@ -132,9 +132,9 @@ def _subject_of_file(file: Path, identity: Identity | None) -> "tuple[Subject, l
     """The device of a file, and the members beside it that the file pulls in."""
     from esicatalog.esi.reader import read_esi
     from esicatalog.export.subject import choose_subject, subjects_of_document
-    from esicatalog.ingest.process import limited_memory
+    from esicatalog.ingest.process import limited
 
-    with limited_memory():
+    with limited():
         document = read_esi(file).document
     references = [reference.location for reference in document.references if reference.location is not None]
     return choose_subject(subjects_of_document(document, file.name), identity, file.name), references

@@ -3,6 +3,8 @@
 import hashlib
 
 DIGEST_BYTES = 16
+MAX_KEY_BYTES = 2_000
+"""Of a text that an index holds, in UTF-8: PostgreSQL takes 2,704 bytes with all else in the row of the index."""
 
 
 def digest(content: bytes) -> bytes:

@@ -10,6 +10,7 @@ from typing import NamedTuple, TypeVar
 from esicatalog.errors import EsiCatalogError, InputError, UnreadableDocument
 from esicatalog.esi import containers
 from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive, is_unreadable, no_file_reason
+from esicatalog.esi.content import MAX_KEY_BYTES, sha256_hex
 
 
 class FoundDocument(NamedTuple):
@@ -110,13 +111,27 @@ def _file(path: Path, root: Path, archive_by_content: bool = False) -> FoundDocu
 
 def _with_usable_name(item: Item) -> Item | FoundDocument:
     """An input as it is, or the problem that its name can be neither stored nor printed."""
-    if _UNUSABLE_NAME.search(item.location) is None:
+    if _UNUSABLE_NAME.search(item.location) is not None:
+        words = "its name holds control characters or is not UTF-8; rename it"
+    elif len(item.location.encode()) > MAX_KEY_BYTES:
+        words = f"its path has more than {MAX_KEY_BYTES:,} bytes; move or rename it"
+    else:
         return item
-    location, member = (_UNUSABLE_NAME.sub(_escaped, text) for text in (item.location, item.member))
-    problem = ("failed", "its name holds control characters or is not UTF-8; rename it")
+    location, member = map(_usable, (item.location, item.member))
+    problem = ("failed", words)
     if isinstance(item, FoundDocument):
         return item._replace(location=location, member=member, problem=problem)
     return FoundDocument(location, member, location, False, (), member, 0, problem)
+
+
+def _usable(name: str) -> str:
+    """A name that can be stored and printed, another one for each name."""
+    escaped = _UNUSABLE_NAME.sub(_escaped, name)
+    content = escaped.encode()
+    if len(content) <= MAX_KEY_BYTES:
+        return escaped
+    end = f"… {sha256_hex(content)}"
+    return content[: MAX_KEY_BYTES - len(end.encode())].decode(errors="ignore") + end
 
 
 def _escaped(match: re.Match[str]) -> str:

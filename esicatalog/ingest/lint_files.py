@@ -13,7 +13,7 @@ from esicatalog.esi.reader import Reader
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_members, discover
-from esicatalog.ingest.process import limited_memory
+from esicatalog.ingest.process import limited
 from esicatalog.lint.library import DeviceFact, facts_of_document, lint_library
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.registry import ERROR, Rule
@@ -47,7 +47,7 @@ class FilesRun:
         for found in self._found():
             shown = _shown(found.location)
             try:
-                with limited_memory():
+                with limited():
                     findings = self._document(found, shown)
                 for finding in findings:
                     yield DocumentFinding(shown, finding)

@@ -7,12 +7,11 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
-from esicatalog.ingest.process import Helper, can_fork, forked, interpreter
+from esicatalog.errors import UnreadableDocument
+from esicatalog.ingest.process import DEADLINE_SECONDS, Helper, can_fork, forked, gave_up, interpreter, limited_time
 from esicatalog.ingest.tasks import Answer, Outcome, Task
 from esicatalog.ingest.worker import DocumentWorker, serve
 
-DEADLINE_SECONDS = 120.0
-"""Longest time a document may take; the largest real one takes a few seconds."""
 _MAX_WAITING_BYTES = 64 * 1024 * 1024
 """Outcomes wait as bytes, ten times smaller than as rows: workers go on while the writer writes."""
 _ASKED_AT_ONCE = 2
@@ -26,7 +25,17 @@ def read_here(tasks: Sequence[Task]) -> Iterator[Outcome]:
     """Outcomes of all tasks, read in this process."""
     worker = DocumentWorker()
     for task in tasks:
-        yield worker.handle(task)
+        try:
+            with limited_time():
+                outcome = worker.handle(task)
+        except UnreadableDocument as error:
+            worker = DocumentWorker()  # What that one knows may be half of what it was about to learn.
+            outcome = _given_up(task, str(error))
+        yield outcome
+
+
+def _given_up(task: Task, problem: str) -> Outcome:
+    return Outcome(task.number, "failed", problem, is_unreadable=True)
 
 
 class Pool:
@@ -166,11 +175,11 @@ class Pool:
             answer = worker.receive(self._deadline_seconds)
         except TimeoutError:
             answer = None
-            problem = f"gave up after {self._deadline_seconds:.0f} s"
+            problem = gave_up(self._deadline_seconds)
         if answer is not None:
             return _decode_answer(answer)
         worker.end()
-        return Answer.to(Outcome(task.number, "failed", problem, is_unreadable=True))
+        return Answer.to(_given_up(task, problem))
 
 
 def _place(task: Task) -> tuple[str, tuple[str, ...], str]:

@@ -18,7 +18,11 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import IO, NoReturn, Protocol
 
+from esicatalog.errors import UnreadableDocument
+
 MEMORY_LIMIT_BYTES = 3 * 1024**3
+DEADLINE_SECONDS = 120.0
+"""Longest time a document may take; the largest real one takes a few seconds."""
 _THREADS = Path("/proc/self/task")
 _DESCRIPTORS = Path("/proc/self/fd")
 _PIPE_BYTES = 1024 * 1024
@@ -80,13 +84,65 @@ def _limit_memory() -> Callable[[], None]:
 
 
 @contextlib.contextmanager
-def limited_memory() -> Iterator[None]:
-    """Documents that this process itself reads take no more memory than in a helper: :class:`MemoryError` beyond."""
+def limited() -> Iterator[None]:
+    """A document that this process itself reads takes no more memory and time than in a helper.
+
+    Raises :class:`MemoryError` and :class:`UnreadableDocument` beyond.
+    """
     undo = _limit_memory()
     try:
-        yield
+        with limited_time():
+            yield
     finally:
         undo()
+
+
+class _TimeIsUp(BaseException):
+    """Not to be taken for what is wrong with a document, or with one that it refers to."""
+
+
+@contextlib.contextmanager
+def limited_time() -> Iterator[None]:
+    """Raise :class:`UnreadableDocument` when this takes longer than a document may.
+
+    The main thread alone can be interrupted, between two steps of Python: what libxml2 does is bounded by its limits.
+    Where somebody else has set the system's alarm it stays theirs.
+    """
+    if not _has_free_alarm():
+        yield
+        return
+    is_over = False
+
+    def end(number: int, frame: object) -> None:
+        if not is_over:
+            raise _TimeIsUp
+
+    before = signal.signal(signal.SIGALRM, end)
+    signal.setitimer(signal.ITIMER_REAL, DEADLINE_SECONDS)
+    try:
+        try:
+            yield
+        finally:
+            is_over = True
+    except _TimeIsUp:
+        raise UnreadableDocument(gave_up(DEADLINE_SECONDS)) from None
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
+def gave_up(seconds: float) -> str:
+    """What to say of a document that took longer."""
+    return f"gave up after {seconds:.0f} s"
+
+
+def _has_free_alarm() -> bool:
+    return (
+        hasattr(signal, "setitimer")  # not on Windows
+        and threading.current_thread() is threading.main_thread()
+        and signal.getsignal(signal.SIGALRM) is not None
+        and not any(signal.getitimer(signal.ITIMER_REAL))
+    )
 
 
 @contextlib.contextmanager

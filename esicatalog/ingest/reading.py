@@ -12,7 +12,7 @@ from esicatalog.ingest.tasks import Outcome
 from esicatalog.ingest.unchanged import Hashes
 
 _SMALL_BYTES = 1024 * 1024
-"""A single document up to here is read without a worker process, its memory limit and its deadline."""
+"""A single document up to here is read without a worker process and its memory limit."""
 
 
 class Reading:
