@@ -840,6 +840,24 @@ def test_a_scan_on_the_shell(data_db, tmp_path):
     assert "  process data     2 bytes out, 2 bytes in; unknown of slave 2" in lines
 
 
+def test_a_bus_is_looked_at_in_ring_order(data_db):
+    """Slave 0 feeds 200 mA, slave 1 takes 300 of it, whichever is printed first; JSON has the lines of the text."""
+    head, first, second, third = re.split("(?m)^(?==== )", SLAVES)
+    turned = run("identify", "--slaves", "-", db=data_db, stdin=head + third + "garbage\n" + second + first)
+    assert turned.stdout == run("identify", "--slaves", "-", db=data_db, stdin=SLAVES).stdout
+    found = run("identify", "--slaves", "-", "--format", "json", db=data_db, stdin=third + "garbage\n" + first).stdout
+    slaves = [item["slave"] for item in json.loads(found)]
+    assert [(item["position"], item["line"], len(item["findings"])) for item in slaves] == [(0, 7, 0), (2, 1, 1)]
+    assert "slave 1 is not in the listing; the E-bus budget ends there" in slaves[1]["notes"]
+
+
+def test_gaps_of_a_listing_are_told(data_db):
+    text = SLAVES.replace("Slave 2", "Slave 9").replace("Slave 1", "Slave 3")
+    lines = run("identify", "--slaves", "-", db=data_db, stdin=text).stdout.splitlines()
+    assert "  not listed       slaves 1, 2, 4 to 8" in lines
+    assert "  process data     2 bytes out, 2 bytes in; unknown of slaves 1, 2, 4 to 9" in lines
+
+
 async def test_a_description_without_revision_at_a_bus(tmp_path):
     """Its sizes and its E-bus current count; it is shown without a revision, not with 0."""
     content = "<Info><Electrical><EBusCurrent>200</EBusCurrent></Electrical></Info><Sm>Outputs</Sm>"

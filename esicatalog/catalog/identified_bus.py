@@ -19,6 +19,7 @@ from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.scan_compare import compare_scanned_objects, compare_scanned_pdos
 from esicatalog.model.slots import default_modules
 from esicatalog.model.sm_facts import INPUT, OUTPUT
+from esicatalog.scan.buses import slave_words
 from esicatalog.scan.records import Scan, ScanFinding, ScannedDictionary, ScannedPdos, ScannedSlave
 from esicatalog.words import counted, hex32
 
@@ -116,29 +117,25 @@ class BusReport(NamedTuple):
 def bus_facts(bus: BusReport) -> list[tuple[str, str]]:
     """What is to be known of a bus as a whole: names of facts and their words, those that there are."""
     summary = bus.summary
-    unknown = f"; unknown of {_slave_words(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
+    unknown = f"; unknown of {slave_words(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
     sizes = f"{counted(summary.output_bytes, 'byte')} out, {counted(summary.input_bytes, 'byte')} in"
     facts = [
         ("slaves", f"{len(bus.slaves)}, {len(bus.slaves) - len(bus.not_exact_at)} with exact ESI"),
-        ("no exact ESI", _slave_words(bus.not_exact_at)),
+        ("not listed", slave_words(summary.not_listed)),
+        ("no exact ESI", slave_words(bus.not_exact_at)),
         ("process data", sizes + unknown),
         ("reference clock", _reference_clock_words(bus)),
-        ("no LRW", _slave_words(summary.no_lrw_at)),
-        ("E-bus exceeded", _slave_words(summary.e_bus_exceeded_at)),
-        ("E-bus unknown", _slave_words(summary.e_bus_unknown_at)),
+        ("no LRW", slave_words(summary.no_lrw_at)),
+        ("E-bus exceeded", slave_words(summary.e_bus_exceeded_at)),
+        ("E-bus unknown", slave_words(summary.e_bus_unknown_at)),
         ("same alias", _alias_words(summary.duplicate_aliases)),
     ]
     return [(name, words) for name, words in facts if words]
 
 
-def _slave_words(positions: Sequence[int]) -> str:
-    """Ring positions in words; empty without any."""
-    return f"slave{'s' * (len(positions) > 1)} {', '.join(map(str, positions))}" if positions else ""
-
-
 def _alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:
     """Aliases that several slaves share, in words."""
-    return "; ".join(f"{alias}: {_slave_words(positions)}" for alias, positions in duplicates.items())
+    return "; ".join(f"{alias}: {slave_words(positions)}" for alias, positions in duplicates.items())
 
 
 def _reference_clock_words(bus: BusReport) -> str:
@@ -159,7 +156,7 @@ def _reference_clock_words(bus: BusReport) -> str:
         "nothing is known of {}": [position for position in unknown if position not in described],
         f"of {{}} {says} nothing of clocks": silent,
     }
-    return "; ".join([*known, *(text.format(_slave_words(at)) for text, at in words.items() if at)])
+    return "; ".join([*known, *(text.format(slave_words(at)) for text, at in words.items() if at)])
 
 
 _Listed = tuple[ScannedSlave, tuple[ScanFinding, ...]]
@@ -187,7 +184,8 @@ def bus_reports(
     for slave, findings in zip(scan.slaves, scan.findings_by_slave(), strict=True):
         buses[slave.bus].append((slave, findings))
     found = []
-    for number, listed in sorted(buses.items()):
+    for number, of_bus in sorted(buses.items()):
+        listed = sorted(of_bus, key=lambda item: item[0].position)
         fits = [_fitting(lookup, slave, read, pdos, dictionaries) for slave, _ in listed]
         slaves = [as_listed(slave, [item for item in pdos if _belongs(item, slave)]) for slave, _ in listed]
         devices = [_at_bus(lookup, slave, fit.answer, read) for slave, fit in zip(slaves, fits, strict=True)]
