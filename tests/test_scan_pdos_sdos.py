@@ -98,6 +98,43 @@ def test_headings_name_the_slaves():
     assert [(slave.master, slave.position) for slave in read_sdos(text).slaves] == [(1, 0), (None, 13)]
 
 
+SM = "SM{}: PhysAddr 0x1000, DefaultSize    0, ControlRegister 0x64, Enable 9\n"
+FULL, EMPTY = (
+    SM.format(2) + PDOS[PDOS.index("  RxPDO 0x1600") : PDOS.index("  RxPDO 0x16ff")],
+    SM.format(2) + ('  RxPDO 0x1600 ""\n'),
+)
+
+
+def headed(*blocks: tuple[str, str]) -> str:
+    return "".join(f"=== Master 0, Slave {position} ===\n{block}" for position, block in blocks)
+
+
+def test_the_tool_goes_on_in_hexadecimal_behind_an_empty_pdo():
+    """CommandPdos.cpp and CommandSdos.cpp print the index with ``hex`` and the heading without ``dec``."""
+    scan = read_pdos(
+        headed(("9", EMPTY), ("a", EMPTY), ("b", FULL), ("12", EMPTY), ("d", ""), ("10", FULL), ("17", ""))
+    )
+    assert [slave.position for slave in scan.slaves] == [9, 10, 11, 12, 16]
+    (found,) = scan.findings
+    assert (found.line, found.message) == (
+        16,
+        "'=== Master 0, Slave 10 ===' is of slave 16: the tool goes on in hexadecimal behind an index",
+    )
+    quiet, shown = 'SDO 0x1000, ""\n', SDOS
+    scan = read_sdos(headed(("9", shown), ("10", quiet), ("b", quiet), ("10", shown), ("17", shown)))
+    assert [slave.position for slave in scan.slaves] == [9, 10, 11, 16, 17]
+    (slave,) = read_pdos(SM.format(9) + '  RxPDO 0x1600 ""\n' + SM.format("a")).slaves
+    assert [sync_manager.number for sync_manager in slave.sync_managers] == [9, 10]
+
+
+def test_a_heading_that_may_be_hexadecimal_or_not_is_no_guess():
+    """One run prints slaves in rising order: after 9, 10 is slave 10 of another run, or 16 of the same."""
+    for text in (headed(("9", EMPTY), ("10", FULL)), headed(("9", EMPTY), ("10", EMPTY), ("b", FULL))):
+        with pytest.raises(ScanError, match=r"line 4: '=== Master 0, Slave 10 ===' is of slave 10, or of 16 if"):
+            read_pdos(text)
+    assert [slave.position for slave in read_pdos(headed(("9", EMPTY), ("10", ""), ("b", FULL))).slaves] == [9, 11]
+
+
 def test_a_heading_of_another_command_names_no_list():
     text = f"=== Master 0, Slave 4 ===\nState: PREOP\n$ ethercat pdos -p 1\n{PDOS}"
     assert [slave.position for slave in read_pdos(text).slaves] == [None]

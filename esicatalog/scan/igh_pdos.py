@@ -15,10 +15,10 @@ from esicatalog.scan.records import (
     ScannedPdos,
     ScannedSyncManager,
 )
-from esicatalog.scan.text import name_at_end
+from esicatalog.scan.text import name_at_end, tool_number
 
 _SYNC_MANAGER = re.compile(
-    r"\s*SM([0-9]{1,2}): PhysAddr 0x([0-9a-f]{1,4}), DefaultSize\s+([0-9]{1,5}), "
+    r"\s*SM([0-9a-f]{1,2}): PhysAddr 0x([0-9a-f]{1,4}), DefaultSize\s+([0-9]{1,5}), "
     r"ControlRegister 0x([0-9a-f]{1,2}), Enable ([0-9]{1,3})\s*",
     re.IGNORECASE,
 )
@@ -39,13 +39,16 @@ class _Reader(BlockReader[ScannedSyncManager, ScannedPdos]):
 
     def _take(self, line: int, text: str) -> None:
         if match := _SYNC_MANAGER.fullmatch(text):
+            self._is_hexadecimal = False
             self._begin_sync_manager(line, match)
         elif self._parts and (match := _PDO.fullmatch(text)):
+            self._is_hexadecimal = True
             self._close_pdo()
             name = name_at_end(line, match[3], self._findings)
             is_rx = match[1].upper() == "R"
             self._pdos.append(ScannedPdo(index=int(match[2], 16), is_rx=is_rx, name=name, line=line))
         elif self._pdos and (match := _ENTRY.fullmatch(text)):
+            self._is_hexadecimal = False
             self._entries.append(
                 ScannedPdoEntry(
                     index=int(match[1], 16),
@@ -62,7 +65,7 @@ class _Reader(BlockReader[ScannedSyncManager, ScannedPdos]):
         return ScannedPdos(master=master, position=position, sync_managers=parts, line=parts[0].line)
 
     def _begin_sync_manager(self, line: int, match: re.Match[str]) -> None:
-        number = int(match[1])
+        number = tool_number(match[1])
         if self._parts and number <= self._parts[-1].number:
             self._begin_unnamed(line, "SyncManagers are")
         self._close_part()

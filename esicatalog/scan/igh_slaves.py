@@ -32,7 +32,7 @@ _MAILBOXES = re.compile(r"0x[0-9a-f]{1,8}/([0-9]{1,5}), TX: 0x[0-9a-f]{1,8}/([0-
 _CURRENT = re.compile(r"(-?[0-9]{1,5}) mA")
 _DELAY = re.compile(r"([0-9]{1,10}) ns")
 _PORT = re.compile(r"\s*([0-3])[* ]\s*(EBUS|MII|N/A|N/C|\?\?\?)\s+(up|down)\s+(?:open|closed|bypass)\s.*")
-_OTHER_COMMAND = re.compile(r"\s*(?:SM[0-9]+: PhysAddr|(?:SDO|Sdo) 0x)")
+_OTHER_COMMAND = re.compile(r"\s*(?:SM[0-9a-f]+: PhysAddr|(?:SDO|Sdo) 0x)")
 
 _STATES = ("INIT", "PREOP", "BOOT", "SAFEOP", "OP")
 _PROTOCOLS = ("AoE", "EoE", "CoE", "FoE", "SoE", "VoE")

@@ -25,7 +25,7 @@ _LOG_PREFIX = re.compile(
     ){{1,4}}""",
     re.MULTILINE | re.VERBOSE,
 )
-_HEADING = re.compile(r"\s*===\s*(?:Master\s+([0-9]{1,5}),\s*)?Slave\s+([0-9]{1,5})\s*===\s*")
+_HEADING = re.compile(r"\s*===\s*(?:Master\s+([0-9]{1,5}),\s*)?Slave\s+([0-9a-f]{1,5})\s*===\s*")
 
 
 class Heading(NamedTuple):
@@ -69,10 +69,18 @@ def in_order(findings: list[ScanFinding]) -> tuple[ScanFinding, ...]:
     return tuple(sorted(findings, key=lambda finding: finding.line))
 
 
-def heading_of(line: str) -> Heading | None:
-    """The slave that a heading of the ``ethercat`` tool names, or None for other lines."""
+def heading_of(line: str, base: int = 10) -> Heading | None:
+    """The slave that a heading of the ``ethercat`` tool names, or None for other lines.
+
+    ``base`` is that of its numbers; one with letters is hexadecimal all the same.
+    """
     match = _HEADING.fullmatch(line)
-    return Heading(None if match[1] is None else int(match[1]), int(match[2])) if match else None
+    return Heading(None if match[1] is None else int(match[1], base), tool_number(match[2], base)) if match else None
+
+
+def tool_number(digits: str, base: int = 10) -> int:
+    """A number that the ``ethercat`` tool means in decimal: it forgets to say so behind a number in hexadecimal."""
+    return int(digits, base if digits.isdecimal() else 16)
 
 
 def name_at_end(line: int, rest: str, findings: list[ScanFinding]) -> str | None:
