@@ -2,7 +2,7 @@
 
 import functools
 from collections import defaultdict
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import msgspec
@@ -256,7 +256,15 @@ def _fitting(
         _list_words(own_pdos, own_dictionaries if best.objects_compared else ()),
     )
     answer = msgspec.structs.replace(answer, device=device, variant_warning=lookup.other_variants(device.device))
-    return _Fit(answer, best.differences, notes)
+    return _Fit(answer, best.differences, (*notes, *_quiet_notes(own_pdos, own_dictionaries)))
+
+
+def _quiet_notes(pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]) -> Iterator[str]:
+    """What lists without entries do not tell."""
+    if not all(item.lists_entries for item in pdos):
+        yield "PDOs are listed without entries: mappings are not compared, bytes are those described by default"
+    if not all(item.lists_entries for item in dictionaries):
+        yield "objects are listed without entries: only their indices are compared"
 
 
 def _list_words(pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]) -> str:

@@ -187,6 +187,12 @@ class ScannedPdos(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     line: int
     origin: str = "a list of PDOs"
 
+    @property
+    def lists_entries(self) -> bool:
+        """False where no PDO has an entry: with ``--quiet`` the master prints none."""
+        pdos = [pdo for sync_manager in self.sync_managers for pdo in sync_manager.pdos]
+        return not pdos or any(pdo.entries for pdo in pdos)
+
 
 class PdoScan(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     """Output of ``ethercat pdos``."""
@@ -225,6 +231,11 @@ class ScannedDictionary(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     objects: tuple[ScannedObject, ...]
     line: int
     origin: str = "a list of objects"
+
+    @property
+    def lists_entries(self) -> bool:
+        """False where no object has an entry: with ``--quiet`` the master prints none."""
+        return any(item.entries for item in self.objects)
 
 
 class SdoScan(msgspec.Struct, frozen=True, gc=False, kw_only=True):
