@@ -1072,8 +1072,8 @@ async def test_what_is_not_understood_is_told_at_every_door(several, tmp_path):
     assert done.stderr.splitlines() == [
         f"line 2: {announced['message']}",
         f"line 13: {garbage['message']}",
-        f"--pdos 0={tmp_path / 'p.txt'}, line 3: 1 line is not read as `ethercat pdos`; "
-        """the first: 'PDO entry 0x7000:01, 1600 bit, "a"'""",
+        f"--pdos 0={tmp_path / 'p.txt'}, line 3: not understood, so the list is not complete and not compared: "
+        """'PDO entry 0x7000:01, 1600 bit, "a"'""",
         f"--sdos 1={tmp_path / 's.txt'}, line 2: 1 line is not read as `ethercat sdos`; the first: 'garbage'",
         f"--sdos 1={tmp_path / 's.txt'}, line 3: the name is cut off: 'Err'",
     ]

@@ -1,5 +1,6 @@
 """``ethercat pdos`` and ``ethercat sdos``: layouts, headings, cut output, round trips."""
 
+import msgspec
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -166,12 +167,47 @@ def test_cut_names_are_told():
 def test_foreign_lines_are_told_once():
     scan = read_pdos(f'  RxPDO 0x1600 "before any SyncManager"\n$ ethercat pdos\n{PDOS}$ exit\n')
     assert messages(scan) == [
-        (1, "3 lines are not read as `ethercat pdos`; the first: 'RxPDO 0x1600 \"before any SyncManager\"'")
+        (
+            1,
+            "not understood, so the list is not complete and not compared: 'RxPDO 0x1600 \"before any SyncManager\"'",
+        ),
+        (2, "2 lines are not read as `ethercat pdos`; the first: '$ ethercat pdos'"),
     ]
-    assert len(scan.slaves) == 1
+    assert [slave.is_complete for slave in scan.slaves] == [True]
     dictionaries = read_sdos(SDOS + '  0x1a00:00, r-r-r-, uint8, 8 bit, "of another object"\n')
     assert dictionaries.slaves == read_sdos(SDOS).slaves
     assert messages(dictionaries)[0][0] == 6
+
+
+@pytest.mark.parametrize("broken", ["SM3: ", "SM3: Phys", '  RxPDO 0x16ff ""', "    PDO entry 0x0000:00,"])
+def test_a_broken_line_of_a_list_gives_nothing_to_the_one_before_it(broken):
+    """The kernel writes into the same terminal; what stands below the line may belong to another PDO or SyncManager."""
+    scan = read_pdos(PDOS.replace(broken, broken[:-2] + "[ 12.1] EtherCAT 0: x\n" + broken[-2:], 1) + PDOS)
+    first, second = scan.slaves
+    assert (first.is_complete, second.is_complete) == (False, True)
+    assert second.sync_managers == tuple(
+        msgspec.structs.replace(sync_manager, line=line, pdos=read.pdos)
+        for sync_manager, read, line in zip(
+            read_pdos(PDOS).slaves[0].sync_managers, second.sync_managers, (11, 12, 17), strict=True
+        )
+    )
+    mapped = {pdo.index: [entry.index for entry in pdo.entries] for sm in first.sync_managers for pdo in sm.pdos}
+    whole = {0x1600: [0x7000, 0], 0x16FF: [], 0x1A00: [0x6000]}
+    assert all(whole[index][: len(entries)] == entries for index, entries in mapped.items())
+    assert "not understood, so the list is not complete" in scan.findings[0].message
+
+
+def test_a_broken_heading_names_no_list():
+    for text, read in ((PDOS, read_pdos), (SDOS, read_sdos)):
+        with pytest.raises(ScanError, match="line 1: '=== Master 0, Slave 2 ==' is no heading, though it begins like"):
+            read(f"=== Master 0, Slave 2 ==\n{text}")
+
+
+@pytest.mark.parametrize("noise", ["Last login: x", "[  12.1] EtherCAT 0: Slave states: PREOP.", "user@host:~$"])
+def test_noise_does_not_take_the_heading_from_a_list(noise):
+    for text, read in ((PDOS, read_pdos), (SDOS, read_sdos)):
+        (slave,) = (scan := read(f"=== Master 0, Slave 3 ===\n{noise}\n{text}")).slaves
+        assert (slave.position, [finding.line for finding in scan.findings]) == (3, [2])
 
 
 def test_objects_of_one_slave():

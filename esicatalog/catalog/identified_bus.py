@@ -241,13 +241,15 @@ def _fitting(
     answer = (
         lookup.identify(known.vendor_id, known.product_code, known.revision_no) if known is not None else _NO_IDENTITY
     )
-    own_pdos = [item for item in pdos if _belongs(item, slave)]
+    printed_pdos = [item for item in pdos if _belongs(item, slave)]
+    own_pdos = [item for item in printed_pdos if item.is_complete]
     own_dictionaries = [item for item in dictionaries if _belongs(item, slave)]
+    broken = ("PDOs not compared: their list was not understood in full",) * (own_pdos != printed_pdos)
     if not own_pdos and not own_dictionaries:
-        return _Fit(answer)
+        return _Fit(answer, notes=broken)
     if answer.device is None:
         lists = _list_words(own_pdos, own_dictionaries)
-        return _Fit(answer, notes=(f"{lists} not compared: no description of slave {slave.position}",))
+        return _Fit(answer, notes=(*broken, f"{lists} not compared: no description of slave {slave.position}"))
     compared = [_compared(*records(variant.device), own_pdos, own_dictionaries) for variant in answer.variants]
     best = min(compared, key=_rank)
     device = answer.variants[compared.index(best)]
@@ -256,7 +258,7 @@ def _fitting(
         _list_words(own_pdos, own_dictionaries if best.objects_compared else ()),
     )
     answer = msgspec.structs.replace(answer, device=device, variant_warning=lookup.other_variants(device.device))
-    return _Fit(answer, best.differences, (*notes, *_quiet_notes(own_pdos, own_dictionaries)))
+    return _Fit(answer, best.differences, (*notes, *broken, *_quiet_notes(own_pdos, own_dictionaries)))
 
 
 def _quiet_notes(pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]) -> Iterator[str]:

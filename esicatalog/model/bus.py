@@ -83,11 +83,12 @@ class BusSummary(NamedTuple):
 def as_listed(slave: ScannedSlave, lists: Sequence[ScannedPdos]) -> ScannedSlave:
     """The slave with the process data of the PDOs that a master listed: what is assigned is what is exchanged.
 
-    Every SyncManager begins at a byte. A direction of which the lists say nothing, as those without entries do, stays
-    as the scan has it.
+    Every SyncManager begins at a byte. A direction of which the lists say nothing, as those without entries and
+    those that are not complete do, stays as the scan has it.
     """
+    telling = [listed for listed in lists if listed.is_complete and listed.lists_entries]
     bits: dict[str, dict[int, int]] = defaultdict(dict)
-    for sync_manager in (item for listed in lists if listed.lists_entries for item in listed.sync_managers):
+    for sync_manager in (item for listed in telling for item in listed.sync_managers):
         for direction, size in _listed_bits(sync_manager).items():
             bits[direction][sync_manager.number] = 8 * byte_length(size)
     sizes = {direction: sum(of_direction.values()) for direction, of_direction in bits.items()}

@@ -5,11 +5,25 @@ the hexadecimal index of a PDO or object without entries they are hexadecimal to
 entry or SyncManager is printed.
 """
 
+import re
 from abc import ABC, abstractmethod
 from typing import ClassVar, Generic, TypeVar
 
 from esicatalog.scan.records import ScanError, ScanFinding
-from esicatalog.scan.text import Heading, Skipped, clean, heading_of, in_order, numbered_lines, quoted
+from esicatalog.scan.text import (
+    OF_LISTS,
+    Heading,
+    Skipped,
+    clean,
+    heading_of,
+    in_order,
+    is_broken_heading,
+    numbered_lines,
+    quoted,
+)
+
+_OTHER_COMMAND = re.compile(rf"\s*(?:(?:Alias|Device|State|Flag|Identity):|{OF_LISTS})|.*\bethercat [a-z]")
+"""Lines of ``ethercat slaves -v``, of lists, and those that start the tool."""
 
 Part = TypeVar("Part")
 Slave = TypeVar("Slave")
@@ -40,6 +54,9 @@ class BlockReader(ABC, Generic[Part, Slave]):
             if heading := heading_of(content):
                 self._close_slave()
                 self._heading = self._last = self._meant(line, content, heading)
+            elif is_broken_heading(content):
+                self._close_slave()
+                self._doubt = f"line {line}: {quoted(content)} is no heading, though it begins like one; correct it"
             else:
                 self._take(line, content)
         self._close_slave()
@@ -76,8 +93,10 @@ class BlockReader(ABC, Generic[Part, Slave]):
 
     def _skip(self, line: int, text: str) -> None:
         self._skipped.add(line, text)
-        if not self._parts:  # the heading belongs to another command's output
-            self._heading = None
+        if _OTHER_COMMAND.match(text):
+            self._is_hexadecimal = False
+            if not self._parts:
+                self._close_slave()
 
     def _close_slave(self) -> None:
         """End the slave that was read last; a slave without parts is none."""

@@ -186,6 +186,8 @@ class ScannedPdos(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     sync_managers: tuple[ScannedSyncManager, ...]
     line: int
     origin: str = "a list of PDOs"
+    is_complete: bool = True
+    """False where a line of the list was not understood: then it tells neither sizes nor the assignment."""
 
     @property
     def lists_entries(self) -> bool:

@@ -11,8 +11,18 @@ from esicatalog.words import counted
 NOT_READ = "has vendor id and product code 0: its SII was not read or is empty"
 """Of a slave whose identity is none (:func:`esicatalog.identity.is_read`)."""
 
+OF_LISTS = r"SM[0-9a-f]+: PhysAddr|(?:SDO|Sdo) 0x"
+"""How lines of ``ethercat pdos`` and ``ethercat sdos`` begin."""
+
 _SHOWN = 60
-_ANSI = re.compile(r"\x1b\[[0-?]{0,32}[ -/]{0,8}[@-~]")
+_ESCAPES = re.compile(
+    r"""\x1b(?:
+        \[[0-?]{0,32}[ -/]{0,8}[@-~]             # CSI: colours
+        | [ -/]{1,8}[0-~]                        # a character set: `tput sgr0` ends with ESC ( B
+        | \][^\x07\x1b\n]{0,1024}(?:\x07|\x1b\\)  # OSC: titles, links
+    )""",
+    re.VERBOSE,
+)
 _LINE_END = re.compile(r"\r\n?")
 _TIME = r"[0-9]{2}:[0-9]{2}:[0-9]{2}(?:[.,][0-9]{1,9})?"
 _LOG_PREFIX = re.compile(
@@ -47,7 +57,7 @@ def decode_text(content: bytes) -> str:
 
 def clean(text: str) -> str:
     """The text with plain line ends and without colours and log prefixes. Raises :class:`ScanError` when empty."""
-    cleaned = _LINE_END.sub("\n", _ANSI.sub("", text.removeprefix("\ufeff")))
+    cleaned = _LINE_END.sub("\n", _ESCAPES.sub("", text.removeprefix("\ufeff")))
     if not cleaned.strip():
         raise ScanError("the text is empty; expected what a master printed about its slaves")
     return _LOG_PREFIX.sub("", cleaned)
@@ -67,6 +77,11 @@ def quoted(text: str) -> str:
 def in_order(findings: list[ScanFinding]) -> tuple[ScanFinding, ...]:
     """The findings by line."""
     return tuple(sorted(findings, key=lambda finding: finding.line))
+
+
+def is_broken_heading(line: str) -> bool:
+    """Whether a line begins like a heading and is none: what stands below it is of another slave than what is above."""
+    return line.lstrip().startswith("===") and heading_of(line) is None
 
 
 def heading_of(line: str, base: int = 10) -> Heading | None:
