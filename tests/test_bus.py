@@ -170,6 +170,29 @@ def test_slaves_that_are_not_listed_are_unknown():
     assert (summary.not_listed, summary.e_bus_unknown_at) == ((0, 1, 2), ())
 
 
+def test_what_the_master_reports_of_failure_is_told():
+    reports, _ = bus(
+        None,
+        None,
+        None,
+        None,
+        at0={"failed": True, "state": "PREOP", "state_error": True, "master_device": "Backup"},
+        at1={"state": "SAFEOP", "state_error": True, "al_status_code": 0x1E},
+        at2={"al_status_code": 0x11},
+        at3={"failed": False, "state": "OP", "state_error": False, "al_status_code": 0, "master_device": "Main"},
+    )
+    assert [report.notes for report in reports] == [
+        (
+            "the master reports that its scan or configuration failed (flag E)",
+            "the slave reports an error in PREOP",
+            "reached by the backup link of the master only",
+        ),
+        ("the slave reports an error in SAFEOP, AL status code 0x001E",),
+        ("the slave reports an error, AL status code 0x0011",),
+        (),
+    ]
+
+
 def test_an_empty_bus():
     reports, summary = look_at_bus([])
     assert reports == []

@@ -851,6 +851,15 @@ def test_a_bus_is_looked_at_in_ring_order(data_db):
     assert "slave 1 is not in the listing; the E-bus budget ends there" in slaves[1]["notes"]
 
 
+def test_the_state_of_a_slave_is_in_the_answer(data_db):
+    text = SLAVES.replace("Alias: 7\n", "Device: Backup\nState: PREOP+ERROR\nFlag: E\n", 1)
+    failed, silent, _ = json.loads(run("identify", "--slaves", "-", "--format", "json", db=data_db, stdin=text).stdout)
+    names = ("state", "state_error", "failed", "al_status_code", "master_device")
+    assert [failed["slave"][name] for name in names] == ["PREOP", True, True, None, "Backup"]
+    assert [silent["slave"][name] for name in names] == [None] * 5
+    assert "the slave reports an error in PREOP" in failed["slave"]["notes"]
+
+
 def test_gaps_of_a_listing_are_told(data_db):
     text = SLAVES.replace("Slave 2", "Slave 9").replace("Slave 1", "Slave 3")
     lines = run("identify", "--slaves", "-", db=data_db, stdin=text).stdout.splitlines()

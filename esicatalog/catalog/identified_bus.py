@@ -81,6 +81,11 @@ class IdentifiedSlave(NamedTuple):
             "alias": slave.alias,
             "name": slave.name,
             "serial_no": slave.serial_no,
+            "state": slave.state,
+            "state_error": slave.state_error,
+            "failed": slave.failed,
+            "al_status_code": slave.al_status_code,
+            "master_device": slave.master_device,
             "line": slave.line,
         }
         return {

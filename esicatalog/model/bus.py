@@ -126,7 +126,7 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
     for slave, device in bus:
         notes = list(budget.pass_over(missing[slave.position])) if slave.position in missing else []
         budget.pass_by(slave, device)
-        notes += budget.notes
+        notes += [*_troubles(slave), *budget.notes]
         if slave.alias in duplicates:
             others = ", ".join(str(position) for position in duplicates[slave.alias] if position != slave.position)
             notes.append(f"alias {slave.alias} is also that of slave {others}")
@@ -147,6 +147,18 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
         )
     not_listed = tuple(itertools.chain.from_iterable(missing.values()))
     return reports, _summary(bus, not_listed, reports, duplicates, budget)
+
+
+def _troubles(slave: ScannedSlave) -> Iterator[str]:
+    """What the master itself reports to be wrong with a slave."""
+    if slave.failed:
+        yield "the master reports that its scan or configuration failed (flag E)"
+    if slave.state_error or slave.al_status_code:
+        state = f" in {slave.state}" if slave.state is not None else ""
+        code = f", AL status code 0x{slave.al_status_code:04X}" if slave.al_status_code else ""
+        yield f"the slave reports an error{state}{code}"
+    if slave.master_device == "Backup":
+        yield "reached by the backup link of the master only"
 
 
 class _Size(NamedTuple):
