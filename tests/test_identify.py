@@ -1077,14 +1077,19 @@ async def test_what_is_not_understood_is_told_at_every_door(several, tmp_path):
     (tmp_path / "s.txt").write_text('SDO 0x1000, "Device type"\ngarbage\nSDO 0x1001, "Err')
     beside = ["--pdos", f"0={tmp_path / 'p.txt'}", "--sdos", f"1={tmp_path / 's.txt'}"]
     done = run("identify", "--slaves", "-", *beside, "--format", "json", db=several, stdin=scan)
-    assert [item["slave"]["findings"] for item in json.loads(done.stdout)] == [[announced], [garbage]]
+    pdos, sdos = f"--pdos 0={tmp_path / 'p.txt'}", f"--sdos 1={tmp_path / 's.txt'}"
+    broken = """not understood, so the list is not complete and not compared: 'PDO entry 0x7000:01, 1600 bit, "a"'"""
+    skipped, cut = "1 line is not read as `ethercat sdos`; the first: 'garbage'", "the name is cut off: 'Err'"
+    assert [item["slave"]["findings"] for item in json.loads(done.stdout)] == [
+        [announced, {"line": 3, "message": f"{pdos}: {broken}"}],
+        [garbage, {"line": 2, "message": f"{sdos}: {skipped}"}, {"line": 3, "message": f"{sdos}: {cut}"}],
+    ]
     assert done.stderr.splitlines() == [
         f"line 2: {announced['message']}",
         f"line 13: {garbage['message']}",
-        f"--pdos 0={tmp_path / 'p.txt'}, line 3: not understood, so the list is not complete and not compared: "
-        """'PDO entry 0x7000:01, 1600 bit, "a"'""",
-        f"--sdos 1={tmp_path / 's.txt'}, line 2: 1 line is not read as `ethercat sdos`; the first: 'garbage'",
-        f"--sdos 1={tmp_path / 's.txt'}, line 3: the name is cut off: 'Err'",
+        f"{pdos}, line 3: {broken}",
+        f"{sdos}, line 2: {skipped}",
+        f"{sdos}, line 3: {cut}",
     ]
 
 

@@ -117,6 +117,7 @@ def test_the_tool_goes_on_in_hexadecimal_behind_an_empty_pdo():
     )
     assert [slave.position for slave in scan.slaves] == [9, 10, 11, 12, 16]
     (found,) = scan.findings
+    assert [slave.findings for slave in scan.slaves] == [(), (), (), (), (found,)]
     assert (found.line, found.message) == (
         16,
         "'=== Master 0, Slave 10 ===' is of slave 16: the tool goes on in hexadecimal behind an index",
@@ -175,7 +176,8 @@ def test_foreign_lines_are_told_once():
     ]
     assert [slave.is_complete for slave in scan.slaves] == [True]
     dictionaries = read_sdos(SDOS + '  0x1a00:00, r-r-r-, uint8, 8 bit, "of another object"\n')
-    assert dictionaries.slaves == read_sdos(SDOS).slaves
+    (slave,) = read_sdos(SDOS).slaves
+    assert dictionaries.slaves == (msgspec.structs.replace(slave, findings=dictionaries.findings),)
     assert messages(dictionaries)[0][0] == 6
 
 

@@ -35,7 +35,7 @@ class IdentifiedSlave(NamedTuple):
     differences: tuple[str, ...]
     """What its PDOs and objects, as the master printed them, are otherwise than described."""
     findings: tuple[ScanFinding, ...]
-    """What the scan says of it that was not understood, see :meth:`Scan.findings_by_slave`."""
+    """What the scan, and the lists of its PDOs and objects, say of it that was not understood."""
 
     @property
     def identity_text(self) -> str:
@@ -186,8 +186,10 @@ def bus_reports(
     # Slaves of a bus are often alike: each description is read once.
     read = functools.cache(records)
     buses: dict[int, list[_Listed]] = defaultdict(list)
+    lists: list[ScannedPdos | ScannedDictionary] = [*pdos, *dictionaries]
     for slave, findings in zip(scan.slaves, scan.findings_by_slave(), strict=True):
-        buses[slave.bus].append((slave, findings))
+        beside = [finding for item in lists if _belongs(item, slave) for finding in _named(item)]
+        buses[slave.bus].append((slave, (*findings, *beside)))
     found = []
     for number, of_bus in sorted(buses.items()):
         listed = sorted(of_bus, key=lambda item: item[0].position)
@@ -198,6 +200,12 @@ def bus_reports(
         together = zip(listed, fits, reports, strict=True)
         found.append(BusReport(number, tuple(_identified(*item, read) for item in together), summary))
     return found
+
+
+def _named(item: ScannedPdos | ScannedDictionary) -> Iterator[ScanFinding]:
+    """The findings of a list, which say of which: its lines are those of another text than the scan's."""
+    for finding in item.findings:
+        yield ScanFinding(line=finding.line, message=f"{item.origin}: {finding.message}")
 
 
 def _at_bus(

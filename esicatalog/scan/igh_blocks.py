@@ -9,7 +9,9 @@ import re
 from abc import ABC, abstractmethod
 from typing import ClassVar, Generic, TypeVar
 
-from esicatalog.scan.records import ScanError, ScanFinding
+import msgspec
+
+from esicatalog.scan.records import ScanError, ScanFinding, ScannedDictionary, ScannedPdos, findings_by_line
 from esicatalog.scan.text import (
     OF_LISTS,
     Heading,
@@ -26,7 +28,7 @@ _OTHER_COMMAND = re.compile(rf"\s*(?:(?:Alias|Device|State|Flag|Identity):|{OF_L
 """Lines of ``ethercat slaves -v``, of lists, and those that start the tool."""
 
 Part = TypeVar("Part")
-Slave = TypeVar("Slave")
+Slave = TypeVar("Slave", bound=ScannedPdos | ScannedDictionary)
 
 
 class BlockReader(ABC, Generic[Part, Slave]):
@@ -38,6 +40,9 @@ class BlockReader(ABC, Generic[Part, Slave]):
 
     def __init__(self) -> None:
         self._slaves: list[Slave] = []
+        self._starts: list[int] = []
+        """Lines in which the slaves begin: with their heading."""
+        self._start = self._line = 1
         self._findings: list[ScanFinding] = []
         self._skipped = Skipped()
         self._heading: Heading | None = None
@@ -51,6 +56,7 @@ class BlockReader(ABC, Generic[Part, Slave]):
     def read(self, text: str) -> tuple[tuple[Slave, ...], tuple[ScanFinding, ...]]:
         """The slaves of a text and what was found in it. Raises :class:`ScanError` when it has none."""
         for line, content in numbered_lines(clean(text)):
+            self._line = line
             if heading := heading_of(content):
                 self._close_slave()
                 self._heading = self._last = self._meant(line, content, heading)
@@ -62,7 +68,9 @@ class BlockReader(ABC, Generic[Part, Slave]):
         self._close_slave()
         if not self._slaves:
             raise ScanError(f"no output of `{self.COMMAND}`; expected lines such as `{self.EXAMPLE}`")
-        return tuple(self._slaves), in_order(self._findings + self._skipped.findings(f"`{self.COMMAND}`"))
+        findings = in_order(self._findings + self._skipped.findings(f"`{self.COMMAND}`"))
+        by_slave = zip(self._slaves, findings_by_line(self._starts, findings), strict=True)
+        return tuple(msgspec.structs.replace(slave, findings=own) for slave, own in by_slave), findings
 
     def _meant(self, line: int, text: str, heading: Heading) -> Heading:
         """The slave that a heading means: a run of the tool names slaves in rising order."""
@@ -106,6 +114,8 @@ class BlockReader(ABC, Generic[Part, Slave]):
                 raise ScanError(self._doubt)
             master, position = self._heading or (None, None)
             self._slaves.append(self._slave(master, position, tuple(self._parts)))
+            self._starts.append(self._start)
+        self._start = self._line
         self._parts, self._heading, self._doubt = [], None, None
 
     def _begin_unnamed(self, line: int, what: str) -> None:
