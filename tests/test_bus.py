@@ -156,6 +156,43 @@ def test_a_system_time_is_told_by_the_master_or_by_a_description_that_synchronis
         assert (summary.reference_clock_candidate is None) == (devices == (NO_CLOCK,))
 
 
+def test_slaves_that_are_not_listed_are_unknown():
+    """Slave 0 feeds 2000 mA; what 1 and 2 take of it nobody says, and one of them may be the first with a clock."""
+    reports, summary = bus(
+        COUPLER._replace(dc_supported=False), TERMINAL, DRIVE, at1={"position": 3}, at2={"position": 4}
+    )
+    assert [report.e_bus_left_ma for report in reports] == [2000, None, None]
+    assert reports[1].notes == ("slaves 1, 2 are not in the listing; the E-bus budget ends there",)
+    assert summary.not_listed == summary.e_bus_unknown_at == summary.bytes_unknown_at == (1, 2)
+    assert (summary.reference_clock_candidate, summary.clock_unknown_at) == (4, (0, 1, 2, 3))
+    reports, summary = bus(TERMINAL, at0={"position": 3})
+    assert reports[0].notes == ("slaves 0 to 2 are not in the listing",)
+    assert (summary.not_listed, summary.e_bus_unknown_at) == ((0, 1, 2), ())
+
+
+def test_what_the_master_reports_of_failure_is_told():
+    reports, _ = bus(
+        None,
+        None,
+        None,
+        None,
+        at0={"failed": True, "state": "PREOP", "state_error": True, "master_device": "Backup"},
+        at1={"state": "SAFEOP", "state_error": True, "al_status_code": 0x1E},
+        at2={"al_status_code": 0x11},
+        at3={"failed": False, "state": "OP", "state_error": False, "al_status_code": 0, "master_device": "Main"},
+    )
+    assert [report.notes for report in reports] == [
+        (
+            "the master reports that its scan or configuration failed (flag E)",
+            "the slave reports an error in PREOP",
+            "reached by the backup link of the master only",
+        ),
+        ("the slave reports an error in SAFEOP, AL status code 0x001E",),
+        ("the slave reports an error, AL status code 0x0011",),
+        (),
+    ]
+
+
 def test_an_empty_bus():
     reports, summary = look_at_bus([])
     assert reports == []

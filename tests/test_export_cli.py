@@ -207,6 +207,14 @@ def test_a_bus_from_a_listing(data_db, tmp_path):
     assert "#ifndef LINE_H" in run("igh", "--scan", listing, "--name", "line", db=data_db).stdout
 
 
+def test_what_is_not_understood_of_a_listing_is_told(data_db):
+    block = "=== Master 0, Slave 0 ===\n  Vendor Id: 0x4321\n  Product code: 0xe2\n  Revision number: 0x1\n"
+    result = run("igh", "--scan", "-", db=data_db, stdin=block + "garbage\n")
+    words = "line 5: 1 line is not read as `ethercat slaves -v`; the first: 'garbage'"
+    assert (result.exit_code, result.stderr) == (0, f"esicatalog: {words}\n")
+    assert f" * - {words}\n" in result.stdout
+
+
 def test_a_bus_with_other_revisions_is_refused(data_db):
     listing = BUS.replace("0x4321,0xe2,1\n0xE5C", "0x4321,0xe2,9\n0xE5C")
     line = error_line(run("igh", "--scan", "-", db=data_db, stdin=listing), 1)

@@ -8,11 +8,12 @@ from esicatalog.export.igh import igh_bus_header, igh_header
 from esicatalog.export.linuxcnc import linuxcnc_configuration
 from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.ros2 import ros2_slave
+from esicatalog.export.scan_bus import BusConfigurations
 from esicatalog.export.soem import soem_header
 
 
 def igh_bus(found: Configuration) -> str:
-    return igh_bus_header([found], [], "bus")
+    return igh_bus_header(BusConfigurations([found], [], []), "bus")
 
 
 TARGETS = [igh_header, igh_bus, soem_header, pysoem_module, ros2_slave, linuxcnc_configuration]

@@ -14,6 +14,7 @@ from esicatalog.export.choice import Choice, parse_pdo_choice
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.headings import choice_lines
 from esicatalog.export.igh import igh_bus_header, igh_header
+from esicatalog.export.scan_bus import BusConfigurations
 from esicatalog.export.soem import soem_header
 from esicatalog.export.subject import subjects_of_document
 
@@ -515,7 +516,7 @@ def bus(data) -> list[Configuration]:
 
 @needs_gcc
 def test_a_bus_in_one_header(data, tmp_path):
-    text = igh_bus_header(bus(data), ["position 3: 0x1:0x2 is unknown"], "bus")
+    text = igh_bus_header(BusConfigurations(bus(data), ["position 3: 0x1:0x2 is unknown"], []), "bus")
     assert "- position 3: 0x1:0x2 is unknown" in text
     assert text.count("static ec_sync_info_t ") == 2, "equal devices share their tables"
     assert re.findall(r"#define (\w+_POSITION) (\d)", text) == [
@@ -535,17 +536,17 @@ def test_a_bus_in_one_header(data, tmp_path):
 
 def test_a_bus_that_cannot_be():
     with pytest.raises(InputError, match="no slave of the bus"):
-        igh_bus_header([], [], "bus")
+        igh_bus_header(BusConfigurations([], [], []), "bus")
     one = configured(SMS)
     with pytest.raises(InputError, match="two slaves stand at alias 0, position 0"):
-        igh_bus_header([one, one], [], "bus")
+        igh_bus_header(BusConfigurations([one, one], [], []), "bus")
 
 
 @needs_gcc
 def test_equal_types_of_different_devices_on_a_bus(tmp_path):
     first = configure(subject(SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')), Choice(position=0))
     second = configure(subject(SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')), Choice(position=1))
-    check_syntax(tmp_path, [igh_bus_header([first, second], [], "bus")], IGH_16)
+    check_syntax(tmp_path, [igh_bus_header(BusConfigurations([first, second], [], []), "bus")], IGH_16)
 
 
 TYPES_OF_C = [f"{sign}int{bits}_t" for sign in ("u", "") for bits in (8, 16, 32, 64)]

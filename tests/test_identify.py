@@ -840,6 +840,33 @@ def test_a_scan_on_the_shell(data_db, tmp_path):
     assert "  process data     2 bytes out, 2 bytes in; unknown of slave 2" in lines
 
 
+def test_a_bus_is_looked_at_in_ring_order(data_db):
+    """Slave 0 feeds 200 mA, slave 1 takes 300 of it, whichever is printed first; JSON has the lines of the text."""
+    head, first, second, third = re.split("(?m)^(?==== )", SLAVES)
+    turned = run("identify", "--slaves", "-", db=data_db, stdin=head + third + "garbage\n" + second + first)
+    assert turned.stdout == run("identify", "--slaves", "-", db=data_db, stdin=SLAVES).stdout
+    found = run("identify", "--slaves", "-", "--format", "json", db=data_db, stdin=third + "garbage\n" + first).stdout
+    slaves = [item["slave"] for item in json.loads(found)]
+    assert [(item["position"], item["line"], len(item["findings"])) for item in slaves] == [(0, 7, 0), (2, 1, 1)]
+    assert "slave 1 is not in the listing; the E-bus budget ends there" in slaves[1]["notes"]
+
+
+def test_the_state_of_a_slave_is_in_the_answer(data_db):
+    text = SLAVES.replace("Alias: 7\n", "Device: Backup\nState: PREOP+ERROR\nFlag: E\n", 1)
+    failed, silent, _ = json.loads(run("identify", "--slaves", "-", "--format", "json", db=data_db, stdin=text).stdout)
+    names = ("state", "state_error", "failed", "al_status_code", "master_device")
+    assert [failed["slave"][name] for name in names] == ["PREOP", True, True, None, "Backup"]
+    assert [silent["slave"][name] for name in names] == [None] * 5
+    assert "the slave reports an error in PREOP" in failed["slave"]["notes"]
+
+
+def test_gaps_of_a_listing_are_told(data_db):
+    text = SLAVES.replace("Slave 2", "Slave 9").replace("Slave 1", "Slave 3")
+    lines = run("identify", "--slaves", "-", db=data_db, stdin=text).stdout.splitlines()
+    assert "  not listed       slaves 1, 2, 4 to 8" in lines
+    assert "  process data     2 bytes out, 2 bytes in; unknown of slaves 1, 2, 4 to 9" in lines
+
+
 async def test_a_description_without_revision_at_a_bus(tmp_path):
     """Its sizes and its E-bus current count; it is shown without a revision, not with 0."""
     content = "<Info><Electrical><EBusCurrent>200</EBusCurrent></Electrical></Info><Sm>Outputs</Sm>"
@@ -994,8 +1021,8 @@ def test_the_variant_that_fits_the_printed_pdos_is_named(tmp_path):
     )
     assert neither["device"]["variant"] == 1
     assert neither["slave"]["notes"] == [
-        "bytes out: 0 configured, 2 in the default process image of the description",
         "all 2 variants fit its PDOs alike",
+        "PDOs are listed without entries: mappings are not compared, bytes are those described by default",
     ]
 
 
@@ -1050,14 +1077,19 @@ async def test_what_is_not_understood_is_told_at_every_door(several, tmp_path):
     (tmp_path / "s.txt").write_text('SDO 0x1000, "Device type"\ngarbage\nSDO 0x1001, "Err')
     beside = ["--pdos", f"0={tmp_path / 'p.txt'}", "--sdos", f"1={tmp_path / 's.txt'}"]
     done = run("identify", "--slaves", "-", *beside, "--format", "json", db=several, stdin=scan)
-    assert [item["slave"]["findings"] for item in json.loads(done.stdout)] == [[announced], [garbage]]
+    pdos, sdos = f"--pdos 0={tmp_path / 'p.txt'}", f"--sdos 1={tmp_path / 's.txt'}"
+    broken = """not understood, so the list is not complete and not compared: 'PDO entry 0x7000:01, 1600 bit, "a"'"""
+    skipped, cut = "1 line is not read as `ethercat sdos`; the first: 'garbage'", "the name is cut off: 'Err'"
+    assert [item["slave"]["findings"] for item in json.loads(done.stdout)] == [
+        [announced, {"line": 3, "message": f"{pdos}: {broken}"}],
+        [garbage, {"line": 2, "message": f"{sdos}: {skipped}"}, {"line": 3, "message": f"{sdos}: {cut}"}],
+    ]
     assert done.stderr.splitlines() == [
         f"line 2: {announced['message']}",
         f"line 13: {garbage['message']}",
-        f"--pdos 0={tmp_path / 'p.txt'}, line 3: 1 line is not read as `ethercat pdos`; "
-        """the first: 'PDO entry 0x7000:01, 1600 bit, "a"'""",
-        f"--sdos 1={tmp_path / 's.txt'}, line 2: 1 line is not read as `ethercat sdos`; the first: 'garbage'",
-        f"--sdos 1={tmp_path / 's.txt'}, line 3: the name is cut off: 'Err'",
+        f"{pdos}, line 3: {broken}",
+        f"{sdos}, line 2: {skipped}",
+        f"{sdos}, line 3: {cut}",
     ]
 
 

@@ -298,6 +298,27 @@ def test_terminal_decoration():
         assert scan.findings == ()
 
 
+def test_what_programs_write_into_terminals_beside_colours():
+    """``tput sgr0`` of most terminals is ESC ( B ESC [ m; OSC sets titles, ended by BEL or ESC and a backslash."""
+    heading = "=== Master 0, Slave 1 ==="
+    for decorated in (f"{heading}\x1b(B\x1b[m", f"\x1b]0;title\x07{heading}", f"\x1b]8;;x\x1b\\{heading}"):
+        assert read_scan(STABLE.replace(heading, decorated)).slaves == (COUPLER, DRIVE)
+
+
+def test_what_stands_below_a_broken_heading_is_of_no_slave():
+    """Slave 0 has no alias; "Alias: 4711" is of slave 1, whose heading is cut."""
+    scan = read_scan(STABLE.replace("Slave 1 ===", "Slave 1 =="))
+    assert scan.slaves == (COUPLER,)
+    assert messages(scan)[0] == (
+        28,
+        "no heading, though it begins like one; what stands below it is left out: '=== Master 0, Slave 1 =='",
+    )
+    general = STABLE.index("General:")
+    lost = STABLE[:general] + STABLE[STABLE.index("Device: Backup") :]
+    (slave,) = read_scan(lost).slaves
+    assert (slave.name, slave.e_bus_current_ma, slave.mailbox_protocols) == (None, None, None)
+
+
 def test_what_stands_around_the_output_is_told_once():
     scan = read_scan(f"user@rpi:~$ ethercat slaves -v\n{STABLE}user@rpi:~$ exit\nlogout\n")
     assert [slave.line for slave in scan.slaves] == [2, 29]

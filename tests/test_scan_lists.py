@@ -48,6 +48,28 @@ def test_what_describes_no_objects_fits_them_last(tmp_path):
     ]
 
 
+def test_lists_without_entries_are_no_lists_of_nothing(tmp_path):
+    """``--quiet`` prints objects and PDOs alone: 0x2001 is missing, entries and mappings are not told."""
+    db = catalog_of(tmp_path, esi(device(DESCRIBED + objects(2))))
+    found = answered(db, tmp_path, "--sdos", 'SDO 0x2000, "O"\n')["slave"]
+    assert found["differences"] == ["0x2001: described, but not on the device"]
+    assert found["notes"] == ["objects are listed without entries: only their indices are compared"]
+    quiet = "".join(line + "\n" for line in PDOS.splitlines() if "PDO entry" not in line)
+    found = answered(db, tmp_path, "--pdos", quiet.replace("0x1602", "0x1600"))["slave"]
+    assert [text for text in found["differences"] if "RxPDO" in text or text.startswith("SM2")] == []
+    assert (found["output_bytes"], found["input_bytes"]) == (2, 2)
+    assert found["notes"] == [
+        "PDOs are listed without entries: mappings are not compared, bytes are those described by default"
+    ]
+
+
+def test_a_list_that_is_not_understood_in_full_is_not_compared(tmp_path):
+    db = catalog_of(tmp_path, esi(device(DESCRIBED)))
+    found = answered(db, tmp_path, "--pdos", PDOS.replace("0x60ff:00, 32 bit", "0x60ff[ 12.1] EtherCAT 0: x"))["slave"]
+    assert (found["differences"], found["output_bytes"], found["input_bytes"]) == ([], 2, 2)
+    assert found["notes"] == ["PDOs not compared: their list was not understood in full"]
+
+
 def test_of_those_that_describe_objects_the_best_is_named(tmp_path):
     db = catalog_of(tmp_path, *(esi(device(content)) for content in ("", objects(20), objects(19))))
     found = answered(db, tmp_path, "--sdos", printed(19))

@@ -1,5 +1,6 @@
 """``ethercat pdos`` and ``ethercat sdos``: layouts, headings, cut output, round trips."""
 
+import msgspec
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -98,6 +99,44 @@ def test_headings_name_the_slaves():
     assert [(slave.master, slave.position) for slave in read_sdos(text).slaves] == [(1, 0), (None, 13)]
 
 
+SM = "SM{}: PhysAddr 0x1000, DefaultSize    0, ControlRegister 0x64, Enable 9\n"
+FULL, EMPTY = (
+    SM.format(2) + PDOS[PDOS.index("  RxPDO 0x1600") : PDOS.index("  RxPDO 0x16ff")],
+    SM.format(2) + ('  RxPDO 0x1600 ""\n'),
+)
+
+
+def headed(*blocks: tuple[str, str]) -> str:
+    return "".join(f"=== Master 0, Slave {position} ===\n{block}" for position, block in blocks)
+
+
+def test_the_tool_goes_on_in_hexadecimal_behind_an_empty_pdo():
+    """CommandPdos.cpp and CommandSdos.cpp print the index with ``hex`` and the heading without ``dec``."""
+    scan = read_pdos(
+        headed(("9", EMPTY), ("a", EMPTY), ("b", FULL), ("12", EMPTY), ("d", ""), ("10", FULL), ("17", ""))
+    )
+    assert [slave.position for slave in scan.slaves] == [9, 10, 11, 12, 16]
+    (found,) = scan.findings
+    assert [slave.findings for slave in scan.slaves] == [(), (), (), (), (found,)]
+    assert (found.line, found.message) == (
+        16,
+        "'=== Master 0, Slave 10 ===' is of slave 16: the tool goes on in hexadecimal behind an index",
+    )
+    quiet, shown = 'SDO 0x1000, ""\n', SDOS
+    scan = read_sdos(headed(("9", shown), ("10", quiet), ("b", quiet), ("10", shown), ("17", shown)))
+    assert [slave.position for slave in scan.slaves] == [9, 10, 11, 16, 17]
+    (slave,) = read_pdos(SM.format(9) + '  RxPDO 0x1600 ""\n' + SM.format("a")).slaves
+    assert [sync_manager.number for sync_manager in slave.sync_managers] == [9, 10]
+
+
+def test_a_heading_that_may_be_hexadecimal_or_not_is_no_guess():
+    """One run prints slaves in rising order: after 9, 10 is slave 10 of another run, or 16 of the same."""
+    for text in (headed(("9", EMPTY), ("10", FULL)), headed(("9", EMPTY), ("10", EMPTY), ("b", FULL))):
+        with pytest.raises(ScanError, match=r"line 4: '=== Master 0, Slave 10 ===' is of slave 10, or of 16 if"):
+            read_pdos(text)
+    assert [slave.position for slave in read_pdos(headed(("9", EMPTY), ("10", ""), ("b", FULL))).slaves] == [9, 11]
+
+
 def test_a_heading_of_another_command_names_no_list():
     text = f"=== Master 0, Slave 4 ===\nState: PREOP\n$ ethercat pdos -p 1\n{PDOS}"
     assert [slave.position for slave in read_pdos(text).slaves] == [None]
@@ -129,12 +168,48 @@ def test_cut_names_are_told():
 def test_foreign_lines_are_told_once():
     scan = read_pdos(f'  RxPDO 0x1600 "before any SyncManager"\n$ ethercat pdos\n{PDOS}$ exit\n')
     assert messages(scan) == [
-        (1, "3 lines are not read as `ethercat pdos`; the first: 'RxPDO 0x1600 \"before any SyncManager\"'")
+        (
+            1,
+            "not understood, so the list is not complete and not compared: 'RxPDO 0x1600 \"before any SyncManager\"'",
+        ),
+        (2, "2 lines are not read as `ethercat pdos`; the first: '$ ethercat pdos'"),
     ]
-    assert len(scan.slaves) == 1
+    assert [slave.is_complete for slave in scan.slaves] == [True]
     dictionaries = read_sdos(SDOS + '  0x1a00:00, r-r-r-, uint8, 8 bit, "of another object"\n')
-    assert dictionaries.slaves == read_sdos(SDOS).slaves
+    (slave,) = read_sdos(SDOS).slaves
+    assert dictionaries.slaves == (msgspec.structs.replace(slave, findings=dictionaries.findings),)
     assert messages(dictionaries)[0][0] == 6
+
+
+@pytest.mark.parametrize("broken", ["SM3: ", "SM3: Phys", '  RxPDO 0x16ff ""', "    PDO entry 0x0000:00,"])
+def test_a_broken_line_of_a_list_gives_nothing_to_the_one_before_it(broken):
+    """The kernel writes into the same terminal; what stands below the line may belong to another PDO or SyncManager."""
+    scan = read_pdos(PDOS.replace(broken, broken[:-2] + "[ 12.1] EtherCAT 0: x\n" + broken[-2:], 1) + PDOS)
+    first, second = scan.slaves
+    assert (first.is_complete, second.is_complete) == (False, True)
+    assert second.sync_managers == tuple(
+        msgspec.structs.replace(sync_manager, line=line, pdos=read.pdos)
+        for sync_manager, read, line in zip(
+            read_pdos(PDOS).slaves[0].sync_managers, second.sync_managers, (11, 12, 17), strict=True
+        )
+    )
+    mapped = {pdo.index: [entry.index for entry in pdo.entries] for sm in first.sync_managers for pdo in sm.pdos}
+    whole = {0x1600: [0x7000, 0], 0x16FF: [], 0x1A00: [0x6000]}
+    assert all(whole[index][: len(entries)] == entries for index, entries in mapped.items())
+    assert "not understood, so the list is not complete" in scan.findings[0].message
+
+
+def test_a_broken_heading_names_no_list():
+    for text, read in ((PDOS, read_pdos), (SDOS, read_sdos)):
+        with pytest.raises(ScanError, match="line 1: '=== Master 0, Slave 2 ==' is no heading, though it begins like"):
+            read(f"=== Master 0, Slave 2 ==\n{text}")
+
+
+@pytest.mark.parametrize("noise", ["Last login: x", "[  12.1] EtherCAT 0: Slave states: PREOP.", "user@host:~$"])
+def test_noise_does_not_take_the_heading_from_a_list(noise):
+    for text, read in ((PDOS, read_pdos), (SDOS, read_sdos)):
+        (slave,) = (scan := read(f"=== Master 0, Slave 3 ===\n{noise}\n{text}")).slaves
+        assert (slave.position, [finding.line for finding in scan.findings]) == (3, [2])
 
 
 def test_objects_of_one_slave():

@@ -57,7 +57,7 @@ def test_a_slave_that_was_not_read_is_none_of_the_templates(templates, scan):
 def test_no_code_is_made_for_a_slave_that_was_not_read(templates):
     done = run("export", "igh", "--scan", "-", "--accept-revision", db=templates, stdin=IGH)
     assert (done.exit_code, done.stdout) == (2, "")
-    left_out = "position 0: slave (0x00000000:0x00000000:0x00000000) is unknown and left out"
+    left_out = "position 0: slave is left out: its identity was not read"
     assert left_out in done.stderr
     beside = run("export", "igh", "--scan", "-", db=templates, stdin="vendor,product,revision\n0,0,0\n0,7,1\n")
     assert (beside.exit_code, left_out in beside.stdout) == (0, True)

@@ -2,7 +2,7 @@
 
 import functools
 from collections import defaultdict
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import msgspec
@@ -19,6 +19,7 @@ from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.scan_compare import compare_scanned_objects, compare_scanned_pdos
 from esicatalog.model.slots import default_modules
 from esicatalog.model.sm_facts import INPUT, OUTPUT
+from esicatalog.scan.buses import slave_words
 from esicatalog.scan.records import Scan, ScanFinding, ScannedDictionary, ScannedPdos, ScannedSlave
 from esicatalog.words import counted, hex32
 
@@ -34,7 +35,7 @@ class IdentifiedSlave(NamedTuple):
     differences: tuple[str, ...]
     """What its PDOs and objects, as the master printed them, are otherwise than described."""
     findings: tuple[ScanFinding, ...]
-    """What the scan says of it that was not understood, see :meth:`Scan.findings_by_slave`."""
+    """What the scan, and the lists of its PDOs and objects, say of it that was not understood."""
 
     @property
     def identity_text(self) -> str:
@@ -80,6 +81,11 @@ class IdentifiedSlave(NamedTuple):
             "alias": slave.alias,
             "name": slave.name,
             "serial_no": slave.serial_no,
+            "state": slave.state,
+            "state_error": slave.state_error,
+            "failed": slave.failed,
+            "al_status_code": slave.al_status_code,
+            "master_device": slave.master_device,
             "line": slave.line,
         }
         return {
@@ -116,29 +122,25 @@ class BusReport(NamedTuple):
 def bus_facts(bus: BusReport) -> list[tuple[str, str]]:
     """What is to be known of a bus as a whole: names of facts and their words, those that there are."""
     summary = bus.summary
-    unknown = f"; unknown of {_slave_words(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
+    unknown = f"; unknown of {slave_words(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
     sizes = f"{counted(summary.output_bytes, 'byte')} out, {counted(summary.input_bytes, 'byte')} in"
     facts = [
         ("slaves", f"{len(bus.slaves)}, {len(bus.slaves) - len(bus.not_exact_at)} with exact ESI"),
-        ("no exact ESI", _slave_words(bus.not_exact_at)),
+        ("not listed", slave_words(summary.not_listed)),
+        ("no exact ESI", slave_words(bus.not_exact_at)),
         ("process data", sizes + unknown),
         ("reference clock", _reference_clock_words(bus)),
-        ("no LRW", _slave_words(summary.no_lrw_at)),
-        ("E-bus exceeded", _slave_words(summary.e_bus_exceeded_at)),
-        ("E-bus unknown", _slave_words(summary.e_bus_unknown_at)),
+        ("no LRW", slave_words(summary.no_lrw_at)),
+        ("E-bus exceeded", slave_words(summary.e_bus_exceeded_at)),
+        ("E-bus unknown", slave_words(summary.e_bus_unknown_at)),
         ("same alias", _alias_words(summary.duplicate_aliases)),
     ]
     return [(name, words) for name, words in facts if words]
 
 
-def _slave_words(positions: Sequence[int]) -> str:
-    """Ring positions in words; empty without any."""
-    return f"slave{'s' * (len(positions) > 1)} {', '.join(map(str, positions))}" if positions else ""
-
-
 def _alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:
     """Aliases that several slaves share, in words."""
-    return "; ".join(f"{alias}: {_slave_words(positions)}" for alias, positions in duplicates.items())
+    return "; ".join(f"{alias}: {slave_words(positions)}" for alias, positions in duplicates.items())
 
 
 def _reference_clock_words(bus: BusReport) -> str:
@@ -159,7 +161,7 @@ def _reference_clock_words(bus: BusReport) -> str:
         "nothing is known of {}": [position for position in unknown if position not in described],
         f"of {{}} {says} nothing of clocks": silent,
     }
-    return "; ".join([*known, *(text.format(_slave_words(at)) for text, at in words.items() if at)])
+    return "; ".join([*known, *(text.format(slave_words(at)) for text, at in words.items() if at)])
 
 
 _Listed = tuple[ScannedSlave, tuple[ScanFinding, ...]]
@@ -184,10 +186,13 @@ def bus_reports(
     # Slaves of a bus are often alike: each description is read once.
     read = functools.cache(records)
     buses: dict[int, list[_Listed]] = defaultdict(list)
+    lists: list[ScannedPdos | ScannedDictionary] = [*pdos, *dictionaries]
     for slave, findings in zip(scan.slaves, scan.findings_by_slave(), strict=True):
-        buses[slave.bus].append((slave, findings))
+        beside = [finding for item in lists if _belongs(item, slave) for finding in _named(item)]
+        buses[slave.bus].append((slave, (*findings, *beside)))
     found = []
-    for number, listed in sorted(buses.items()):
+    for number, of_bus in sorted(buses.items()):
+        listed = sorted(of_bus, key=lambda item: item[0].position)
         fits = [_fitting(lookup, slave, read, pdos, dictionaries) for slave, _ in listed]
         slaves = [as_listed(slave, [item for item in pdos if _belongs(item, slave)]) for slave, _ in listed]
         devices = [_at_bus(lookup, slave, fit.answer, read) for slave, fit in zip(slaves, fits, strict=True)]
@@ -195,6 +200,12 @@ def bus_reports(
         together = zip(listed, fits, reports, strict=True)
         found.append(BusReport(number, tuple(_identified(*item, read) for item in together), summary))
     return found
+
+
+def _named(item: ScannedPdos | ScannedDictionary) -> Iterator[ScanFinding]:
+    """The findings of a list, which say of which: its lines are those of another text than the scan's."""
+    for finding in item.findings:
+        yield ScanFinding(line=finding.line, message=f"{item.origin}: {finding.message}")
 
 
 def _at_bus(
@@ -243,13 +254,15 @@ def _fitting(
     answer = (
         lookup.identify(known.vendor_id, known.product_code, known.revision_no) if known is not None else _NO_IDENTITY
     )
-    own_pdos = [item for item in pdos if _belongs(item, slave)]
+    printed_pdos = [item for item in pdos if _belongs(item, slave)]
+    own_pdos = [item for item in printed_pdos if item.is_complete]
     own_dictionaries = [item for item in dictionaries if _belongs(item, slave)]
+    broken = ("PDOs not compared: their list was not understood in full",) * (own_pdos != printed_pdos)
     if not own_pdos and not own_dictionaries:
-        return _Fit(answer)
+        return _Fit(answer, notes=broken)
     if answer.device is None:
         lists = _list_words(own_pdos, own_dictionaries)
-        return _Fit(answer, notes=(f"{lists} not compared: no description of slave {slave.position}",))
+        return _Fit(answer, notes=(*broken, f"{lists} not compared: no description of slave {slave.position}"))
     compared = [_compared(*records(variant.device), own_pdos, own_dictionaries) for variant in answer.variants]
     best = min(compared, key=_rank)
     device = answer.variants[compared.index(best)]
@@ -258,7 +271,15 @@ def _fitting(
         _list_words(own_pdos, own_dictionaries if best.objects_compared else ()),
     )
     answer = msgspec.structs.replace(answer, device=device, variant_warning=lookup.other_variants(device.device))
-    return _Fit(answer, best.differences, notes)
+    return _Fit(answer, best.differences, (*notes, *broken, *_quiet_notes(own_pdos, own_dictionaries)))
+
+
+def _quiet_notes(pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]) -> Iterator[str]:
+    """What lists without entries do not tell."""
+    if not all(item.lists_entries for item in pdos):
+        yield "PDOs are listed without entries: mappings are not compared, bytes are those described by default"
+    if not all(item.lists_entries for item in dictionaries):
+        yield "objects are listed without entries: only their indices are compared"
 
 
 def _list_words(pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]) -> str:

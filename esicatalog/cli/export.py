@@ -152,15 +152,16 @@ def igh(inputs: Inputs, scan: Path | None) -> str:
     """C header for the IgH EtherLab master 1.5 and 1.6.
 
     PDO tables, offsets, registration, typed accessors, start-up commands, distributed clocks, checks at compile time.
-    --scan makes one header for all slaves of a bus; the header and stderr name those that it leaves out.
+    --scan makes one header for all slaves of a bus; the header and stderr name those that it leaves out, and what of
+    the listing is missing or was not understood.
     """
     from esicatalog.export.igh import igh_bus_header, igh_header
 
     if scan is None:
         return igh_header(inputs.configuration())
-    configurations, left_out = configurations_of_scan(inputs, scan)
-    header = igh_bus_header(configurations, left_out, _bus_name(inputs.choice.name))
-    for words in left_out:
+    bus = configurations_of_scan(inputs, scan)
+    header = igh_bus_header(bus, _bus_name(inputs.choice.name))
+    for words in (*bus.left_out, *bus.unread):
         click.echo(f"esicatalog: {words}", err=True)
     return header
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from esicatalog.api import Catalog
     from esicatalog.catalog.results import Identification
-    from esicatalog.scan.records import Scan, ScanFinding, ScannedDictionary, ScannedPdos
+    from esicatalog.scan.records import Scan, ScannedDictionary, ScannedPdos
 
 Seen = TypeVar("Seen", bound="ScannedPdos | ScannedDictionary", covariant=True)
 
@@ -151,13 +151,10 @@ def _scan(slaves: Path | None, eni: Path | None) -> "Scan | None":
 
 
 class _Printed(Protocol[Seen]):
-    """Lists of slaves in what a master printed, and what of it was not understood."""
+    """Lists of slaves in what a master printed."""
 
     @property
     def slaves(self) -> "tuple[Seen, ...]": ...
-
-    @property
-    def findings(self) -> "tuple[ScanFinding, ...]": ...
 
 
 def _seen(
@@ -165,20 +162,22 @@ def _seen(
 ) -> "list[Seen]":
     """Lists that a master printed, each at the ring position that the option names.
 
-    What of them was not understood goes to ``told``.
+    What of them was not understood goes to ``told``, and that a heading names another slave.
     """
+    from esicatalog.scan.records import ScanFinding
+
     found: list[Seen] = []
     for text in texts:
         position, path = _placed(text)
         place = {"position": position} if position is not None else {}
-        printed, origin = read_text_as(path, read), f"{option} {text}"
-        found += [msgspec.structs.replace(item, origin=origin, **place) for item in printed.slaves]
-        told += [f"{origin}, line {finding.line}: {finding.message}" for finding in printed.findings]
-        told += [
-            f"{origin}, line {item.line}: the heading before it names slave {item.position}"
-            for item in printed.slaves
-            if item.position not in (None, place.get("position", item.position))
-        ]
+        origin = f"{option} {text}"
+        for item in read_text_as(path, read).slaves:
+            findings = item.findings
+            if item.position not in (None, place.get("position", item.position)):
+                message = f"the heading before it names slave {item.position}"
+                findings += (ScanFinding(line=item.line, message=message),)
+            told += [f"{origin}, line {finding.line}: {finding.message}" for finding in findings]
+            found.append(msgspec.structs.replace(item, origin=origin, findings=findings, **place))
     return found
 
 

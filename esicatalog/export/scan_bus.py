@@ -1,6 +1,6 @@
 """The slaves of a bus as a master printed them, each configured by the description that stands for it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple, Protocol
 
 from esicatalog.catalog.results import Identification
@@ -9,8 +9,9 @@ from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.igh_limits import check_limits
 from esicatalog.export.subject import Subject
-from esicatalog.identity import Identity
-from esicatalog.scan.records import Scan
+from esicatalog.identity import Identity, is_read
+from esicatalog.scan.buses import gap_words, gaps
+from esicatalog.scan.records import Scan, ScannedSlave
 
 
 class Descriptions(Protocol):
@@ -24,10 +25,12 @@ class Descriptions(Protocol):
 
 
 class BusConfigurations(NamedTuple):
-    """The slaves that can be configured, and of each other one why it is left out."""
+    """The slaves that can be configured, in ring order, and of each other one why it is left out."""
 
     configurations: list[Configuration]
     left_out: list[str]
+    unread: list[str]
+    """What of the listing was not understood, and which slaves it passes over: the bus may have more slaves."""
 
 
 def subject_for(descriptions: Descriptions, identity: Identity, accept_revision: bool) -> Subject:
@@ -59,27 +62,37 @@ def bus_configurations(
     if len(buses) > 1:
         raise InputError(f"the listing holds {len(buses)} buses; give one of them")
     choice = Choice(cycle_ns=cycle_ns if cycle_ns is not None else DEFAULT_CYCLE_NS)
+    slaves = sorted(scan.slaves, key=lambda slave: slave.position)
     left_out: list[str] = []
-    return BusConfigurations(list(_configured(descriptions, scan, accept_revision, choice, left_out)), left_out)
+    configurations = list(_configured(descriptions, slaves, accept_revision, choice, left_out))
+    return BusConfigurations(configurations, left_out, [*map(gap_words, gaps(slaves).values()), *scan.finding_lines])
 
 
 def _configured(
-    descriptions: Descriptions, scan: Scan, accept_revision: bool, choice: Choice, left_out: list[str]
+    descriptions: Descriptions,
+    slaves: Iterable[ScannedSlave],
+    accept_revision: bool,
+    choice: Choice,
+    left_out: list[str],
 ) -> Iterator[Configuration]:
     known: dict[Identity, Subject | None] = {}
     refused: list[str] = []
-    for slave in scan.slaves:
+    for slave in slaves:
         identity = slave.identity
+        if identity is None or not is_read(identity.vendor_id, identity.product_code):
+            named = slave.name or "slave"
+            left_out.append(f"position {slave.position}: {named} is left out: its identity was not read")
+            continue
         try:
-            if identity is not None and identity not in known:
+            if identity not in known:
                 known[identity] = _subject(descriptions, identity, accept_revision)
         except NotFound as error:
             refused.append(f"position {slave.position}: {error}")
             continue
-        subject = known[identity] if identity is not None else None
+        subject = known[identity]
         if subject is None:
-            named = f" ({identity})" if identity is not None else ""
-            left_out.append(f"position {slave.position}: {slave.name or 'slave'}{named} is unknown and left out")
+            named = f"{slave.name or 'slave'} ({identity})"
+            left_out.append(f"position {slave.position}: {named} is unknown and left out")
             continue
         try:
             configuration = configure(subject, choice._replace(position=slave.position))

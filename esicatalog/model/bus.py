@@ -14,6 +14,7 @@ import msgspec
 from esicatalog.model.ports import has_e_bus
 from esicatalog.model.sm_facts import BUFFERED, INPUT, OUTPUT, control_facts
 from esicatalog.model.values import byte_length
+from esicatalog.scan.buses import gap_words, gaps
 from esicatalog.scan.records import ScannedPdos, ScannedSlave, ScannedSyncManager
 
 _E_BUS = "EBUS"
@@ -56,8 +57,13 @@ class SlaveReport(NamedTuple):
 
 
 class BusSummary(NamedTuple):
-    """What is to be known of the whole bus; positions are ring positions."""
+    """What is to be known of the whole bus; positions are ring positions.
 
+    Slaves that are not listed count among those of which something is unknown.
+    """
+
+    not_listed: tuple[int, ...]
+    """Slaves before and between the others that are not in the listing."""
     duplicate_aliases: dict[int, tuple[int, ...]]
     e_bus_exceeded_at: tuple[int, ...]
     """First terminal of each E-bus segment that the supply does not reach."""
@@ -77,10 +83,12 @@ class BusSummary(NamedTuple):
 def as_listed(slave: ScannedSlave, lists: Sequence[ScannedPdos]) -> ScannedSlave:
     """The slave with the process data of the PDOs that a master listed: what is assigned is what is exchanged.
 
-    Every SyncManager begins at a byte. A direction of which the lists say nothing stays as the scan has it.
+    Every SyncManager begins at a byte. A direction of which the lists say nothing, as those without entries and
+    those that are not complete do, stays as the scan has it.
     """
+    telling = [listed for listed in lists if listed.is_complete and listed.lists_entries]
     bits: dict[str, dict[int, int]] = defaultdict(dict)
-    for sync_manager in (item for listed in lists for item in listed.sync_managers):
+    for sync_manager in (item for listed in telling for item in listed.sync_managers):
         for direction, size in _listed_bits(sync_manager).items():
             bits[direction][sync_manager.number] = 8 * byte_length(size)
     sizes = {direction: sum(of_direction.values()) for direction, of_direction in bits.items()}
@@ -104,8 +112,8 @@ def _listed_bits(sync_manager: ScannedSyncManager) -> dict[str, int]:
 def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple[list[SlaveReport], BusSummary]:
     """Reports of the slaves of one bus, in ring order, and their summary.
 
-    The E-bus budget follows the ring order and not the branches of a line. A device with negative current feeds the
-    segment behind it anew; one without E-bus port ends it.
+    ``bus`` is in ring order. The E-bus budget follows that order and not the branches of a line. A device with negative
+    current feeds the segment behind it anew; one without E-bus port ends it, and so do slaves that are not listed.
     """
     aliases: dict[int, list[int]] = defaultdict(list)
     for slave, _ in bus:
@@ -113,10 +121,12 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
             aliases[slave.alias].append(slave.position)
     duplicates = {alias: tuple(positions) for alias, positions in aliases.items() if len(positions) > 1}
     budget = _EBusBudget()
+    missing = gaps(slave for slave, _ in bus)
     reports = []
     for slave, device in bus:
+        notes = list(budget.pass_over(missing[slave.position])) if slave.position in missing else []
         budget.pass_by(slave, device)
-        notes = list(budget.notes)
+        notes += [*_troubles(slave), *budget.notes]
         if slave.alias in duplicates:
             others = ", ".join(str(position) for position in duplicates[slave.alias] if position != slave.position)
             notes.append(f"alias {slave.alias} is also that of slave {others}")
@@ -135,7 +145,20 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
                 notes=tuple(notes),
             )
         )
-    return reports, _summary(bus, reports, duplicates, budget)
+    not_listed = tuple(itertools.chain.from_iterable(missing.values()))
+    return reports, _summary(bus, not_listed, reports, duplicates, budget)
+
+
+def _troubles(slave: ScannedSlave) -> Iterator[str]:
+    """What the master itself reports to be wrong with a slave."""
+    if slave.failed:
+        yield "the master reports that its scan or configuration failed (flag E)"
+    if slave.state_error or slave.al_status_code:
+        state = f" in {slave.state}" if slave.state is not None else ""
+        code = f", AL status code 0x{slave.al_status_code:04X}" if slave.al_status_code else ""
+        yield f"the slave reports an error{state}{code}"
+    if slave.master_device == "Backup":
+        yield "reached by the backup link of the master only"
 
 
 class _Size(NamedTuple):
@@ -166,6 +189,14 @@ class _EBusBudget:
         self.notes: list[str] = []
         self.exceeded_at: list[int] = []
         self.unknown_at: list[int] = []
+
+    def pass_over(self, gap: range) -> Iterator[str]:
+        """Take slaves into account that are not listed, and say so."""
+        ends = self.left is not None
+        if ends:
+            self.unknown_at.extend(gap)
+        self.left = None
+        yield gap_words(gap) + "; the E-bus budget ends there" * ends
 
     def pass_by(self, slave: ScannedSlave, device: DeviceAtBus | None) -> None:
         """Take the next slave into account."""
@@ -215,22 +246,29 @@ def _has_system_time(slave: ScannedSlave, device: DeviceAtBus | None) -> bool:
 
 def _summary(
     bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]],
+    not_listed: tuple[int, ...],
     reports: Sequence[SlaveReport],
     duplicates: dict[int, tuple[int, ...]],
     budget: _EBusBudget,
 ) -> BusSummary:
     together = [(slave, report) for (slave, _), report in zip(bus, reports, strict=True)]
-    clocks = {s.position: _can_be_reference_clock(s, d, r.dc_capable) for (s, d), r in zip(bus, reports, strict=True)}
-    candidate = next((position for position, can in clocks.items() if can), None)
+    clocks = dict.fromkeys(not_listed) | {
+        slave.position: _can_be_reference_clock(slave, device, report.dc_capable)
+        for (slave, device), report in zip(bus, reports, strict=True)
+    }
+    in_ring_order = sorted(clocks.items())
+    candidate = next((position for position, can in in_ring_order if can), None)
     told = {slave.position: _has_system_time(slave, device) for slave, device in bus}
-    before = itertools.takewhile(lambda item: item[0] != candidate, clocks.items())
+    before = itertools.takewhile(lambda item: item[0] != candidate, in_ring_order)
+    unknown = (s.position for s, r in together if r.output_bytes is None or r.input_bytes is None)
     return BusSummary(
+        not_listed=not_listed,
         duplicate_aliases=duplicates,
         e_bus_exceeded_at=tuple(budget.exceeded_at),
         e_bus_unknown_at=tuple(budget.unknown_at),
         output_bytes=sum(report.output_bytes or 0 for report in reports),
         input_bytes=sum(report.input_bytes or 0 for report in reports),
-        bytes_unknown_at=tuple(s.position for s, r in together if r.output_bytes is None or r.input_bytes is None),
+        bytes_unknown_at=tuple(sorted((*not_listed, *unknown))),
         reference_clock_candidate=candidate,
         system_time_known=candidate is not None and told[candidate],
         clock_unknown_at=tuple(position for position, can in before if can is None),

@@ -35,7 +35,8 @@ _ALIKE = {"uint": "uint", "bits": "uint", "bool": "bool"}
 def compare_scanned_pdos(device: Device, modules: Sequence[Module], seen: ScannedPdos) -> list[str]:
     """What of the printed PDOs is not as described: unknown PDOs, other mappings, another assignment.
 
-    SyncManagers without PDOs may be left out of the list, those that have some by default not.
+    SyncManagers without PDOs may be left out of the list, those that have some by default not. Mappings are compared
+    where entries are listed.
     """
     slots = _AnySlot(device, modules, sum(1 + len(pdo.entries) for module in modules for _, pdo in _pdos(module)))
     printed = {pdo.index for sync_manager in seen.sync_managers for pdo in sync_manager.pdos}
@@ -44,7 +45,7 @@ def compare_scanned_pdos(device: Device, modules: Sequence[Module], seen: Scanne
     found: list[str] = []
     for sync_manager in seen.sync_managers:
         for pdo in sync_manager.pdos:
-            found.extend(_pdo_differences(pdo, known))
+            found.extend(_pdo_differences(pdo, known, seen.lists_entries))
         now = [pdo.index for pdo in sync_manager.pdos]
         default = [index for index in assigned.get(sync_manager.number, ()) if index is not None]
         if now != default:
@@ -125,11 +126,14 @@ def _fits(printed: Mapped, described: Mapped) -> bool:
     return is_same and (bits is None or printed[2] == bits)
 
 
-def _pdo_differences(pdo: ScannedPdo, known: Mapping[tuple[bool, int], Collection[_Mapping]]) -> Iterator[str]:
+def _pdo_differences(
+    pdo: ScannedPdo, known: Mapping[tuple[bool, int], Collection[_Mapping]], lists_entries: bool
+) -> Iterator[str]:
     where = f"{'Rx' if pdo.is_rx else 'Tx'}PDO 0x{pdo.index:04X}"
     mappings = known.get((pdo.is_rx, pdo.index))
     if mappings is None:
         yield f"{where}: not described"
+    if mappings is None or not lists_entries:
         return
     printed = [(e.index, e.subindex if e.index else 0, e.bit_length) for e in pdo.entries]
     described = [mapping for mapping in mappings if mapping is not None]
@@ -148,8 +152,9 @@ def _pdo_differences(pdo: ScannedPdo, known: Mapping[tuple[bool, int], Collectio
 def compare_scanned_objects(device: Device, modules: Sequence[Module], seen: ScannedDictionary) -> list[str] | None:
     """What of the printed object dictionary is not as described: objects, subindices, types, access.
 
-    Objects that only a module brings need not be there. None where the description has no dictionary of the device
-    itself: nothing is compared then, which is another thing than no difference.
+    Objects that only a module brings need not be there, and entries only where some are listed. None where the
+    description has no dictionary of the device itself: nothing is compared then, which is another thing than no
+    difference.
     """
     views = DictionaryViews()
     described = views.of(device.profiles)
@@ -176,7 +181,7 @@ def compare_scanned_objects(device: Device, modules: Sequence[Module], seen: Sca
             found.extend(f"{where}: {words}" for words in min(differences, key=len))
         elif known[index]:
             found.append(f"{where}: not described ({printed_entry.name or 'no name'})")
-    for index in own:
+    for index in own if seen.lists_entries else ():
         if index in shown and len(known[index]) == 1:
             for subindex, entry in sorted(known[index][0].items()):
                 if (index, subindex) not in printed:

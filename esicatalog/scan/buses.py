@@ -1,4 +1,7 @@
-"""Which slaves hang on the same bus, when a text holds several masters or the same listing twice."""
+"""Which slaves hang on the same bus, when a text holds several masters or the same listing twice; which are missing."""
+
+import itertools
+from collections.abc import Iterable, Iterator, Sequence
 
 import msgspec
 
@@ -44,6 +47,32 @@ def separate_buses(slaves: list[ScannedSlave]) -> tuple[tuple[ScannedSlave, ...]
         latest[key] = bus, taken
         numbered += [msgspec.structs.replace(slave, bus=bus) for slave in listing]
     return tuple(numbered), findings
+
+
+def gaps(slaves: Iterable[ScannedSlave]) -> dict[int, range]:
+    """Ring positions that the listing of a bus passes over, by the position of the slave behind them.
+
+    ``slaves`` are in ring order. Masters number a ring from 0 without gaps, so there are slaves, and nothing is known
+    of them.
+    """
+    positions = (-1, *(slave.position for slave in slaves))
+    return {after: range(before + 1, after) for before, after in itertools.pairwise(positions) if after > before + 1}
+
+
+def gap_words(gap: range) -> str:
+    """What is to be said of a gap."""
+    return f"{slave_words(gap)} {'is' if len(gap) == 1 else 'are'} not in the listing"
+
+
+def slave_words(positions: Sequence[int]) -> str:
+    """Rising ring positions in words: "slaves 0, 4 to 6"; empty without any."""
+    return f"slave{'s' * (len(positions) > 1)} {', '.join(_runs(positions))}" if positions else ""
+
+
+def _runs(positions: Iterable[int]) -> Iterator[str]:
+    for _, numbered in itertools.groupby(enumerate(positions), lambda item: item[1] - item[0]):
+        run = [position for _, position in numbered]
+        yield f"{run[0]} to {run[-1]}" if len(run) > 2 else ", ".join(map(str, run))
 
 
 def _listings(slaves: list[ScannedSlave]) -> list[_Listing]:

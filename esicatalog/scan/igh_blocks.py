@@ -1,16 +1,34 @@
 """What the ``ethercat`` tool prints slave by slave: what reading ``ethercat pdos`` and ``ethercat sdos`` has in common.
 
-A heading names the slave only when the tool prints several.
+A heading names the slave only when the tool prints several. The tool does not set the base of the numbers in it: behind
+the hexadecimal index of a PDO or object without entries they are hexadecimal too (``Slave 10`` is slave 16), until an
+entry or SyncManager is printed.
 """
 
+import re
 from abc import ABC, abstractmethod
 from typing import ClassVar, Generic, TypeVar
 
-from esicatalog.scan.records import ScanError, ScanFinding
-from esicatalog.scan.text import Heading, Skipped, clean, heading_of, in_order, numbered_lines
+import msgspec
+
+from esicatalog.scan.records import ScanError, ScanFinding, ScannedDictionary, ScannedPdos, findings_by_line
+from esicatalog.scan.text import (
+    OF_LISTS,
+    Heading,
+    Skipped,
+    clean,
+    heading_of,
+    in_order,
+    is_broken_heading,
+    numbered_lines,
+    quoted,
+)
+
+_OTHER_COMMAND = re.compile(rf"\s*(?:(?:Alias|Device|State|Flag|Identity):|{OF_LISTS})|.*\bethercat [a-z]")
+"""Lines of ``ethercat slaves -v``, of lists, and those that start the tool."""
 
 Part = TypeVar("Part")
-Slave = TypeVar("Slave")
+Slave = TypeVar("Slave", bound=ScannedPdos | ScannedDictionary)
 
 
 class BlockReader(ABC, Generic[Part, Slave]):
@@ -22,23 +40,52 @@ class BlockReader(ABC, Generic[Part, Slave]):
 
     def __init__(self) -> None:
         self._slaves: list[Slave] = []
+        self._starts: list[int] = []
+        """Lines in which the slaves begin: with their heading."""
+        self._start = self._line = 1
         self._findings: list[ScanFinding] = []
         self._skipped = Skipped()
         self._heading: Heading | None = None
+        self._doubt: str | None = None
+        """Why the heading names no slave for sure."""
+        self._last: Heading | None = None
         self._parts: list[Part] = []
+        self._is_hexadecimal = False
+        """Whether the tool goes on in hexadecimal behind the line that was read last."""
 
     def read(self, text: str) -> tuple[tuple[Slave, ...], tuple[ScanFinding, ...]]:
         """The slaves of a text and what was found in it. Raises :class:`ScanError` when it has none."""
         for line, content in numbered_lines(clean(text)):
+            self._line = line
             if heading := heading_of(content):
                 self._close_slave()
-                self._heading = heading
+                self._heading = self._last = self._meant(line, content, heading)
+            elif is_broken_heading(content):
+                self._close_slave()
+                self._doubt = f"line {line}: {quoted(content)} is no heading, though it begins like one; correct it"
             else:
                 self._take(line, content)
         self._close_slave()
         if not self._slaves:
             raise ScanError(f"no output of `{self.COMMAND}`; expected lines such as `{self.EXAMPLE}`")
-        return tuple(self._slaves), in_order(self._findings + self._skipped.findings(f"`{self.COMMAND}`"))
+        findings = in_order(self._findings + self._skipped.findings(f"`{self.COMMAND}`"))
+        by_slave = zip(self._slaves, findings_by_line(self._starts, findings), strict=True)
+        return tuple(msgspec.structs.replace(slave, findings=own) for slave, own in by_slave), findings
+
+    def _meant(self, line: int, text: str, heading: Heading) -> Heading:
+        """The slave that a heading means: a run of the tool names slaves in rising order."""
+        hexadecimal = heading_of(text, 16)
+        if hexadecimal is None or hexadecimal == heading or not self._is_hexadecimal:
+            return heading
+        if self._last is None or _place(heading) > _place(self._last):
+            self._doubt = (
+                f"line {line}: {quoted(text)} is of slave {heading.position}, or of {hexadecimal.position} if it is of "
+                "the same run as what stands before it; give the list of one slave as POSITION=FILE"
+            )
+            return heading
+        words = f"{quoted(text)} is of slave {hexadecimal.position}: the tool goes on in hexadecimal behind an index"
+        self._findings.append(ScanFinding(line=line, message=words))
+        return hexadecimal
 
     @abstractmethod
     def _take(self, line: int, text: str) -> None:
@@ -54,19 +101,29 @@ class BlockReader(ABC, Generic[Part, Slave]):
 
     def _skip(self, line: int, text: str) -> None:
         self._skipped.add(line, text)
-        if not self._parts:  # the heading belongs to another command's output
-            self._heading = None
+        if _OTHER_COMMAND.match(text):
+            self._is_hexadecimal = False
+            if not self._parts:
+                self._close_slave()
 
     def _close_slave(self) -> None:
         """End the slave that was read last; a slave without parts is none."""
         self._close_part()
         if self._parts:
+            if self._doubt is not None:
+                raise ScanError(self._doubt)
             master, position = self._heading or (None, None)
             self._slaves.append(self._slave(master, position, tuple(self._parts)))
-        self._parts, self._heading = [], None
+            self._starts.append(self._start)
+        self._start = self._line
+        self._parts, self._heading, self._doubt = [], None, None
 
     def _begin_unnamed(self, line: int, what: str) -> None:
         """End the slave that was read last because ``what`` comes again."""
         self._close_slave()
         message = f"{what} listed again without a heading; read as another slave"
         self._findings.append(ScanFinding(line=line, message=message))
+
+
+def _place(heading: Heading) -> tuple[int, int]:
+    return heading.master or 0, heading.position

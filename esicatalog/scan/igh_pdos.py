@@ -10,20 +10,23 @@ import msgspec
 from esicatalog.scan.igh_blocks import BlockReader
 from esicatalog.scan.records import (
     PdoScan,
+    ScanFinding,
     ScannedPdo,
     ScannedPdoEntry,
     ScannedPdos,
     ScannedSyncManager,
 )
-from esicatalog.scan.text import name_at_end
+from esicatalog.scan.text import name_at_end, quoted, tool_number
 
 _SYNC_MANAGER = re.compile(
-    r"\s*SM([0-9]{1,2}): PhysAddr 0x([0-9a-f]{1,4}), DefaultSize\s+([0-9]{1,5}), "
+    r"\s*SM([0-9a-f]{1,2}): PhysAddr 0x([0-9a-f]{1,4}), DefaultSize\s+([0-9]{1,5}), "
     r"ControlRegister 0x([0-9a-f]{1,2}), Enable ([0-9]{1,3})\s*",
     re.IGNORECASE,
 )
 _PDO = re.compile(r'\s*([RT])xPDO 0x([0-9a-f]{1,4}) "(.*)', re.IGNORECASE)
 _ENTRY = re.compile(r'\s*PDO entry 0x([0-9a-f]{1,4}):([0-9a-f]{2}),\s+([0-9]{1,3}) bit, "(.*)', re.IGNORECASE)
+_OF_LIST = re.compile(r"\s*SM[0-9a-f]{1,2}\b|.*(?:PhysAddr|xPDO|PDO entry)\b", re.IGNORECASE)
+"""Parts of the lines of a list: one that is not taken is missing."""
 
 
 class _Reader(BlockReader[ScannedSyncManager, ScannedPdos]):
@@ -36,16 +39,22 @@ class _Reader(BlockReader[ScannedSyncManager, ScannedPdos]):
         super().__init__()
         self._pdos: list[ScannedPdo] = []
         self._entries: list[ScannedPdoEntry] = []
+        self._is_open = False
+        """Whether PDOs belong to the SyncManager that was read last."""
+        self._is_complete = True
 
     def _take(self, line: int, text: str) -> None:
         if match := _SYNC_MANAGER.fullmatch(text):
+            self._is_hexadecimal = False
             self._begin_sync_manager(line, match)
-        elif self._parts and (match := _PDO.fullmatch(text)):
+        elif self._is_open and (match := _PDO.fullmatch(text)):
+            self._is_hexadecimal = True
             self._close_pdo()
             name = name_at_end(line, match[3], self._findings)
             is_rx = match[1].upper() == "R"
             self._pdos.append(ScannedPdo(index=int(match[2], 16), is_rx=is_rx, name=name, line=line))
         elif self._pdos and (match := _ENTRY.fullmatch(text)):
+            self._is_hexadecimal = False
             self._entries.append(
                 ScannedPdoEntry(
                     index=int(match[1], 16),
@@ -55,17 +64,41 @@ class _Reader(BlockReader[ScannedSyncManager, ScannedPdos]):
                     line=line,
                 )
             )
+        elif _OF_LIST.match(text):
+            self._break_off(line, text)
         else:
             self._skip(line, text)
 
     def _slave(self, master: int | None, position: int | None, parts: tuple[ScannedSyncManager, ...]) -> ScannedPdos:
-        return ScannedPdos(master=master, position=position, sync_managers=parts, line=parts[0].line)
+        return ScannedPdos(
+            master=master,
+            position=position,
+            sync_managers=parts,
+            line=parts[0].line,
+            is_complete=self._is_complete,
+        )
+
+    def _break_off(self, line: int, text: str) -> None:
+        """Take nothing into the open SyncManager any more: a line of it was not understood, or it was itself."""
+        self._close_part()
+        self._is_open = False
+        if self._is_complete:
+            message = f"not understood, so the list is not complete and not compared: {quoted(text)}"
+            self._findings.append(ScanFinding(line=line, message=message))
+            self._is_complete = False
+        else:
+            self._skip(line, text)
+
+    def _close_slave(self) -> None:
+        super()._close_slave()
+        self._is_open, self._is_complete = False, True
 
     def _begin_sync_manager(self, line: int, match: re.Match[str]) -> None:
-        number = int(match[1])
+        number = tool_number(match[1])
         if self._parts and number <= self._parts[-1].number:
             self._begin_unnamed(line, "SyncManagers are")
         self._close_part()
+        self._is_open = True
         self._parts.append(
             ScannedSyncManager(
                 number=number,

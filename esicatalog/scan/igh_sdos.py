@@ -33,8 +33,10 @@ class _Reader(BlockReader[ScannedObject, ScannedDictionary]):
 
     def _take(self, line: int, text: str) -> None:
         if match := _OBJECT.fullmatch(text):
+            self._is_hexadecimal = True
             self._begin_object(line, match)
         elif (match := _ENTRY.fullmatch(text)) and self._parts and self._parts[-1].index == int(match[1], 16):
+            self._is_hexadecimal = False
             self._entries.append(
                 ScannedObjectEntry(
                     subindex=int(match[2], 16),

@@ -12,7 +12,16 @@ from typing import Any
 from esicatalog.identity import is_read
 from esicatalog.scan.buses import separate_buses
 from esicatalog.scan.records import Scan, ScanError, ScanFinding, ScannedCoe, ScannedPort, ScannedSlave
-from esicatalog.scan.text import NOT_READ, Skipped, heading_of, in_order, numbered_lines, quoted
+from esicatalog.scan.text import (
+    NOT_READ,
+    OF_LISTS,
+    Skipped,
+    heading_of,
+    in_order,
+    is_broken_heading,
+    numbered_lines,
+    quoted,
+)
 from esicatalog.words import one_line
 
 FORMAT = "ethercat slaves -v"
@@ -32,7 +41,7 @@ _MAILBOXES = re.compile(r"0x[0-9a-f]{1,8}/([0-9]{1,5}), TX: 0x[0-9a-f]{1,8}/([0-
 _CURRENT = re.compile(r"(-?[0-9]{1,5}) mA")
 _DELAY = re.compile(r"([0-9]{1,10}) ns")
 _PORT = re.compile(r"\s*([0-3])[* ]\s*(EBUS|MII|N/A|N/C|\?\?\?)\s+(up|down)\s+(?:open|closed|bypass)\s.*")
-_OTHER_COMMAND = re.compile(r"\s*(?:SM[0-9]+: PhysAddr|(?:SDO|Sdo) 0x)")
+_OTHER_COMMAND = re.compile(rf"\s*(?:{OF_LISTS})")
 
 _STATES = ("INIT", "PREOP", "BOOT", "SAFEOP", "OP")
 _PROTOCOLS = ("AoE", "EoE", "CoE", "FoE", "SoE", "VoE")
@@ -135,6 +144,7 @@ class _Block:
         self.coe: _Facts = {}
         self.ports: list[ScannedPort] = []
         self.read_keys: set[str] = set()
+        self.open = True
         self.of_other_command = False
 
     def slave(self) -> ScannedSlave:
@@ -171,13 +181,18 @@ class _Reader:
         """Read one line; ``unfinished``: no line end follows it."""
         if heading := heading_of(line):
             self.blocks.append(_Block(number, *heading))
-        elif not self.blocks or not self._taken(self.blocks[-1], number, line, unfinished):
+        elif self.blocks and is_broken_heading(line):
+            self.blocks[-1].open = False
+            message = f"no heading, though it begins like one; what stands below it is left out: {quoted(line)}"
+            self.findings.append(ScanFinding(line=number, message=message))
+        elif not self.blocks or not self.blocks[-1].open or not self._taken(self.blocks[-1], number, line, unfinished):
             self.skipped.add(number, line)
 
     def _taken(self, block: _Block, number: int, line: str, unfinished: bool) -> bool:
         text, colon, value = line.partition(":")
         key, value = one_line(text.lower()) if colon else "", value.strip()
-        if key in block.read_keys:
+        if key in block.read_keys:  # a slave says nothing twice: the heading of another one is lost
+            block.open = False
             return False
         if read := _FACTS.get(key) or _COE.get(key):
             block.read_keys.add(key)

@@ -5,6 +5,7 @@ A field is None where the text does not say it; nothing is derived from the ESI 
 """
 
 from bisect import bisect_right
+from collections.abc import Iterable, Sequence
 
 import msgspec
 
@@ -21,6 +22,17 @@ class ScanFinding(msgspec.Struct, frozen=True, gc=False, kw_only=True):
 
     line: int
     message: str
+
+
+def findings_by_line(lines: Sequence[int], findings: Iterable[ScanFinding]) -> tuple[tuple[ScanFinding, ...], ...]:
+    """The findings of each record that begins at one of ``lines``, in rising order: from its line to that of the next.
+
+    Those before the first go with the first; of several records in one line it is the last.
+    """
+    found: list[list[ScanFinding]] = [[] for _ in lines]
+    for finding in findings if lines else ():
+        found[max(bisect_right(lines, finding.line) - 1, 0)].append(finding)
+    return tuple(map(tuple, found))
 
 
 class ScannedPdoEntry(msgspec.Struct, frozen=True, gc=False, kw_only=True):
@@ -164,21 +176,14 @@ class Scan(msgspec.Struct, frozen=True, gc=False, kw_only=True):
         return tuple(f"line {finding.line}: {finding.message}" for finding in self.findings)
 
     def findings_by_slave(self) -> tuple[tuple[ScanFinding, ...], ...]:
-        """The findings of each slave: from its line to that of the next, those before the first with the first.
-
-        Of several slaves in one line it is the last.
-        """
-        lines = [slave.line for slave in self.slaves]
-        found: list[list[ScanFinding]] = [[] for _ in lines]
-        for finding in self.findings if lines else ():
-            found[max(bisect_right(lines, finding.line) - 1, 0)].append(finding)
-        return tuple(map(tuple, found))
+        """The findings of each slave, see :func:`findings_by_line`."""
+        return findings_by_line([slave.line for slave in self.slaves], self.findings)
 
 
 class ScannedPdos(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     """SyncManagers and PDOs of one slave; master and position are None where no heading names them.
 
-    ``origin`` is where the list comes from, in the words of whoever gave it, for errors.
+    ``origin`` is where the list comes from, in the words of whoever gave it; ``findings`` are those in its lines.
     """
 
     master: int | None = None
@@ -186,6 +191,15 @@ class ScannedPdos(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     sync_managers: tuple[ScannedSyncManager, ...]
     line: int
     origin: str = "a list of PDOs"
+    findings: tuple[ScanFinding, ...] = ()
+    is_complete: bool = True
+    """False where a line of the list was not understood: then it tells neither sizes nor the assignment."""
+
+    @property
+    def lists_entries(self) -> bool:
+        """False where no PDO has an entry: with ``--quiet`` the master prints none."""
+        pdos = [pdo for sync_manager in self.sync_managers for pdo in sync_manager.pdos]
+        return not pdos or any(pdo.entries for pdo in pdos)
 
 
 class PdoScan(msgspec.Struct, frozen=True, gc=False, kw_only=True):
@@ -225,6 +239,12 @@ class ScannedDictionary(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     objects: tuple[ScannedObject, ...]
     line: int
     origin: str = "a list of objects"
+    findings: tuple[ScanFinding, ...] = ()
+
+    @property
+    def lists_entries(self) -> bool:
+        """False where no object has an entry: with ``--quiet`` the master prints none."""
+        return any(item.entries for item in self.objects)
 
 
 class SdoScan(msgspec.Struct, frozen=True, gc=False, kw_only=True):

@@ -11,8 +11,18 @@ from esicatalog.words import counted
 NOT_READ = "has vendor id and product code 0: its SII was not read or is empty"
 """Of a slave whose identity is none (:func:`esicatalog.identity.is_read`)."""
 
+OF_LISTS = r"SM[0-9a-f]+: PhysAddr|(?:SDO|Sdo) 0x"
+"""How lines of ``ethercat pdos`` and ``ethercat sdos`` begin."""
+
 _SHOWN = 60
-_ANSI = re.compile(r"\x1b\[[0-?]{0,32}[ -/]{0,8}[@-~]")
+_ESCAPES = re.compile(
+    r"""\x1b(?:
+        \[[0-?]{0,32}[ -/]{0,8}[@-~]             # CSI: colours
+        | [ -/]{1,8}[0-~]                        # a character set: `tput sgr0` ends with ESC ( B
+        | \][^\x07\x1b\n]{0,1024}(?:\x07|\x1b\\)  # OSC: titles, links
+    )""",
+    re.VERBOSE,
+)
 _LINE_END = re.compile(r"\r\n?")
 _TIME = r"[0-9]{2}:[0-9]{2}:[0-9]{2}(?:[.,][0-9]{1,9})?"
 _LOG_PREFIX = re.compile(
@@ -25,7 +35,7 @@ _LOG_PREFIX = re.compile(
     ){{1,4}}""",
     re.MULTILINE | re.VERBOSE,
 )
-_HEADING = re.compile(r"\s*===\s*(?:Master\s+([0-9]{1,5}),\s*)?Slave\s+([0-9]{1,5})\s*===\s*")
+_HEADING = re.compile(r"\s*===\s*(?:Master\s+([0-9]{1,5}),\s*)?Slave\s+([0-9a-f]{1,5})\s*===\s*")
 
 
 class Heading(NamedTuple):
@@ -47,7 +57,7 @@ def decode_text(content: bytes) -> str:
 
 def clean(text: str) -> str:
     """The text with plain line ends and without colours and log prefixes. Raises :class:`ScanError` when empty."""
-    cleaned = _LINE_END.sub("\n", _ANSI.sub("", text.removeprefix("\ufeff")))
+    cleaned = _LINE_END.sub("\n", _ESCAPES.sub("", text.removeprefix("\ufeff")))
     if not cleaned.strip():
         raise ScanError("the text is empty; expected what a master printed about its slaves")
     return _LOG_PREFIX.sub("", cleaned)
@@ -69,10 +79,23 @@ def in_order(findings: list[ScanFinding]) -> tuple[ScanFinding, ...]:
     return tuple(sorted(findings, key=lambda finding: finding.line))
 
 
-def heading_of(line: str) -> Heading | None:
-    """The slave that a heading of the ``ethercat`` tool names, or None for other lines."""
+def is_broken_heading(line: str) -> bool:
+    """Whether a line begins like a heading and is none: what stands below it is of another slave than what is above."""
+    return line.lstrip().startswith("===") and heading_of(line) is None
+
+
+def heading_of(line: str, base: int = 10) -> Heading | None:
+    """The slave that a heading of the ``ethercat`` tool names, or None for other lines.
+
+    ``base`` is that of its numbers; one with letters is hexadecimal all the same.
+    """
     match = _HEADING.fullmatch(line)
-    return Heading(None if match[1] is None else int(match[1]), int(match[2])) if match else None
+    return Heading(None if match[1] is None else int(match[1], base), tool_number(match[2], base)) if match else None
+
+
+def tool_number(digits: str, base: int = 10) -> int:
+    """A number that the ``ethercat`` tool means in decimal: it forgets to say so behind a number in hexadecimal."""
+    return int(digits, base if digits.isdecimal() else 16)
 
 
 def name_at_end(line: int, rest: str, findings: list[ScanFinding]) -> str | None:

@@ -152,7 +152,8 @@ _SCHEMAS = {
     "ScanFinding": {
         **_object({"line": {"type": "integer", "minimum": 0}, "message": {"type": "string"}}),
         "description": "What of a scan was not understood. It stands with the slave in whose lines it is, or, where it "
-        "is of what stands before them, with the first",
+        "is of what stands before them, with the first. A message about a list of "
+        "PDOs or objects begins with its file, in which the line is",
     },
     "Error": _object(_ERROR),
     "OtherDescriptions": _object({**_ERROR, **{name: _ANSWER[name] for name in ("device", "variants", "candidates")}}),
