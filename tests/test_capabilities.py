@@ -209,9 +209,11 @@ def test_pdos_of_modules_are_not_compared(tmp_path):
     assert rows(db, pairs) == [(None,), (0,)]
 
 
-def test_what_has_no_known_length_is_like_nothing(tmp_path):
+@pytest.mark.parametrize(
+    "open_sm", ['<Sm DefaultSize="8">Outputs</Sm>', '<Mailbox><CoE PdoUpload="1"/></Mailbox><Sm>Outputs</Sm>']
+)
+def test_what_has_no_known_length_is_like_nothing(tmp_path, open_sm):
     """Revisions with the same words for what nobody describes: what changed and what they are like is not known."""
-    open_sm = '<Sm DefaultSize="8">Outputs</Sm>'
     db = catalog_of(tmp_path, esi("".join(device(open_sm, revision=number) for number in "12")))
     with Catalog.open(db) as catalog:
         revisions = catalog.device("0xE5C:1:1").revisions
@@ -220,6 +222,7 @@ def test_what_has_no_known_length_is_like_nothing(tmp_path):
         assert catalog.device("0xE5C:1:1").same_layout == ()
         with pytest.raises(InputError, match="the length of the default process image of"):
             catalog.devices(like=Identity(0xE5C, 1, 1))
+        assert not catalog.devices(bytes_out=0)
     assert rows(db, "SELECT * FROM same_process_image_layout") == []
     assert rows(db, "SELECT layout_changed FROM device_revisions ORDER BY revision_no") == [(0,), (None,)]
 

@@ -230,7 +230,7 @@ def test_every_numbered_table_is_looked_at():
 
 def test_search_follows_the_name_that_a_vendor_is_shown_under(tmp_path):
     """The name that most documents use is shown: later documents can change it for devices that came before."""
-    named = "<Id>#x5</Id><Name>{}</Name>"
+    named = "<Id>#x5</Id><Name>{} Works</Name>"
     write(tmp_path, {"one/1.xml": esi(device(), vendor=named.format("Alpha"))})
     write(
         tmp_path,

@@ -28,6 +28,7 @@ def rx(*entries: tuple[int, str], index: str = "#x1600", attributes: str = "") -
     return f'<RxPdo Sm="0" {attributes}><Index>{index}</Index><Name>R</Name>{found}</RxPdo>'
 
 
+UPLOAD = '<Mailbox><CoE PdoUpload="1"/></Mailbox>'
 A, B, GAP_7 = (1, "1"), (2, "8"), (0, "7")
 SAME = {
     "a gap in one or two": (SMS + rx(A, GAP_7, B), SMS + rx(A, (0, "1"), (0, "6"), B)),
@@ -42,6 +43,7 @@ SAME = {
     "a role of its own": (SMS + rx(A), "<Sm>OrbitaOut</Sm><Sm>Inputs</Sm>" + rx(A)),
     "a SyncManager of no bits": (SMS + rx(A), "<Sm>Outputs</Sm>" + rx(A)),
     "the PDO that maps it": (SMS + rx(A), SMS + rx(A, index="#x1601")),
+    "PDOs of the device": (UPLOAD + "<Sm>Outputs</Sm>", UPLOAD + "<Sm>Outputs</Sm>"),
     "the same DefaultSize": ('<Sm DefaultSize="8">Outputs</Sm>', '<Sm DefaultSize="8">Outputs</Sm><Sm>Inputs</Sm>'),
 }
 OTHER = {
@@ -53,6 +55,8 @@ OTHER = {
         '<Sm ControlByte="#x20">Outputs</Sm>' + rx(A),
     ),
     "a DefaultSize without PDO": ('<Sm DefaultSize="8">Outputs</Sm>', '<Sm DefaultSize="64">Outputs</Sm>'),
+    "PDOs of the device or none": (UPLOAD + "<Sm>Outputs</Sm>", "<Sm>Outputs</Sm>"),
+    "PDOs of the device with a DefaultSize": (UPLOAD + '<Sm DefaultSize="8">Outputs</Sm>', UPLOAD + "<Sm>Outputs</Sm>"),
     "a DefaultSize or none": ('<Sm DefaultSize="8">Outputs</Sm>', '<Sm DefaultSize="0">Outputs</Sm>'),
     "which PDO has variable content": (SMS + VARIABLE.format("#x1600"), SMS + VARIABLE.format("#x1601")),
     "which PDO is listed and not described": (SMS + LISTED.format("#x1602"), SMS + LISTED.format("#x1603")),

@@ -12,9 +12,9 @@ from esicatalog.model.slots import PluggedModule, default_modules, reachable_mod
 SMS = "<Sm>MBoxOut</Sm><Sm>MBoxIn</Sm><Sm>Outputs</Sm><Sm>Inputs</Sm>"
 
 
-def images(content: str, modules: str = ""):
+def images(content: str, modules: str = "", sms: str = SMS):
     """Images by SyncManager number."""
-    info = read(esi(device(SMS + content), modules)).document.infos[0]
+    info = read(esi(device(sms + content), modules)).document.infos[0]
     return {image.sm: image for image in default_process_image(info.devices[0], info.modules)}
 
 
@@ -665,6 +665,30 @@ def test_a_sync_manager_with_a_size_and_no_pdo_exchanges_what_nothing_describes(
     assert (image.byte_size, image.remarks) == (size, (words,) if size is None else ())
     (image,) = process_image(owner, assignment={0: []})
     assert (image.byte_size, image.remarks) == (0, ()), "whoever assigns nothing knows it"
+
+
+@pytest.mark.parametrize(("size", "words"), [(2, "DefaultSize 2 and no PDO"), (0, None)])
+def test_a_virtual_pdo_without_entries_describes_nothing_of_what_is_exchanged(size, words):
+    """EL6690: the variables of a bridge are the project's; DefaultSize says that there are some."""
+    virtual = '<RxPdo Mandatory="1" Virtual="1" Sm="0"><Index>#x1600</Index><Name>Outputs</Name></RxPdo>'
+    image = images(virtual, sms=f'<Sm DefaultSize="{size}">Outputs</Sm>')[0]
+    assert (image.byte_size, image.left_open) == (0 if words is None else None, words)
+    assert image.remarks[0] == "PDO 0x1600 is virtual: described, not transported"
+
+
+UPLOADED = "SM{} has no PDO, PDOs are uploaded from the device (PdoUpload): what it exchanges is not described"
+
+
+@pytest.mark.parametrize(("declared", "size"), [("1", None), ("true", None), ("0", 0)])
+def test_what_is_uploaded_from_the_device_is_not_known_without_pdos(declared, size):
+    """ESI-FACTS section 10: with PdoUpload a master asks the device for the PDOs, SyncManager by SyncManager."""
+    coe = f'<Mailbox><CoE PdoUpload="{declared}"/></Mailbox>'
+    found = images(coe)
+    assert [(image.byte_size, image.remarks) for image in found.values()] == [
+        (size, () if size == 0 else (UPLOADED.format(number),)) for number in (2, 3)
+    ]
+    described = images(coe + pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"') + pdo("RxPdo", "#x1600", 8))
+    assert [image.byte_size for image in described.values()] == [size, 1], "0x1600 is assigned to none"
 
 
 @pytest.mark.parametrize(("pdos", "size"), [(pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"'), 0), ("", None)])

@@ -91,6 +91,15 @@ def test_a_pdo_that_is_not_described_and_another_assignment():
     ]
 
 
+def test_an_assignment_that_nothing_describes_is_no_other_one():
+    """With PdoUpload the device says what it exchanges; what is not described of it is told all the same."""
+    uploaded = '<Mailbox><CoE PdoUpload="1"/></Mailbox>' + SMS
+    (slave,) = read_pdos(HEAD + '  RxPDO 0x1600 "R"\n').slaves
+    of_outputs = [compare_scanned_pdos(only_device(esi(device(content))), (), slave) for content in (SMS, uploaded)]
+    undescribed = "RxPDO 0x1600: not described"
+    assert of_outputs == [[undescribed, "SM2: assigned are 0x1600; the default is none"], [undescribed]]
+
+
 def test_a_subindex_that_cannot_be_read_is_left_open():
     described = only_device(
         esi(device(SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"').replace("<SubIndex>1<", "<SubIndex>x1<")))

@@ -450,13 +450,13 @@ def test_mappings_of_the_corpus(corpus_db):
 def test_a_vendor_is_found_by_the_name_that_is_shown(tmp_path):
     """Which name that is may be decided by documents that came later than a device."""
     folder, db = tmp_path / "esi", tmp_path / "c.db"
-    names = {"a": "Alpha", "b": "Beta", "c": "Beta"}
+    names = {"a": "Alpha Works", "b": "Beta Works", "c": "Beta Works"}
     with Catalog.open(db, create=True) as catalog:
         for number, (file, name) in enumerate(names.items()):
             document = esi(device(product=f"#x{number}"), vendor=f"<Id>5</Id><Name>{name}</Name>")
             write(folder, {f"{file}.xml": document})
             catalog.ingest([folder / f"{file}.xml"], jobs=1)
-        assert {found.vendor for found in catalog.devices()} == {"Beta"}
+        assert {found.vendor for found in catalog.devices()} == {"Beta Works"}
         assert [found.product_code for found in catalog.devices(text="beta")] == [0, 1, 2]
         assert catalog.devices(text="alpha") == []
 

@@ -101,9 +101,14 @@ def test_what_a_rule_finds_in_shared_process_data_is_told_of_each_device():
 
 
 @pytest.mark.parametrize(
-    "more", ["<Dc><OpMode><Name>m</Name><AssignActivate>0</AssignActivate></OpMode></Dc>", "<Sm>Inputs</Sm>"]
+    "more",
+    [
+        "<Dc><OpMode><Name>m</Name><AssignActivate>0</AssignActivate></OpMode></Dc>",
+        "<Sm>Inputs</Sm>",
+        '<Mailbox><CoE PdoUpload="1"/></Mailbox>',
+    ],
 )
-def test_other_op_modes_or_sync_managers_are_other_process_data(more):
+def test_what_process_data_depend_on_is_not_shared(more):
     devices = read(esi(device(OUTPUTS) + device(more + OUTPUTS))).document.infos[0].devices
     deriver = Deriver()
     first, second = (deriver.derive(item).process_data for item in devices)

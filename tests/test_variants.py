@@ -207,6 +207,30 @@ def test_vendor_names_keep_every_spelling(tmp_path):
     assert rows(tmp_path / "all.db", "SELECT vendor_id, name FROM vendors") == [(0xE5C, "Maker GmbH")]
 
 
+@pytest.mark.parametrize("order", ["abcdef", "fedcba", "cabdef"])
+def test_of_several_makers_who_use_one_vendor_id_each_device_has_its_own(tmp_path, order):
+    """The id is that of rt-labs, as most documents say; its spellings are one name, and any document that says it."""
+    names = {"a": "rt-labs", "b": "rt-labs", "c": "kubabuda", "d": "rt-labs AB", "e": "kubabuda", "f": "rt-labs"}
+    products = {"a": "#x1", "b": "#x2", "c": "#x3", "d": "#x4", "e": "#x2", "f": "#x5"}
+    files = {f: esi(device(product=products[f]), vendor=VENDOR.format(name)) for f, name in names.items()}
+    stored(tmp_path, files, tuple(order))
+    db = tmp_path / f"{'-'.join(order)}.db"
+    shown = {1: "rt-labs", 2: "rt-labs", 3: "kubabuda", 4: "rt-labs", 5: "rt-labs"}
+    assert dict(rows(db, "SELECT product_code, vendor FROM device_overview")) == shown
+    with Catalog.open(db) as catalog:
+        assert {found.product_code: found.vendor for found in catalog.devices()} == shown
+        assert catalog.identify(0xE5C, 3, 1).device.device.vendor == "kubabuda"
+        assert catalog.device("0xE5C:3").found.vendor == "kubabuda"
+        assert [found.product_code for found in catalog.devices(text="kubabuda")] == [3]
+    engine = make_engine(catalog_url(db))
+    with engine.begin() as connection:
+        connection.exec_driver_sql("UPDATE devices SET own_vendor_name = 'x' WHERE product_code <> 3")
+        connection.exec_driver_sql("UPDATE devices SET own_vendor_name = NULL WHERE product_code = 3")
+        derive_again(connection)
+    engine.dispose()
+    assert dict(rows(db, "SELECT product_code, vendor FROM device_overview")) == shown
+
+
 def test_groups_are_kept_per_vendor_and_content(tmp_path):
     other = esi(PLAIN).replace("<Name>Group</Name>", "<Name>Another name</Name>")
     vendor = esi(PLAIN, vendor="<Id>7</Id><Name>V</Name>")

@@ -19,6 +19,8 @@ ORDER = (
     devices.c.variant,
 )
 """The order of lists, which is that of the index ``ix_devices_listed``."""
+VENDOR_NAME = sa.func.coalesce(devices.c.own_vendor_name, vendors.c.name)
+"""The name under which the vendor of a device is shown, whose vendor id has a row in vendors."""
 SUMMARY = (
     sa.select(
         devices.c.id,
@@ -27,7 +29,7 @@ SUMMARY = (
         devices.c.revision_no,
         devices.c.variant,
         devices.c.hidden,
-        vendors.c.name.label("vendor"),
+        VENDOR_NAME.label("vendor"),
         devices.c.type,
         devices.c.name,
     )

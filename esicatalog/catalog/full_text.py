@@ -13,6 +13,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema, word_search
 from esicatalog.catalog.bulk import chunks
+from esicatalog.catalog.devices import VENDOR_NAME
 from esicatalog.catalog.views import FULL_TEXT
 from esicatalog.words import hex32
 
@@ -119,7 +120,7 @@ def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[t
         sa.select(
             columns.id,
             columns.vendor_id,
-            _searched(schema.vendors.c.name).label("vendor"),
+            _searched(VENDOR_NAME).label("vendor"),
             _searched(columns.type).label("type"),
             columns.product_code,
             columns.revision_no,

@@ -6,7 +6,7 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import RowBuffer, chunks
 from esicatalog.catalog.derived import PdoPlaces, derived_rows, pdo_places
 from esicatalog.catalog.reader import RecordReader
-from esicatalog.catalog.settle import number_variants_again, settle_hidden
+from esicatalog.catalog.settle import number_variants_again, settle_hidden, store_own_vendor_names
 from esicatalog.model.derivation import derive
 
 _BATCH = 200
@@ -27,6 +27,7 @@ def derive_again(connection: sa.Connection) -> None:
             _write_places(connection, number, pdo_places(derived.images))
         buffer.flush()
     number_variants_again(connection)
+    store_own_vendor_names(connection, connection.execute(sa.select(schema.devices.c.id)).scalars())
     settle_hidden(connection, connection.execute(sa.select(schema.vendors.c.vendor_id)).scalars())
 
 

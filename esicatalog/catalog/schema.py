@@ -215,6 +215,11 @@ devices = _table(
     _boolean("recovered", "1 when every document that carries it needed recovery", nullable=False),
     _integer("file_version", "Highest FileVersion of the documents that carry it"),
     _text("group_type", "Group that the description names in its first document"),
+    _text(
+        "own_vendor_name",
+        "Name of its vendor in its own documents, where these give quite another one than vendors has for the id: "
+        "several makers use it; else NULL",
+    ),
     sa.UniqueConstraint("vendor_id", "product_code", "revision_no", "variant"),
     sa.Index("ix_devices_listed", "vendor_id", "product_code", "revision_no", "type", "variant", "hidden"),
 )

@@ -5,6 +5,7 @@ All of it follows from the stored rows alone, so that any order of ingest gives 
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
+from itertools import groupby
 from typing import Any
 
 import sqlalchemy as sa
@@ -19,6 +20,12 @@ from esicatalog.esi.records.common import ENGLISH
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import Vendor
 from esicatalog.esi.records.module import Module
+from esicatalog.model.vendor_names import own_vendor_name
+
+_OF_SECTION = (source_vendors.c.source_id == device_sources.c.source_id) & (
+    source_vendors.c.position == device_sources.c.section
+)
+"""Which vendor a document names where it carries a device."""
 
 
 class Affected:
@@ -36,7 +43,9 @@ def settle(connection: sa.Connection, affected: Affected) -> None:
     renamed = _settle_vendors(connection, affected.vendors)
     if affected.devices or affected.products:
         _settle_devices(connection, affected)
-    index_devices(connection, affected.devices | _devices_of(connection, renamed))
+    concerned = affected.devices | _devices_of(connection, renamed)
+    store_own_vendor_names(connection, concerned)
+    index_devices(connection, concerned)
     settle_hidden(connection, affected.vendors | {vendor_id for vendor_id, _ in affected.products})
 
 
@@ -85,6 +94,30 @@ def _shown_name(counted: Counter[tuple[int | None, str]]) -> str | None:
     return min(counted.items(), key=rank)[0][1] if counted else None
 
 
+def store_own_vendor_names(connection: sa.Connection, device_ids: Iterable[int]) -> None:
+    """Store whom the documents of these devices name as vendor, where several makers use its id."""
+    columns, spelled = devices.c, vendor_names.c
+    is_spelled_otherwise = sa.exists().where(spelled.vendor_id == vendors.c.vendor_id, spelled.name != vendors.c.name)
+    query = (
+        sa.select(columns.id, columns.own_vendor_name, vendors.c.name, source_vendors.c.name.label("written"))
+        .join(vendors, vendors.c.vendor_id == columns.vendor_id)
+        .join(device_sources, device_sources.c.device_id == columns.id)
+        .join(source_vendors, _OF_SECTION)
+        .where(sa.or_(is_spelled_otherwise, columns.own_vendor_name.is_not(None)))
+        .order_by(columns.id)
+    )
+    changes = []
+    for part in chunks(sorted(device_ids)):
+        named = groupby(connection.execute(query.where(columns.id.in_(part))), key=lambda row: row[:3])
+        for (number, stored, vendor_name), rows in named:
+            name = own_vendor_name(vendor_name, [row.written for row in rows])
+            if name != stored:
+                changes.append({"number": number, "own_name": name})
+    if changes:
+        update = sa.update(devices).where(columns.id == sa.bindparam("number"))
+        connection.execute(update.values(own_vendor_name=sa.bindparam("own_name")), changes)
+
+
 def carried_facts() -> sa.Select[Any]:
     """What the documents that carry a description say of it, by device: recovered, file_version, group_type."""
     return (
@@ -95,11 +128,7 @@ def carried_facts() -> sa.Select[Any]:
             sa.func.min(device_sources.c.group_type).label("group_type"),
         )
         .join(sources, sources.c.id == device_sources.c.source_id)
-        .outerjoin(
-            source_vendors,
-            (source_vendors.c.source_id == device_sources.c.source_id)
-            & (source_vendors.c.position == device_sources.c.section),
-        )
+        .outerjoin(source_vendors, _OF_SECTION)
         .group_by(device_sources.c.device_id)
     )
 

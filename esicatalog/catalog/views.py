@@ -79,7 +79,7 @@ def _device_identity(dialect: str) -> str:
         f"{hex_text('d.vendor_id', 8, dialect)} AS vendor_id_hex, "
         f"{hex_text('d.product_code', 8, dialect)} AS product_code_hex, "
         f"{hex_text('d.revision_no', 8, dialect)} AS revision_no_hex, {_revision_text(dialect)} AS revision_text, "
-        "d.hidden, v.name AS vendor, d.type AS device_type, d.name AS device_name"
+        f"d.hidden, {VENDOR_NAME} AS vendor, d.type AS device_type, d.name AS device_name"
     )
 
 
@@ -136,6 +136,8 @@ def _module_identity(dialect: str) -> str:
 _SOURCES = _integer("(SELECT count(DISTINCT x.source_id) FROM device_sources x WHERE x.device_id = d.id)")
 """SQL for the number of documents that carry a device; one may carry its description twice."""
 
+VENDOR_NAME = "coalesce(d.own_vendor_name, v.name)"
+"""SQL for the name of the vendor of a device ``d`` whose vendor id has the row ``v`` of vendors."""
 _DEVICES = "FROM devices d LEFT JOIN vendors v ON v.vendor_id = d.vendor_id"
 _MODULES = "FROM modules m LEFT JOIN vendors v ON v.vendor_id = m.vendor_id"
 

@@ -356,7 +356,7 @@ class Writer:
         number = self._buffer.take_ids("devices")
         keys.put(rows.key.hex(), number)
         modules = self._keys["modules"].require_all([module.hex() for module in rows.modules])
-        not_settled = (False, False, None, None)
+        not_settled = (False, False, None, None, None)
         row = (number, rows.vendor_id, -number, rows.key.hex(), *rows.row, rows.default_op_mode, rows.element_count)
         self._buffer.add("devices", [(*row, *not_settled)])
         self._add_owned(rows, maker, number, None)

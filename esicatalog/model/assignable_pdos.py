@@ -170,3 +170,8 @@ def without_rivals(mandatory: Iterable[int], exclusions: Mapping[int | None, Col
 def declares_pdo_assign(device: Device) -> bool:
     """Whether a master may write the assignment (CoE/@PdoAssign, ESI-FACTS section 10)."""
     return device.mailbox is not None and bool(device.mailbox.coe_pdo_assign)
+
+
+def declares_pdo_upload(device: Device) -> bool:
+    """Whether a master reads the PDOs from the device at start (CoE/@PdoUpload, ESI-FACTS section 10)."""
+    return device.mailbox is not None and bool(device.mailbox.coe_pdo_upload)

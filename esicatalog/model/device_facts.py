@@ -16,9 +16,9 @@ _BOOTSTRAP_BYTES = slice(2 * 0x14, 2 * 0x18)
 
 _SIZE = (
     "Bytes that the master {} in the default process image; 0 = none, NULL = not known: PDOs without SyncManagers, too "
-    "long for them or of a length that is not described, a SyncManager with DefaultSize and no PDO, or a required slot "
-    "without a preset and with several ModuleIdents or a ModuleClass for modules with PDOs, with an ident of several "
-    "that differ, or naming a module that is not described"
+    "long for them or of a length that is not described, a SyncManager without PDO that has a DefaultSize or whose "
+    "device uploads its PDOs (PdoUpload), or a required slot without a preset and with several ModuleIdents or a "
+    "ModuleClass for modules with PDOs, with an ident of several that differ, or naming a module that is not described"
 )
 
 

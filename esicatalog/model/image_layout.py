@@ -49,8 +49,8 @@ def entries_with_place(image: SmImage) -> list[tuple[int, Entry]]:
 
 
 def _undescribed(image: SmImage) -> Iterator[str]:
-    """PDOs of unknown length among the entries that have no place for it, a DefaultSize without PDOs, what is left out
-    or brought by modules that are not chosen.
+    """PDOs of unknown length among the entries that have no place for it, what there is in place of PDOs, what is left
+    out or brought by modules that are not chosen.
 
     Which PDO it is counts: two of unknown length are hardly the same.
     """
@@ -61,7 +61,7 @@ def _undescribed(image: SmImage) -> Iterator[str]:
         elif bits := sum(item[2] or 0 for item in joined if not isinstance(item, str)):
             yield mapped_words(0, 0, bits)
     if image.left_open is not None:
-        yield f"no PDO, DefaultSize {image.left_open}"
+        yield image.left_open
     if image.overflow is not None:
         yield image.overflow
     if image.missing_modules is not None:

@@ -29,8 +29,6 @@ class SmAssignment(NamedTuple):
     sync_manager: SyncManager | None
     """None when PDOs name a SyncManager that the device does not describe."""
     pdos: list[AvailablePdo]
-    is_named: bool
-    """Whether a PDO names it, be it one that is not exchanged, or an OpMode or the user lists PDOs for it."""
     remarks: list[str]
     listed: Collection[int] | None
     """Indices that the OpMode or the user lists for it, None without a list; others stay because they are mandatory."""
@@ -68,8 +66,7 @@ def assigned_pdos(
         else:
             meant = [[candidate] for candidate in unlisted if candidate.pdo.sm == number]
         pdos = list(_transported(number, sm, _fitting(number, sm, meant, remarks), remarks))
-        is_named = number in wanted or bool(meant)
-        found.append(SmAssignment(number, sm, pdos, is_named, remarks, wanted.get(number)))
+        found.append(SmAssignment(number, sm, pdos, remarks, wanted.get(number)))
     return PdoAssignment(found, {index: factor for items in lists.values() for index, factor in items.items()})
 
 

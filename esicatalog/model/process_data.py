@@ -14,6 +14,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
+from esicatalog.model.assignable_pdos import declares_pdo_upload
 from esicatalog.model.image_layout import image_layout
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.pdo_facts import mapped
@@ -130,5 +131,5 @@ def _key(device: Device, modules: Sequence[Module]) -> Hashable:
     if device.slots:  # seldom equal in all that slots and modules add
         return id(device), identities(modules)
     small = (device.sync_managers, device.op_modes, device.module_pdo_group, device.module_pdo_groups)
-    clocks = device.dc_time_loop_control_only
-    return identities(device.rx_pdos), identities(device.tx_pdos), _encode((*small, clocks))
+    flags = (device.dc_time_loop_control_only, declares_pdo_upload(device))
+    return identities(device.rx_pdos), identities(device.tx_pdos), _encode((*small, *flags))

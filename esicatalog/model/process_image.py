@@ -19,7 +19,7 @@ from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Entry, Pdo
 from esicatalog.esi.records.slots import ModulePdoGroup
 from esicatalog.esi.unreadable import reason_words
 from esicatalog.identity import MAX_INDEX
-from esicatalog.model.assignable_pdos import AvailablePdo, without_rivals
+from esicatalog.model.assignable_pdos import AvailablePdo, declares_pdo_upload, without_rivals
 from esicatalog.model.pdo_assignment import Assignment, SmAssignment, assigned_pdos, has_default_image
 from esicatalog.model.pdo_facts import has_length, is_described, pdo_bits, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.required_slots import MissingPdos, missing_pdos
@@ -82,8 +82,8 @@ class SmImage(NamedTuple):
     overflow: str | None = None
     has_known_size: bool = True
     """Whether the described bits are all; the remarks say why not."""
-    left_open: int | None = None
-    """DefaultSize of a SyncManager that has no PDO and exchanges something that is not described."""
+    left_open: str | None = None
+    """What a SyncManager has in place of PDOs whose exchange is not described, in words."""
     missing_modules: str | None = None
     """Which required slots are empty whose modules have PDOs of this direction; also among the remarks."""
 
@@ -232,7 +232,7 @@ def _image(
         builder.place(pdo)
     builder.align(None)
     remarks += _unknown_words(number, builder.placed)
-    left_open = None if has_module_pdos else _left_open(assigned)
+    left_open = None if has_module_pdos else _left_open(device, assigned)
     if left_open is not None:
         remarks.append(_left_open_words(number, left_open))
     return SmImage(
@@ -248,19 +248,22 @@ def _image(
     )
 
 
-def _left_open(assigned: SmAssignment) -> int | None:
-    """DefaultSize of a SyncManager without PDOs that exchanges something all the same (ESI-FACTS section 18).
+def _left_open(device: Device, assigned: SmAssignment) -> str | None:
+    """What tells that a SyncManager without PDOs may exchange something all the same (ESI-FACTS sections 10 and 18).
 
-    Unless modules are plugged that bring PDOs: then these are what the SyncManagers exchange, be it nothing for one.
+    A list, be it of none, is one of PDOs; a virtual PDO is not. Not where modules are plugged that bring PDOs: then
+    these are what the SyncManagers exchange, be it nothing for one.
     """
     sm = assigned.sync_manager
-    if sm is None or assigned.is_named or not sm.default_size or sm.virtual or not has_default_image(sm):
+    if sm is None or assigned.pdos or assigned.listed is not None or sm.virtual or not has_default_image(sm):
         return None
-    return sm.default_size
+    if sm.default_size:
+        return f"DefaultSize {sm.default_size} and no PDO"
+    return "no PDO, PDOs are uploaded from the device (PdoUpload)" if declares_pdo_upload(device) else None
 
 
-def _left_open_words(number: int, default_size: int) -> str:
-    return f"SM{number} has DefaultSize {default_size} and no PDO: what it exchanges is not described"
+def _left_open_words(number: int, left_open: str) -> str:
+    return f"SM{number} has {left_open}: what it exchanges is not described"
 
 
 def _unknown_words(number: int, placed: Iterable[PlacedPdo]) -> Iterator[str]:

@@ -36,19 +36,21 @@ def compare_scanned_pdos(device: Device, modules: Sequence[Module], seen: Scanne
     """What of the printed PDOs is not as described: unknown PDOs, other mappings, another assignment.
 
     SyncManagers without PDOs may be left out of the list, those that have some by default not. Mappings are compared
-    where entries are listed.
+    where entries are listed; any assignment is as described where nothing describes what a SyncManager exchanges.
     """
     slots = _AnySlot(device, modules, sum(1 + len(pdo.entries) for module in modules for _, pdo in _pdos(module)))
     printed = {pdo.index for sync_manager in seen.sync_managers for pdo in sync_manager.pdos}
     known = _described_pdos(device, slots, printed)
-    assigned = {image.sm: [pdo.pdo.pdo_index for pdo in image.pdos] for image in default_process_image(device, modules)}
+    images = default_process_image(device, modules)
+    assigned = {image.sm: [pdo.pdo.pdo_index for pdo in image.pdos] for image in images}
+    left_open = {image.sm for image in images if image.left_open is not None}
     found: list[str] = []
     for sync_manager in seen.sync_managers:
         for pdo in sync_manager.pdos:
             found.extend(_pdo_differences(pdo, known, seen.lists_entries))
         now = [pdo.index for pdo in sync_manager.pdos]
         default = [index for index in assigned.get(sync_manager.number, ()) if index is not None]
-        if now != default:
+        if now != default and sync_manager.number not in left_open:
             words = f"assigned are {_pdo_words(now)}; the default is {_pdo_words(default)}"
             found.append(f"SM{sync_manager.number}: {words}")
     listed = {sync_manager.number for sync_manager in seen.sync_managers}

@@ -1,6 +1,5 @@
 """Rules about who a device is: vendor, product, revision, group, what it hides."""
 
-import re
 from collections.abc import Iterator
 
 from esicatalog.identity import UINT32_MAX
@@ -9,12 +8,9 @@ from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, 
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject, is_absent
 from esicatalog.model.ports import port_kind
 from esicatalog.model.revisions import CHECK_REVISION_NO, is_known
+from esicatalog.model.vendor_names import may_be_same
 
 _SECONDARY_VENDOR = 0xE
-_WORD = re.compile(r"\w+")
-_LEGAL_FORMS = frozenset(
-    {"ag", "and", "co", "corp", "corporation", "gmbh", "inc", "kg", "limited", "llc", "ltd", "sa", "sas", "srl"}
-)
 _IDENTITY_OBJECT = 0x1018
 
 
@@ -57,18 +53,13 @@ def _names_of_one_vendor(library: Library) -> Iterator[Found]:
             continue
         name, document = first.setdefault(fact.vendor_id, (fact.vendor_name, fact.document))
         key = (fact.vendor_id, fact.vendor_name)
-        if key not in reported and not _name_words(name) & _name_words(fact.vendor_name):
+        if key not in reported and not may_be_same(name, fact.vendor_name):
             reported.add(key)
             yield Found(
                 f"Vendor/Id 0x{fact.vendor_id:08X} belongs to {fact.vendor_name!r} here, to {name!r} in {document}: "
                 "only the ETG assigns ids",
                 (number,),
             )
-
-
-def _name_words(name: str) -> frozenset[str]:
-    words = frozenset(_WORD.findall(name.lower()))
-    return words - _LEGAL_FORMS or words
 
 
 @rule("L12", WARNING, "ETG.2000: masters and catalogs find a description by vendor, product and revision alone")
