@@ -117,7 +117,7 @@ def test_virtual_pdos_of_modules_are_never_assigned(tmp_path):
     with Catalog.open(db) as catalog:
         (found,) = catalog.devices(maps=((0x60FF, None),))
     assert found.evidence == (
-        "0x60FF:00, 32 bit, in RxPdo 0x1601 of module 0x1 (default on SM2)",
+        "0x60FF:00, 32 bit, in RxPdo 0x1601 of module 0x1 (on SM2 when plugged)",
         "0x60FF:00, 32 bit, in RxPdo 0x1600 of module 0x1 (not assigned by default)",
         "0x60FF:00, 32 bit, in RxPdo 0x1602 of module 0x1 (not assigned by default)",
     )
