@@ -200,13 +200,15 @@ order by {_ORDER}
             "index: 0x60FF, #x60FF or 24831 (empty = 0x60FF); subindex: 0x0B, or 0B as CoE writes it (empty = all, "
             "those too that cannot be read); 10 to 99 without prefix are ambiguous and refused. Looks at the PDOs of "
             "devices and of the modules that their slots can reach, and names the module; sm is the SyncManager that a "
-            "PDO is assigned to by default. Indices of modules are those of the first slot. "
+            "PDO is assigned to by default, one of a module when that is plugged. Indices of modules are as they give "
+            "them, before the increments of slots move them; devices --maps finds what lies in any slot. "
             f"{_HIDDEN_DOC}"
         ),
         "params": ["index", "subindex", "include_hidden"],
         "sql": f"""\
 with mapped as (
-  select p.device_id, p.module_id, p.direction, hex0x(p.pdo_index) as pdo, p.name as pdo_name, p.sm,
+  select p.device_id, p.module_id, p.direction, hex0x(p.pdo_index) as pdo, p.name as pdo_name,
+    case when p.module_id is null then p.image_sm when p."virtual" then null else p.sm end as sm,
     hex0x(e.entry_index) as entry, {mapped_subindex("e")} as subindex,
     e.bit_length, e.data_type, e.name as entry_name
   from pdo_entries e join pdos p on p.id = e.pdo_id
