@@ -532,8 +532,8 @@ def test_mappings_of_the_corpus(corpus_db):
     assert all(expected)
 
 
-def test_a_vendor_is_found_by_the_name_that_is_shown(tmp_path):
-    """Which name that is may be decided by documents that came later than a device."""
+def test_a_vendor_is_found_by_every_name(tmp_path):
+    """What names there are may be decided by documents that came later than a device, or went."""
     folder, db = tmp_path / "esi", tmp_path / "c.db"
     names = {"a": "Alpha", "b": "Beta", "c": "Beta"}
     with Catalog.open(db, create=True) as catalog:
@@ -543,7 +543,20 @@ def test_a_vendor_is_found_by_the_name_that_is_shown(tmp_path):
             catalog.ingest([folder / f"{file}.xml"], jobs=1)
         assert {found.vendor for found in catalog.devices()} == {"Beta"}
         assert [found.product_code for found in catalog.devices(text="beta")] == [0, 1, 2]
+        assert [found.product_code for found in catalog.devices(text="alpha")] == [0, 1, 2]
+        assert catalog.check().problems == []
+        (folder / "a.xml").unlink()
+        catalog.ingest([folder], jobs=1, prune=True)
+        assert [found.product_code for found in catalog.devices(text="beta")] == [1, 2]
         assert catalog.devices(text="alpha") == []
+        assert catalog.check().problems == []
+
+
+@pytest.mark.parametrize("text", ["Inovance", "汇川", "Технология"])
+def test_a_vendor_is_found_in_every_language(tmp_path, text):
+    names = '<Name LcId="1033">Inovance Ltd</Name><Name LcId="2052">汇川技术</Name><Name LcId="1049">Технология</Name>'
+    db = catalog_of(tmp_path, esi(device(), vendor=f"<Id>5</Id>{names}"))
+    assert types(db, text=text) == ["T1"]
 
 
 @pytest.mark.parametrize(

@@ -48,15 +48,16 @@ def _devices_of(connection: sa.Connection, vendor_ids: set[int]) -> set[int]:
 
 
 def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> set[int]:
-    """Count the spellings of vendors' names; returns the vendors that are now shown under another name."""
+    """Count the spellings of vendors' names; returns the vendors that are now found by other names."""
     spellings: dict[int, Counter[tuple[int | None, str]]] = defaultdict(Counter)
     images: dict[int, set[str]] = defaultdict(set)
     vendor_codec = codec(Vendor)
     columns = vendor_codec.stored(source_vendors.c)
-    shown: dict[int, str | None] = {}
+    known: dict[int, set[str]] = defaultdict(set)
     for part in chunks(sorted(vendor_ids)):
-        held = sa.select(vendors.c.vendor_id, vendors.c.name).where(vendors.c.vendor_id.in_(part))
-        shown.update((row.vendor_id, row.name) for row in connection.execute(held))
+        held = sa.select(vendor_names.c.vendor_id, vendor_names.c.name).where(vendor_names.c.vendor_id.in_(part))
+        for vendor_id, name in connection.execute(held):
+            known[vendor_id].add(name)
         for row in connection.execute(sa.select(*columns).where(source_vendors.c.vendor_id.in_(part))):
             vendor = vendor_codec.decode(row)
             spellings[vendor.vendor_id].update({(name.lcid, name.text) for name in vendor.names})
@@ -64,17 +65,20 @@ def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> set[int]
                 images[vendor.vendor_id].add(vendor.image_data)
         connection.execute(sa.delete(vendor_names).where(vendor_names.c.vendor_id.in_(part)))
     buffer = RowBuffer(connection)
+    renamed: set[int] = set()
     for vendor_id in sorted(vendor_ids):
         counted = spellings[vendor_id]
         ranked = sorted(counted.items(), key=lambda item: (-item[1], str(item[0])))
         buffer.add_numbered("vendor_names", [(vendor_id, lcid, name, count) for (lcid, name), count in ranked])
+        if known[vendor_id] != {name for _, name in counted}:
+            renamed.add(vendor_id)
         connection.execute(
             sa.update(vendors)
             .where(vendors.c.vendor_id == vendor_id)
             .values(name=_shown_name(counted), image_sha256=min(images[vendor_id], default=None))
         )
     buffer.flush()
-    return {vendor_id for vendor_id, name in shown.items() if name != _shown_name(spellings[vendor_id])}
+    return renamed
 
 
 def _shown_name(counted: Counter[tuple[int | None, str]]) -> str | None:
