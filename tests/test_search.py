@@ -552,6 +552,20 @@ def test_a_vendor_is_found_by_every_name(tmp_path):
         assert catalog.check().problems == []
 
 
+def test_a_vendor_id_that_makers_share_is_told(tmp_path):
+    """A device of one maker is listed under the name of the other: the id is all that the bus tells."""
+    documents = (
+        esi(device(product=f"#x{n}"), vendor=f"<Id>5</Id><Name>{name}</Name>")
+        for n, name in enumerate(("Beta", "Beta", "Alpha"))
+    )
+    db = catalog_of(tmp_path, *documents)
+    with Catalog.open(db) as catalog:
+        by_shown, by_other = catalog.devices(vendor="beta"), catalog.devices(vendor="alph")
+    assert [found.product_code for found in by_shown] == [found.product_code for found in by_other] == [0, 1, 2]
+    assert {found.evidence for found in by_shown} == {()}
+    assert {found.evidence for found in by_other} == {("documents with vendor id 0x00000005 also name 'Alpha'",)}
+
+
 @pytest.mark.parametrize("text", ["Inovance", "汇川", "Технология"])
 def test_a_vendor_is_found_in_every_language(tmp_path, text):
     names = '<Name LcId="1033">Inovance Ltd</Name><Name LcId="2052">汇川技术</Name><Name LcId="1049">Технология</Name>'
