@@ -397,6 +397,17 @@ def test_objects_of_modules_are_those_in_the_slots(tmp_path):
     )
 
 
+def test_increments_that_lead_out_of_16_bits_move_nothing(tmp_path):
+    """Products of such numbers would not even fit 64 bits."""
+    large = f'SlotIndexIncrement="{2**62}" SlotGroupIndexIncrement="{2**62}"'
+    slots = f'<Slots {large}><Slot MaxInstances="2" SlotGroup="{2**62}"><ModuleIdent>1</ModuleIdent></Slot></Slots>'
+    entry = '<Entry><Index DependOnSlot="1" DependOnSlotGroup="1">#x2000</Index><BitLen>8</BitLen></Entry>'
+    pdo_xml = f'<RxPdo Sm="2"><Index DependOnSlot="1">#x1600</Index><Name>R</Name>{entry}</RxPdo>'
+    module = f'<Module><Type ModuleIdent="1">M</Type><Name>M</Name>{pdo_xml}</Module>'
+    db = catalog_of(tmp_path, esi(device(slots), module))
+    assert [types(db, maps=[(index, 0)]) for index in (0x2000, 0x2001)] == [["T1"], []]
+
+
 def test_a_subindex_that_is_absent_is_0(tmp_path):
     bare = "<RxPdo><Index>#x1600</Index><Name>R</Name><Entry><Index>#x6040</Index><BitLen>16</BitLen></Entry></RxPdo>"
     db = catalog_of(tmp_path, esi(device(bare)))

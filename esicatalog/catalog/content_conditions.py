@@ -1,5 +1,6 @@
 """Conditions on what descriptions contain: mapped entries, objects, profiles; of the device or of its modules."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import sqlalchemy as sa
@@ -10,6 +11,7 @@ from esicatalog.catalog.device_filter import AskedObject
 from esicatalog.catalog.schema import devices, pdo_entries, pdos, profiles
 from esicatalog.catalog.slot_moves import (
     SLOTS,
+    Increments,
     lies_at,
     lies_in_a_slot,
     moves,
@@ -26,6 +28,8 @@ _OF_PDO = pdo_entries.c.pdo_id == tested(pdos.c.id)
 _SM_WITH_MODULE = sa.case((pdos.c.virtual == sa.true(), None), else_=pdos.c.sm)
 """SyncManager that a PDO of a module goes to with it, as :func:`esicatalog.model.process_image.module_sms` tells it."""
 
+_NONE = sa.cast(sa.null(), sa.BigInteger)
+"""No module, or no one slot: a number of which PostgreSQL has to know that it is one."""
 _WITHOUT_ENTRIES = sa.and_(
     pdos.c.entry_count == 0, sa.or_(pdos.c.fixed.is_distinct_from(sa.true()), pdos.c.ref.is_not(None))
 )
@@ -45,19 +49,18 @@ def profile(profile_no: int) -> Condition:
     return _own_or_modular(found, fits, fits, f"ProfileNo {profile_no}", f"ProfileNo {profile_no} in a module")
 
 
-def declares_object(item: AskedObject) -> Condition:
-    """Devices with an object in their dictionary or in that of a reachable module, as it lies in the slots."""
+def declares_object(item: AskedObject, slots: Sequence[Increments]) -> Condition:
+    """Devices with an object in their dictionary or in that of a reachable module, as it lies in the slots.
+
+    ``slots`` says how far slots of the catalog move objects, here as below.
+    """
     index, subindex = item
     objects, held = schema.objects, schema.dictionary_objects.c
     has_subindex = _has_subindex(objects.c.id, subindex)
     is_there = _lies(objects, objects.c.object_index, index, profiles.c.module_id)
-    unmoved = unmoved_indices(index).subquery("unmoved")
-    holding = (
-        unmoved.join(objects, objects.c.object_index == unmoved.c.unmoved_index)
-        .join(schema.dictionary_objects, held.object_id == objects.c.id)
-        .join(profiles, profiles.c.dictionary_id == held.dictionary_id)
-    )
-    found = _owning_devices(profiles, holding).where(is_there, has_subindex)
+    holding = profiles.join(schema.dictionary_objects, held.dictionary_id == profiles.c.dictionary_id)
+    found = _owning_devices(profiles, holding.join(objects, objects.c.id == held.object_id))
+    found = found.where(objects.c.object_index.in_(unmoved_indices(index, slots)), is_there, has_subindex)
 
     def holds(fits: Any) -> sa.ColumnElement[bool]:
         declared = sa.select(held.object_id).join(objects, objects.c.id == held.object_id)
@@ -118,7 +121,7 @@ def _own_or_modular(
     return Condition(among(found), evidence, _owns(profiles, holds, module_holds))
 
 
-def maps(mapped: AskedObject, bits: int | None) -> Condition:
+def maps(mapped: AskedObject, bits: int | None, slots: Sequence[Increments]) -> Condition:
     """Devices with a PDO, their own or of a reachable module in its slot, that maps an entry (of this length).
 
     What is assigned without a choice is told first, then what comes with a module.
@@ -133,9 +136,7 @@ def maps(mapped: AskedObject, bits: int | None) -> Condition:
         fits = _entry_fits(mapped, bits)
         number = slot_number(pdo_entries, entry_index, index)
         own = (
-            sa.select(
-                pdos.c.device_id, sa.null(), sa.null(), pdos.c.direction, pdos.c.pdo_index, *entry, pdos.c.image_sm
-            )
+            sa.select(pdos.c.device_id, _NONE, _NONE, pdos.c.direction, pdos.c.pdo_index, *entry, pdos.c.image_sm)
             .join(pdo_entries, _OF_PDO)
             .where(entry_index == index, *fits, pdos.c.device_id.in_(ids))
         )
@@ -145,7 +146,7 @@ def maps(mapped: AskedObject, bits: int | None) -> Condition:
             .join(pdo_entries, _OF_PDO)
         )
         in_any_slot = (
-            sa.select(_LINKS.device_id, ident, sa.null(), pdos.c.direction, pdos.c.pdo_index, *entry, _SM_WITH_MODULE)
+            sa.select(_LINKS.device_id, ident, _NONE, pdos.c.direction, pdos.c.pdo_index, *entry, _SM_WITH_MODULE)
             .select_from(of_modules)
             .where(sa.not_(moves(pdo_entries)), entry_index == index, *fits, _LINKS.device_id.in_(ids))
         )
@@ -164,10 +165,10 @@ def maps(mapped: AskedObject, bits: int | None) -> Condition:
             found.setdefault(device_id, set()).add(_mapping_words(index, *facts))
         return {number: [words for _, words in sorted(texts)] for number, texts in found.items()}
 
-    return Condition(among(_mapping_devices(mapped, bits)), evidence, _maps(mapped, bits))
+    return Condition(among(_mapping_devices(slots, mapped, bits)), evidence, _maps(mapped, bits))
 
 
-def not_maps(mapped: AskedObject) -> Condition:
+def not_maps(mapped: AskedObject, slots: Sequence[Increments]) -> Condition:
     """Devices of which no PDO maps an entry, not even one of a reachable module in its slot.
 
     What is not described may map it: nobody can say that it does not. So it is with a SubIndex that cannot be read, a
@@ -175,7 +176,8 @@ def not_maps(mapped: AskedObject) -> Condition:
     """
     index, subindex = mapped
     unread = () if subindex is None else (_SUBINDEX.is_(None),)
-    found = [_mapping_devices(mapped, None), *(_mapping_devices((index, None), None, item) for item in unread)]
+    found = [_mapping_devices(slots, mapped, None)]
+    found += [_mapping_devices(slots, (index, None), None, item) for item in unread]
     of_one = [_maps(mapped, None), *(_maps((index, None), None, item) for item in unread)]
     undescribed = sa.or_(_owns(pdos, _WITHOUT_ENTRIES, _WITHOUT_ENTRIES), _only_uploaded())
     return Condition(
@@ -206,13 +208,15 @@ def _entry_fits(mapped: AskedObject, bits: int | None) -> list[Any]:
     return fits
 
 
-def _mapping_devices(mapped: AskedObject, bits: int | None, *further: sa.ColumnElement[bool]) -> sa.Select[Any]:
+def _mapping_devices(
+    slots: Sequence[Increments], mapped: AskedObject, bits: int | None, *further: sa.ColumnElement[bool]
+) -> sa.Select[Any]:
     """The entries are found first, then whose they are: few indices have many entries."""
     index, _ = mapped
     entry_index = pdo_entries.c.entry_index
     found = _owning_devices(pdos, pdo_entries.join(pdos, pdos.c.id == tested(pdo_entries.c.pdo_id)))
     return found.where(
-        entry_index.in_(unmoved_indices(index)),
+        entry_index.in_(unmoved_indices(index, slots)),
         *_entry_fits(mapped, bits),
         *further,
         _lies(pdo_entries, entry_index, index, pdos.c.module_id),

@@ -15,6 +15,7 @@ from esicatalog.catalog.devices import ORDER, SUMMARY, find_device, summary
 from esicatalog.catalog.full_text import text_condition
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import devices, vendors
+from esicatalog.catalog.slot_moves import increments
 from esicatalog.errors import InputError
 from esicatalog.identity import Identity
 from esicatalog.words import hex32
@@ -130,9 +131,11 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
         bounds = getattr(wanted, name)
         if bounds is not None:
             yield capability.amount(name, bounds)
-    yield from (content.maps(mapped, wanted.bits) for mapped in wanted.maps)
-    yield from (content.not_maps(mapped) for mapped in wanted.not_maps)
-    yield from (content.declares_object(item) for item in wanted.objects)
+    if wanted.maps or wanted.not_maps or wanted.objects:
+        slots = increments(connection)
+        yield from (content.maps(mapped, wanted.bits, slots) for mapped in wanted.maps)
+        yield from (content.not_maps(mapped, slots) for mapped in wanted.not_maps)
+        yield from (content.declares_object(item, slots) for item in wanted.objects)
     if wanted.like is not None:
         yield _like_condition(connection, wanted.like)
 
