@@ -200,13 +200,15 @@ order by {_ORDER}
             "index: 0x60FF, #x60FF or 24831 (empty = 0x60FF); subindex: 0x0B, or 0B as CoE writes it (empty = all, "
             "those too that cannot be read); 10 to 99 without prefix are ambiguous and refused. Looks at the PDOs of "
             "devices and of the modules that their slots can reach, and names the module; sm is the SyncManager that a "
-            "PDO is assigned to by default. Indices of modules are those of the first slot. "
+            "PDO is assigned to by default, one of a module when that is plugged. Indices of modules are as they give "
+            "them, before the increments of slots move them; devices --maps finds what lies in any slot. "
             f"{_HIDDEN_DOC}"
         ),
         "params": ["index", "subindex", "include_hidden"],
         "sql": f"""\
 with mapped as (
-  select p.device_id, p.module_id, p.direction, hex0x(p.pdo_index) as pdo, p.name as pdo_name, p.sm,
+  select p.device_id, p.module_id, p.direction, hex0x(p.pdo_index) as pdo, p.name as pdo_name,
+    case when p.module_id is null then p.image_sm when p."virtual" then null else p.sm end as sm,
     hex0x(e.entry_index) as entry, {mapped_subindex("e")} as subindex,
     e.bit_length, e.data_type, e.name as entry_name
   from pdo_entries e join pdos p on p.id = e.pdo_id
@@ -216,7 +218,7 @@ with mapped as (
   union all
   select l.device_id, mapped.* from mapped join device_modules l on l.module_id = mapped.module_id
 )
-select d.id as device_id, v.name as vendor, d.type as device_type, hex0x(d.vendor_id, 8) as vendor_id_hex,
+select d.id as device_id, coalesce(d.own_vendor_name, v.name) as vendor, d.type as device_type, hex0x(d.vendor_id, 8) as vendor_id_hex,
   hex0x(d.product_code, 8) as product_code_hex, hex0x(d.revision_no, 8) as revision_no_hex,
   hex0x(m.module_ident, 8) as module, m.type as module_type, direction, pdo, pdo_name, sm,
   entry, subindex, bit_length, data_type, entry_name

@@ -11,6 +11,7 @@ from snippets import device, esi, pdo, read, rows
 from test_cli import run
 from test_pages import page, texts
 from test_search import catalog_of
+from web_client import client
 
 from esicatalog import Catalog
 from esicatalog.model.drive_modes import drive_modes
@@ -76,6 +77,11 @@ async def test_every_answer_tells_the_same(db, product):
     told = {text.split()[1]: "SM2 by default" in text for text in summaries}
     assert (told["0x1600"], told["0x1601"]) == (False, True)
 
+    asked = {"index": "0x60FF", "subindex": "", "include_hidden": "", "_shape": "array"}
+    mapping = (await (await client(db)).get("/catalog/who_maps_an_object.json", params=asked)).json()
+    sms = {row["pdo"]: row["sm"] for row in mapping if row["product_code_hex"] == f"0x{product:08x}"}
+    assert (sms["0x1600"], sms["0x1601"]) == (None, 2)
+
 
 def test_the_recipe_names_the_assigned_pdo(db):
     """Of the first device, whose OpMode lists 0x1601."""
@@ -117,7 +123,7 @@ def test_virtual_pdos_of_modules_are_never_assigned(tmp_path):
     with Catalog.open(db) as catalog:
         (found,) = catalog.devices(maps=((0x60FF, None),))
     assert found.evidence == (
-        "0x60FF:00, 32 bit, in RxPdo 0x1601 of module 0x1 (default on SM2)",
+        "0x60FF:00, 32 bit, in RxPdo 0x1601 of module 0x1 (on SM2 when plugged)",
         "0x60FF:00, 32 bit, in RxPdo 0x1600 of module 0x1 (not assigned by default)",
         "0x60FF:00, 32 bit, in RxPdo 0x1602 of module 0x1 (not assigned by default)",
     )

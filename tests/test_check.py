@@ -226,20 +226,3 @@ def test_every_numbered_table_is_looked_at():
     assert len(numbered) > 20
     for name in numbered:
         assert f"lists in {name} whose positions do not run from 0" in words
-
-
-def test_search_follows_the_name_that_a_vendor_is_shown_under(tmp_path):
-    """The name that most documents use is shown: later documents can change it for devices that came before."""
-    named = "<Id>#x5</Id><Name>{} Works</Name>"
-    write(tmp_path, {"one/1.xml": esi(device(), vendor=named.format("Alpha"))})
-    write(
-        tmp_path,
-        {f"two/{n}.xml": esi(device(product=f"#x{n}"), vendor=named.format("Beta")) for n in (2, 3)},
-    )
-    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
-        catalog.ingest([tmp_path / "one"], jobs=1)
-        assert [found.product_code for found in catalog.devices(text="Alpha")] == [1]
-        catalog.ingest([tmp_path / "two"], jobs=1)
-        assert [found.product_code for found in catalog.devices(text="Beta")] == [1, 2, 3]
-        assert catalog.devices(text="Alpha") == []
-        assert catalog.check().problems == []

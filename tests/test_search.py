@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -42,12 +43,13 @@ def types(db: Path, **wanted) -> list[str]:
         ({"complete_access": True}, [MODULAR]),
         ({"profile_no": 5001}, [IO, IO]),
         ({"profile_no": 402}, [MODULAR, EYOU, L6N, RT118X]),
-        ({"objects": [(0x6840, None)]}, [RT118X]),
+        ({"objects": [(0x6840, None)]}, [MODULAR, RT118X]),
+        ({"maps": [(0x6841, 0)]}, [MODULAR, RT118X]),
         ({"maps": [(0x6040, 0)], "bits": 16}, [MODULAR, EYOU, L6N, RT118X]),
         ({"maps": [(0x6040, 0)], "bits": 8}, []),
         ({"maps": [(0x6040, 1)]}, [IO, IO]),
         ({"maps": [(0x6040, None)]}, [MODULAR, IO, IO, EYOU, L6N, RT118X]),
-        ({"maps": [(0x6040, 0)], "not_maps": [(0x6840, None)]}, [MODULAR, EYOU, L6N]),
+        ({"maps": [(0x6040, 0)], "not_maps": [(0x6840, None)]}, [EYOU, L6N]),
         ({"limit": 2}, [MODULAR, IO]),
         ({"limit": 0}, []),
     ],
@@ -143,7 +145,7 @@ def test_texts_of_megabytes_are_found_by_their_beginning(tmp_path):
     """
     long = "x" * 2_000_000
     vendor = f"<Id>1</Id><Name>maker {long} inc</Name>"
-    db = catalog_of(tmp_path, esi(device(type_text=f"type {long}", name=f"name {long}"), vendor=vendor))
+    db = catalog_of(tmp_path, esi(device(type_text=f"type {long[:1900]}", name=f"name {long}"), vendor=vendor))
     assert [len(types(db, text=text)) for text in ("maker", "type xxx", "name", "inc")] == [1, 1, 1, 0]
     assert rows(db, "SELECT length(words) FROM device_search") == [(len("ype ame ") + sum(range(3, 64)) + 60,)]
     with Catalog.open(db) as catalog:
@@ -338,6 +340,74 @@ def test_a_subindex_that_cannot_be_read_is_none_that_is_asked_for(tmp_path):
     assert found.evidence == ("0x6040:?, 16 bit, in RxPdo 0x1600 (not assigned by default)",)
 
 
+def test_pdos_that_are_not_described_may_map_anything(tmp_path):
+    """Only a Fixed PDO without entries is known to be empty; a Ref names entries that stand elsewhere."""
+    bare = "<TxPdo {}><Index>#x1A00</Index><Name>P</Name></TxPdo>"
+    slots = '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>1</ModuleIdent></Slot></Slots>'
+    upload = '<Mailbox><CoE PdoUpload="1"/></Mailbox>'
+    contents = {
+        "fixed": bare.format('Fixed="1"'),
+        "variable": bare.format(""),
+        "reference": bare.format('Fixed="1" Ref="In"'),
+        "module": slots,
+        "uploads": upload,
+        "uploads and describes": upload + pdo("TxPdo", "#x1A00", 8),
+        "no process data": "",
+    }
+    devices = [device(content, f"{n}", type_text=name) for n, (name, content) in enumerate(contents.items())]
+    module = f'<Module><Type ModuleIdent="1">M</Type><Name>M</Name>{bare.format("")}</Module>'
+    db = catalog_of(tmp_path, esi("".join(devices), module))
+    without = ["fixed", "uploads and describes", "no process data"]
+    assert types(db, not_maps=[(0x6040, 0)]) == types(db, not_maps=[(0x6040, 0)], limit=10) == without
+
+
+def test_objects_of_modules_are_those_in_the_slots(tmp_path):
+    """The Slot elements stand for slot 0, for slots 1 and 2, and for slot 3, which has an increment of its own.
+
+    0x2000 moves by number x 0x10; 0x2001 stays. Module 2 fits slot 3 only: 0x2000 + 3 x 0x100 is all that it has.
+    """
+    slots = (
+        '<Slots SlotIndexIncrement="#x10" SlotPdoIncrement="2">'
+        '<Slot MaxInstances="1"><ModuleIdent>1</ModuleIdent></Slot>'
+        '<Slot MaxInstances="2"><ModuleIdent>1</ModuleIdent></Slot>'
+        '<Slot MaxInstances="1" SlotIndexIncrement="#x100"><ModuleIdent>2</ModuleIdent></Slot></Slots>'
+    )
+    moving, fixed = '<Index DependOnSlot="1">#x2000</Index>', "<Index>#x2001</Index>"
+    entries = "".join(f"<Entry>{i}<SubIndex>1</SubIndex><BitLen>8</BitLen></Entry>" for i in (moving, fixed))
+    objects = "".join(
+        f"<Object>{i}<Name>O</Name><Type>USINT</Type><BitSize>8</BitSize></Object>" for i in (moving, fixed)
+    )
+    content = f'<RxPdo Sm="2"><Index DependOnSlot="1">#x1600</Index><Name>R</Name>{entries}</RxPdo>' + dictionary(
+        "<DataType><Name>USINT</Name><BitSize>8</BitSize></DataType>", objects
+    )
+    modules = "".join(f'<Module><Type ModuleIdent="{n}">M</Type><Name>M</Name>{content}</Module>' for n in (1, 2))
+    db = catalog_of(tmp_path, esi(device(slots), modules))
+    there = [0x2000, 0x2001, 0x2010, 0x2020, 0x2300]
+    for index in (*there, 0x2002, 0x2011, 0x2030, 0x2100):
+        expected = ["T1"] if index in there else []
+        for limit in (None, 10):
+            assert types(db, maps=[(index, 1)], bits=8, limit=limit) == expected
+            assert types(db, objects=[(index, 0)], limit=limit) == expected
+            assert types(db, not_maps=[(index, None)], limit=limit) == [name for name in ["T1"] if not expected]
+    with Catalog.open(db) as catalog:
+        (last,), (fixed_one,) = (catalog.devices(maps=[(index, None)]) for index in (0x2020, 0x2001))
+    assert last.evidence == ("0x2020:01, 8 bit, in RxPdo 0x1604 of module 0x1 in slot 2 (on SM2 when plugged)",)
+    assert fixed_one.evidence == tuple(
+        f"0x2001:01, 8 bit, in RxPdo 0x1600 of module 0x{n} (on SM2 when plugged)" for n in (1, 2)
+    )
+
+
+def test_increments_that_lead_out_of_16_bits_move_nothing(tmp_path):
+    """Products of such numbers would not even fit 64 bits."""
+    large = f'SlotIndexIncrement="{2**62}" SlotGroupIndexIncrement="{2**62}"'
+    slots = f'<Slots {large}><Slot MaxInstances="2" SlotGroup="{2**62}"><ModuleIdent>1</ModuleIdent></Slot></Slots>'
+    entry = '<Entry><Index DependOnSlot="1" DependOnSlotGroup="1">#x2000</Index><BitLen>8</BitLen></Entry>'
+    pdo_xml = f'<RxPdo Sm="2"><Index DependOnSlot="1">#x1600</Index><Name>R</Name>{entry}</RxPdo>'
+    module = f'<Module><Type ModuleIdent="1">M</Type><Name>M</Name>{pdo_xml}</Module>'
+    db = catalog_of(tmp_path, esi(device(slots), module))
+    assert [types(db, maps=[(index, 0)]) for index in (0x2000, 0x2001)] == [["T1"], []]
+
+
 def test_a_subindex_that_is_absent_is_0(tmp_path):
     bare = "<RxPdo><Index>#x1600</Index><Name>R</Name><Entry><Index>#x6040</Index><BitLen>16</BitLen></Entry></RxPdo>"
     db = catalog_of(tmp_path, esi(device(bare)))
@@ -362,14 +432,19 @@ def test_objects_with_subindex(tmp_path):
 def test_evidence_names_pdo_module_and_assignment(data_db):
     with Catalog.open(data_db) as catalog:
         (found,) = catalog.devices(maps=[(0x60FF, 0)], vendor_id=0xE5C)
-        texts = found.evidence
-    assert any("0x60FF:00, 32 bit, in RxPdo 0x1701 of module 0x10900" in text for text in texts), texts
+        (second_axis,) = catalog.devices(maps=[(0x68FF, 0)], vendor_id=0xE5C)
+    assert found.evidence == ("0x60FF:00, 32 bit, in RxPdo 0x1701 of module 0x10900 in slot 0 (on SM2 when plugged)",)
+    assert second_axis.evidence == (
+        "0x68FF:00, 32 bit, in RxPdo 0x1741 of module 0x10900 in slot 1 (on SM2 when plugged)",
+    )
 
 
 QUESTIONS = [
     ({(0x6000, 1), (0x6010, 1)}, {(0x7000, 1)}, 1),
     ({(0x6040, 0), (0x607A, 0)}, {(0x60FF, 0)}, None),
     ({(0x6000, 1)}, set(), 16),
+    ({(0x6040, 0)}, {(0x6840, 0)}, None),
+    ({(0x6841, 0)}, set(), None),
 ]
 
 
@@ -390,28 +465,49 @@ def answer_of_documents(db: Path) -> list[set[tuple]]:
                 identity = tuple(
                     map(number, (info.findtext("Vendor/Id"), codes.get("ProductCode"), codes.get("RevisionNo")))
                 )
-                mapped = mappings([item, *reachable(item, modules)])
+                mapped = mappings(item) | {entry for owner in plugged(item, modules) for entry in mappings(*owner)}
+                owners = [item, *(module for module, _ in plugged(item, modules))]
+                hides_entries = any(
+                    element.find("Entry") is None and (not flag(element, "Fixed") or element.get("Ref") is not None)
+                    for owner in owners
+                    for kind in ("RxPdo", "TxPdo")
+                    for element in owner.findall(kind)
+                )
                 for position, (maps, not_maps, bits) in enumerate(QUESTIONS):
                     wanted = all(any(entry[:2] == one and bits in (None, entry[2]) for entry in mapped) for one in maps)
-                    if wanted and not not_maps & {entry[:2] for entry in mapped}:
+                    if wanted and not not_maps & {entry[:2] for entry in mapped} and not (not_maps and hides_entries):
                         found[position].add(identity)
     return found
 
 
-def reachable(item, modules: list) -> list:
-    idents = {number(e.text) for e in elements(item, "Slots", "Slot", "ModuleIdent")}
-    classes = {e.text.strip() for e in elements(item, "Slots", "Slot", "ModuleClass", "Class") if e.text}
-    return [
-        module
-        for module in modules
-        if number(module.find("Type").get("ModuleIdent")) in idents or module.find("Type").get("ModuleClass") in classes
-    ]
+def plugged(item, modules: list) -> Iterator[tuple]:
+    """Modules in the slots that accept them, each with how far its objects move there: number x increment."""
+    first = 0
+    for slots in item.findall("Slots"):
+        for slot in slots.findall("Slot"):
+            increment = number(slot.get("SlotIndexIncrement") or slots.get("SlotIndexIncrement")) or 0
+            idents = {number(e.text) for e in slot.findall("ModuleIdent")}
+            classes = {e.text.strip() for e in elements(slot, "ModuleClass", "Class") if e.text}
+            instances = number(slot.get("MaxInstances"))
+            numbers = range(first, first + (1 if instances is None else instances))
+            first = numbers.stop
+            for module in modules:
+                codes = module.find("Type")
+                if number(codes.get("ModuleIdent")) in idents or codes.get("ModuleClass") in classes:
+                    yield from ((module, increment * at) for at in numbers)
 
 
-def mappings(owners: list) -> set[tuple]:
+def flag(element, name: str) -> bool:
+    return (element.get(name) or "").strip().lower() in ("1", "true")
+
+
+def mappings(owner, move: int = 0) -> set[tuple]:
     return {
-        (number(entry.findtext("Index")), number(entry.findtext("SubIndex")) or 0, number(entry.findtext("BitLen")))
-        for owner in owners
+        (
+            number(entry.findtext("Index")) + (move if flag(entry.find("Index"), "DependOnSlot") else 0),
+            number(entry.findtext("SubIndex")) or 0,
+            number(entry.findtext("BitLen")),
+        )
         for kind in ("RxPdo", "TxPdo")
         for entry in elements(owner, kind, "Entry")
     }
@@ -447,8 +543,8 @@ def test_mappings_of_the_corpus(corpus_db):
     assert all(expected)
 
 
-def test_a_vendor_is_found_by_the_name_that_is_shown(tmp_path):
-    """Which name that is may be decided by documents that came later than a device."""
+def test_a_vendor_is_found_by_every_name(tmp_path):
+    """What names there are may be decided by documents that came later than a device, or went."""
     folder, db = tmp_path / "esi", tmp_path / "c.db"
     names = {"a": "Alpha Works", "b": "Beta Works", "c": "Beta Works"}
     with Catalog.open(db, create=True) as catalog:
@@ -458,7 +554,35 @@ def test_a_vendor_is_found_by_the_name_that_is_shown(tmp_path):
             catalog.ingest([folder / f"{file}.xml"], jobs=1)
         assert {found.vendor for found in catalog.devices()} == {"Beta Works"}
         assert [found.product_code for found in catalog.devices(text="beta")] == [0, 1, 2]
+        assert [found.product_code for found in catalog.devices(text="alpha")] == [0, 1, 2]
+        assert catalog.check().problems == []
+        (folder / "a.xml").unlink()
+        catalog.ingest([folder], jobs=1, prune=True)
+        assert [found.product_code for found in catalog.devices(text="beta")] == [1, 2]
         assert catalog.devices(text="alpha") == []
+        assert catalog.check().problems == []
+
+
+def test_a_vendor_id_that_makers_share_is_told(tmp_path):
+    """A device of one maker is listed under the name of the other: the id is all that the bus tells."""
+    documents = (
+        esi(device(product=f"#x{n}"), vendor=f"<Id>5</Id><Name>{name}</Name>")
+        for n, name in enumerate(("Beta", "Beta", "Alpha"))
+    )
+    db = catalog_of(tmp_path, *documents)
+    with Catalog.open(db) as catalog:
+        by_shown, by_other = catalog.devices(vendor="beta"), catalog.devices(vendor="alph")
+    assert [found.product_code for found in by_shown] == [found.product_code for found in by_other] == [0, 1, 2]
+    also = "documents with vendor id 0x00000005 also name"
+    assert [found.evidence for found in by_shown] == [(), (), (f"{also} 'Beta'",)]
+    assert [found.evidence for found in by_other] == [(f"{also} 'Alpha'",), (f"{also} 'Alpha'",), ()]
+
+
+@pytest.mark.parametrize("text", ["Inovance", "汇川", "Технология"])
+def test_a_vendor_is_found_in_every_language(tmp_path, text):
+    names = '<Name LcId="1033">Inovance Ltd</Name><Name LcId="2052">汇川技术</Name><Name LcId="1049">Технология</Name>'
+    db = catalog_of(tmp_path, esi(device(), vendor=f"<Id>5</Id>{names}"))
+    assert types(db, text=text) == ["T1"]
 
 
 @pytest.mark.parametrize(

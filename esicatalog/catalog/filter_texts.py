@@ -68,10 +68,14 @@ PARAMETERS: dict[str, Parameter] = {
     "min-cycle-ns": Parameter("min_cycle_ns", parse_bounds, "Smallest bus cycle in ns that the file tells."),
     "e-bus-ma": Parameter("e_bus_ma", parse_bounds, "E-bus current in mA; negative = supplies."),
     "axes": Parameter("axes", parse_bounds, "Number of CiA 402 axes."),
-    "maps": Parameter("maps", parse_object, "A PDO maps this; may be repeated.", repeated=True),
-    "not-maps": Parameter("not_maps", parse_object, "No PDO maps this.", repeated=True),
+    "maps": Parameter(
+        "maps", parse_object, "A PDO maps this, of modules as in their slots; may be repeated.", repeated=True
+    ),
+    "not-maps": Parameter("not_maps", parse_object, "All PDOs are described, and none maps this.", repeated=True),
     "bits": Parameter("bits", parse_number, "Length in bits of the entries that maps names."),
-    "object": Parameter("objects", parse_object, "The dictionary has this.", repeated=True),
+    "object": Parameter(
+        "objects", parse_object, "The dictionary has this, of modules as in their slots.", repeated=True
+    ),
     "like": Parameter("like", parse_identity, "Same process-image layout as this device."),
     "all-variants": Parameter("all_variants", parse_flag, "Also the descriptions that are not preferred."),
     "include-hidden": Parameter("include_hidden", parse_flag, "Also revisions that their vendor hides (HideType)."),

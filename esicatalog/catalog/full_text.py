@@ -1,4 +1,4 @@
-"""Full-text search over devices: vendors, types, names and identities in every notation people type.
+"""Full-text search over devices: vendors by all their names, types, names and identities in every notation people type.
 
 The FTS5 table splits at word boundaries (unicode61), so words of one or two characters are found. To find ``1100``
 in ``EL1100`` the column ``words`` holds the endings of types' and names' words, and a search word is a prefix.
@@ -13,7 +13,6 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema, word_search
 from esicatalog.catalog.bulk import chunks
-from esicatalog.catalog.devices import VENDOR_NAME
 from esicatalog.catalog.views import FULL_TEXT
 from esicatalog.words import hex32
 
@@ -120,15 +119,16 @@ def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[t
         sa.select(
             columns.id,
             columns.vendor_id,
-            _searched(VENDOR_NAME).label("vendor"),
+            _searched(columns.own_vendor_name).label("own_vendor_name"),
             _searched(columns.type).label("type"),
             columns.product_code,
             columns.revision_no,
         )
-        .outerjoin(schema.vendors, schema.vendors.c.vendor_id == columns.vendor_id)
         .where(columns.id.in_(device_ids))
         .order_by(columns.id)
     )
+    found = connection.execute(query).all()
+    makers = _vendor_texts(connection, {row.vendor_id for row in found})
     names: dict[int, list[str]] = {}
     named = (
         sa.select(texts.device_id, _searched(texts.text))
@@ -138,7 +138,7 @@ def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[t
     for number, text in connection.execute(named).all():
         names.setdefault(number, []).append(text)
     rows = []
-    for row in connection.execute(query).all():
+    for row in found:
         identity = [
             notation
             for number in (row.vendor_id, row.product_code, row.revision_no)
@@ -146,5 +146,18 @@ def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[t
         ]
         name = " ".join(dict.fromkeys(names.get(row.id, [])))[:_MOST_SEARCHED]
         endings = word_endings(f"{row.type or ''} {name}")
-        rows.append((row.id, row.vendor, row.type, name, " ".join(identity), " ".join(endings)))
+        maker = row.own_vendor_name or makers.get(row.vendor_id)
+        rows.append((row.id, maker, row.type, name, " ".join(identity), " ".join(endings)))
     return rows
+
+
+def _vendor_texts(connection: sa.Connection, vendor_ids: Iterable[int | None]) -> dict[int, str]:
+    """All spellings and languages of vendors' names, but those of other makers who use their ids."""
+    named, others = schema.vendor_names.c, schema.devices.c
+    is_of_other = sa.exists().where(others.vendor_id == named.vendor_id, others.own_vendor_name == named.name)
+    names: dict[int, set[str]] = {}
+    for part in chunks(number for number in vendor_ids if number is not None):
+        query = sa.select(named.vendor_id, _searched(named.name)).where(named.vendor_id.in_(part), ~is_of_other)
+        for vendor_id, name in connection.execute(query):
+            names.setdefault(vendor_id, set()).add(name)
+    return {vendor_id: " ".join(sorted(texts))[:_MOST_SEARCHED] for vendor_id, texts in names.items()}

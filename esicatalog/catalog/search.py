@@ -9,15 +9,17 @@ from esicatalog.catalog import capability_conditions as capability
 from esicatalog.catalog import content_conditions as content
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import chunks
-from esicatalog.catalog.conditions import Condition, among
+from esicatalog.catalog.conditions import Condition, among, by_row
 from esicatalog.catalog.device_filter import AMOUNTS, DeviceFilter
-from esicatalog.catalog.devices import ORDER, SUMMARY, find_device, summary
+from esicatalog.catalog.devices import ORDER, SUMMARY, VENDOR_NAME, find_device, summary
 from esicatalog.catalog.full_text import text_condition
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import devices, vendors
 from esicatalog.catalog.siblings import IMAGE_IS_KNOWN
+from esicatalog.catalog.slot_moves import increments
 from esicatalog.errors import InputError
 from esicatalog.identity import Identity
+from esicatalog.words import hex32
 
 ADDRESSED = Condition(sa.and_(devices.c.vendor_id.is_not(None), devices.c.product_code.is_not(None)), indexed=True)
 NOT_ADDRESSED = Condition(sa.or_(devices.c.vendor_id.is_(None), devices.c.product_code.is_(None)), indexed=True)
@@ -109,9 +111,7 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
     if wanted.vendor_id is not None:
         yield Condition(columns.vendor_id == wanted.vendor_id, indexed=True)
     if wanted.vendor is not None:
-        names = schema.vendor_names.c
-        named = sa.select(names.vendor_id).where(names.name.icontains(wanted.vendor, autoescape=True))
-        yield Condition(columns.vendor_id.in_(named), indexed=True)
+        yield _vendor_condition(wanted.vendor)
     if wanted.product_code is not None:
         yield Condition(columns.product_code == wanted.product_code, indexed=True)
     if wanted.text is not None and wanted.text.strip():
@@ -132,11 +132,36 @@ def conditions(connection: sa.Connection, wanted: DeviceFilter) -> Iterator[Cond
         bounds = getattr(wanted, name)
         if bounds is not None:
             yield capability.amount(name, bounds)
-    yield from (content.maps(mapped, wanted.bits) for mapped in wanted.maps)
-    yield from (content.not_maps(mapped) for mapped in wanted.not_maps)
-    yield from (content.declares_object(item) for item in wanted.objects)
+    if wanted.maps or wanted.not_maps or wanted.objects:
+        slots = increments(connection)
+        yield from (content.maps(mapped, wanted.bits, slots) for mapped in wanted.maps)
+        yield from (content.not_maps(mapped, slots) for mapped in wanted.not_maps)
+        yield from (content.declares_object(item, slots) for item in wanted.objects)
     if wanted.like is not None:
         yield _like_condition(connection, wanted.like)
+
+
+def _vendor_condition(part: str) -> Condition:
+    """Devices of the vendors that have a name with this part; evidence where it is not the name that is shown.
+
+    Makers without a vendor id of their own share one: the device may be that of another maker.
+    """
+    names = schema.vendor_names.c
+    named = names.name.icontains(part, autoescape=True)
+    others = (
+        sa.select(devices.c.id, names.vendor_id, names.name)
+        .join(schema.vendor_names, names.vendor_id == devices.c.vendor_id)
+        .join(vendors, vendors.c.vendor_id == devices.c.vendor_id)
+        .where(named, sa.not_(VENDOR_NAME.icontains(part, autoescape=True)))
+        .distinct()
+        .order_by(devices.c.id, names.name)
+    )
+
+    def words(vendor_id: int, name: str) -> str:
+        return f"documents with vendor id {hex32(vendor_id)} also name {name!r}"
+
+    with_name = devices.c.vendor_id.in_(sa.select(names.vendor_id).where(named))
+    return Condition(with_name, by_row(others, devices.c.id, words), indexed=True)
 
 
 def _like_condition(connection: sa.Connection, identity: Identity) -> Condition:

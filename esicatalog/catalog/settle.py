@@ -44,8 +44,8 @@ def settle(connection: sa.Connection, affected: Affected) -> None:
     if affected.devices or affected.products:
         _settle_devices(connection, affected)
     concerned = affected.devices | _devices_of(connection, renamed)
-    store_own_vendor_names(connection, concerned)
-    index_devices(connection, concerned)
+    shared = store_own_vendor_names(connection, concerned)
+    index_devices(connection, concerned | _devices_of(connection, shared))
     settle_hidden(connection, affected.vendors | {vendor_id for vendor_id, _ in affected.products})
 
 
@@ -57,15 +57,19 @@ def _devices_of(connection: sa.Connection, vendor_ids: set[int]) -> set[int]:
 
 
 def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> set[int]:
-    """Count the spellings of vendors' names; returns the vendors that are now shown under another name."""
+    """Count the spellings of vendors' names; returns the vendors that now have other names, or are shown by another."""
     spellings: dict[int, Counter[tuple[int | None, str]]] = defaultdict(Counter)
     images: dict[int, set[str]] = defaultdict(set)
     vendor_codec = codec(Vendor)
     columns = vendor_codec.stored(source_vendors.c)
+    known: dict[int, set[str]] = defaultdict(set)
     shown: dict[int, str | None] = {}
     for part in chunks(sorted(vendor_ids)):
-        held = sa.select(vendors.c.vendor_id, vendors.c.name).where(vendors.c.vendor_id.in_(part))
-        shown.update((row.vendor_id, row.name) for row in connection.execute(held))
+        held = sa.select(vendor_names.c.vendor_id, vendor_names.c.name).where(vendor_names.c.vendor_id.in_(part))
+        for vendor_id, name in connection.execute(held):
+            known[vendor_id].add(name)
+        named = sa.select(vendors.c.vendor_id, vendors.c.name).where(vendors.c.vendor_id.in_(part))
+        shown.update((row.vendor_id, row.name) for row in connection.execute(named))
         for row in connection.execute(sa.select(*columns).where(source_vendors.c.vendor_id.in_(part))):
             vendor = vendor_codec.decode(row)
             spellings[vendor.vendor_id].update({(name.lcid, name.text) for name in vendor.names})
@@ -73,17 +77,21 @@ def _settle_vendors(connection: sa.Connection, vendor_ids: set[int]) -> set[int]
                 images[vendor.vendor_id].add(vendor.image_data)
         connection.execute(sa.delete(vendor_names).where(vendor_names.c.vendor_id.in_(part)))
     buffer = RowBuffer(connection)
+    renamed: set[int] = set()
     for vendor_id in sorted(vendor_ids):
         counted = spellings[vendor_id]
         ranked = sorted(counted.items(), key=lambda item: (-item[1], str(item[0])))
         buffer.add_numbered("vendor_names", [(vendor_id, lcid, name, count) for (lcid, name), count in ranked])
+        shown_name = _shown_name(counted)
+        if known[vendor_id] != {name for _, name in counted} or shown.get(vendor_id) != shown_name:
+            renamed.add(vendor_id)
         connection.execute(
             sa.update(vendors)
             .where(vendors.c.vendor_id == vendor_id)
-            .values(name=_shown_name(counted), image_sha256=min(images[vendor_id], default=None))
+            .values(name=shown_name, image_sha256=min(images[vendor_id], default=None))
         )
     buffer.flush()
-    return {vendor_id for vendor_id, name in shown.items() if name != _shown_name(spellings[vendor_id])}
+    return renamed
 
 
 def _shown_name(counted: Counter[tuple[int | None, str]]) -> str | None:
@@ -94,12 +102,21 @@ def _shown_name(counted: Counter[tuple[int | None, str]]) -> str | None:
     return min(counted.items(), key=rank)[0][1] if counted else None
 
 
-def store_own_vendor_names(connection: sa.Connection, device_ids: Iterable[int]) -> None:
-    """Store whom the documents of these devices name as vendor, where several makers use its id."""
+def store_own_vendor_names(connection: sa.Connection, device_ids: Iterable[int]) -> set[int]:
+    """Store whom the documents of these devices name as vendor, where several makers use its id.
+
+    Returns the ids with which that has changed.
+    """
     columns, spelled = devices.c, vendor_names.c
     is_spelled_otherwise = sa.exists().where(spelled.vendor_id == vendors.c.vendor_id, spelled.name != vendors.c.name)
     query = (
-        sa.select(columns.id, columns.own_vendor_name, vendors.c.name, source_vendors.c.name.label("written"))
+        sa.select(
+            columns.id,
+            columns.vendor_id,
+            columns.own_vendor_name,
+            vendors.c.name,
+            source_vendors.c.name.label("written"),
+        )
         .join(vendors, vendors.c.vendor_id == columns.vendor_id)
         .join(device_sources, device_sources.c.device_id == columns.id)
         .join(source_vendors, _OF_SECTION)
@@ -107,15 +124,18 @@ def store_own_vendor_names(connection: sa.Connection, device_ids: Iterable[int])
         .order_by(columns.id)
     )
     changes = []
+    shared: set[int] = set()
     for part in chunks(sorted(device_ids)):
-        named = groupby(connection.execute(query.where(columns.id.in_(part))), key=lambda row: row[:3])
-        for (number, stored, vendor_name), rows in named:
+        named = groupby(connection.execute(query.where(columns.id.in_(part))), key=lambda row: row[:4])
+        for (number, vendor_id, stored, vendor_name), rows in named:
             name = own_vendor_name(vendor_name, [row.written for row in rows])
             if name != stored:
                 changes.append({"number": number, "own_name": name})
+                shared.add(vendor_id)
     if changes:
         update = sa.update(devices).where(columns.id == sa.bindparam("number"))
         connection.execute(update.values(own_vendor_name=sa.bindparam("own_name")), changes)
+    return shared
 
 
 def carried_facts() -> sa.Select[Any]:

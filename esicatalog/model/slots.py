@@ -21,7 +21,7 @@ from esicatalog.esi.records.slots import Slot
 from esicatalog.identity import MAX_INDEX
 from esicatalog.model.pdo_facts import is_pdo_mapping
 
-_MAX_INSTANCES = 255
+MAX_INSTANCES = 255
 
 Shifted = TypeVar("Shifted", Entry, InitCmd, Object)
 Move = Callable[[int, bool | None, bool | None], int]
@@ -99,7 +99,7 @@ def slot_runs(device: Device) -> Iterator[tuple[Slot, range]]:
     first = 0
     for slot in device.slots:
         instances = slot.max_instances if slot.max_instances is not None else 1
-        numbers = range(first, first + min(max(instances, 0), _MAX_INSTANCES))
+        numbers = range(first, first + min(max(instances, 0), MAX_INSTANCES))
         yield slot, numbers
         first = numbers.stop
 

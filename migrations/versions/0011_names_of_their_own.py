@@ -30,7 +30,14 @@ _PATH = "Element path"
 COMMENTS: tuple[tuple[str, str, sa.types.TypeEngine[object], bool, str, str], ...] = (
     ("device_facts", "output_bytes", sa.BigInteger(), True, _BEFORE.format("writes"), _AFTER.format("writes")),
     ("device_facts", "input_bytes", sa.BigInteger(), True, _BEFORE.format("reads"), _AFTER.format("reads")),
-    ("findings", "path", sa.Text(), False, _PATH, f"{_PATH}; positions of repeated tags count from 0 (in XPath from 1)"),
+    (
+        "findings",
+        "path",
+        sa.Text(),
+        False,
+        _PATH,
+        f"{_PATH}; positions of repeated tags count from 0 (in XPath from 1)",
+    ),
 )
 """Table, column, type, whether it may be NULL, comment before and after."""
 
