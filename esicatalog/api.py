@@ -283,12 +283,12 @@ class Catalog:
         with self._identities() as lookup:
             return lookup.state(STATE_HASH)
 
-    def findings(self, rules: "Iterable[Rule]") -> "Iterator[DocumentFinding]":
+    def findings(self, rules: "Iterable[Rule]") -> "list[DocumentFinding]":
         """What an ingest found by these rules, document by document, then what documents contradict each other in."""
         from esicatalog.catalog.stored_findings import stored_findings
 
         with self._connection() as connection:
-            yield from stored_findings(connection, rules)
+            return list(stored_findings(connection, rules))
 
     def unchecked_documents(self, rules: "Iterable[Rule]") -> list[str]:
         """The documents that :meth:`findings` of these rules says nothing of, though none has looked at them.

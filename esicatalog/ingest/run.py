@@ -65,7 +65,7 @@ def ingest(
                 held = _read_held(connection)
                 connection.commit()  # Planning may take long; who wants to change tables need not wait for it.
                 plan = reading.plan or reading.start(make_plan(paths, held, prune, reading.hashed(), own))
-                prepare_load(connection)
+                prepare_load(connection, changes=not plan.is_empty)
                 lines = _write(connection, plan, reading.outcomes, held, progress, stages)
                 with stages("index"):
                     finish_load(connection, changed=not plan.is_empty)
