@@ -62,6 +62,7 @@ class Catalog:
     def open(cls, target: str | os.PathLike[str], create: bool = False, read_only: bool = False) -> Self:
         """Open the catalog in a file or at a database URL; ``create`` makes a missing one on first use.
 
+        A catalog stays with the file that a link means now, also when the link is switched to another one later.
         With ``read_only``, which excludes ``create``, the database refuses every change, whatever asks for one.
         Raises :class:`~esicatalog.errors.CatalogError` with what to do when that is not possible.
         """
@@ -132,7 +133,7 @@ class Catalog:
             with interrupts_wait():
                 from esicatalog.ingest.run import ingest
 
-            return ingest(self._open(create=True, when_new=read_all), given, reading, prune, progress)
+            return ingest(self._open(create=True, when_new=read_all), given, own, reading, prune, progress)
 
     def identify(self, vendor_id: int, product_code: int, revision_no: int | None = None) -> "Identification":
         """What the catalog knows about an identity; see :class:`~esicatalog.catalog.results.Identification`.

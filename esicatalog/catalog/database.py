@@ -95,10 +95,15 @@ def sqlite_path(url: sa.URL) -> Path | None:
 def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
     """An engine with foreign keys enforced and short waits for locks; ``read_only`` refuses every write.
 
-    Raises :class:`CatalogError` where the driver is missing.
+    Its connections are all to the file that a path or link meant at first. Raises :class:`CatalogError` where the
+    driver is missing; connecting raises it when the file was replaced.
     """
     options: dict[str, Any] = {}
-    if url.get_backend_name() != "sqlite":
+    path = sqlite_path(url)
+    if path is not None:
+        file = Path(os.path.realpath(path))
+        url, options = url.set(database=str(file)), {"creator": _connector(file)}
+    else:
         # Whoever waited for its turn to write has to see what the others wrote, whatever the server's default is.
         options = {
             "isolation_level": "READ COMMITTED",
@@ -112,7 +117,7 @@ def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
             f"{shown_url(url)}: the driver of {url.drivername} is not installed ({error}); "
             "PostgreSQL's comes with: pip install 'esicatalog[postgres]'"
         ) from error
-    if url.get_backend_name() == "sqlite":
+    if path is not None:
 
         @sa.event.listens_for(engine, "connect")
         def _configure(connection: sqlite3.Connection, record: Any) -> None:
@@ -122,6 +127,25 @@ def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
                 connection.execute("PRAGMA query_only = ON")
 
     return engine
+
+
+def _connector(file: Path) -> Callable[[], sqlite3.Connection]:
+    """What connects to one file: two connections to different ones would answer with two catalogs.
+
+    The first connection makes it if it is not there.
+    """
+    opened: list[os.stat_result] = []
+
+    def connect() -> sqlite3.Connection:
+        if opened and not (file.exists() and os.path.samestat(file.stat(), *opened)):
+            raise CatalogError(f"{file}: is not the file any more that was opened; open the catalog again")
+        mode = "rw" if opened else "rwc"
+        connection = sqlite3.connect(f"{file.as_uri()}?mode={mode}", uri=True, check_same_thread=False)
+        if not opened:
+            opened.append(file.stat())
+        return connection
+
+    return connect
 
 
 def reading_connection(engine: sa.Engine) -> sa.Connection:
