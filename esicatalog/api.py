@@ -108,7 +108,7 @@ class Catalog:
 
         ``jobs`` is the number of worker processes (default: one a core, 1 = none); ``prune`` also removes what the
         given folders no longer hold; ``progress`` is called after every document. Raises
-        :class:`~esicatalog.errors.InputError` for a missing path and
+        :class:`~esicatalog.errors.InputError` for a missing path and for ``jobs`` below 1, and
         :class:`~esicatalog.errors.CatalogError` when the database cannot be written.
         """
         from esicatalog.catalog.own_files import own_files

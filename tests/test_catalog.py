@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from snippets import device, esi, write
 
-from esicatalog import Catalog, CatalogError
+from esicatalog import Catalog, CatalogError, InputError
 
 VENDOR = 0xE5C
 
@@ -54,3 +54,12 @@ def test_a_file_that_was_replaced_or_removed_is_not_opened_again(tmp_path, repla
             with pytest.raises(CatalogError, match=r"c\.db: is not the file any more that was opened; open the cat"):
                 ask()
     assert db.exists() == (replace is Path.replace)
+
+
+@pytest.mark.parametrize("jobs", [0, -1, "2", 2.0])
+def test_an_ingest_by_no_number_of_workers_is_refused(tmp_path, jobs):
+    documents = write(tmp_path / "documents", {"a.xml": esi(device()), "b.xml": esi(device(product="#x2"))})
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        with pytest.raises(InputError, match=f"jobs {jobs!r}: give the number of worker processes"):
+            catalog.ingest(documents, jobs=jobs)
+    assert not (tmp_path / "c.db").exists()
