@@ -59,7 +59,17 @@ def test_a_file_that_was_replaced_or_removed_is_not_opened_again(tmp_path, repla
 @pytest.mark.parametrize("jobs", [0, -1, "2", 2.0])
 def test_an_ingest_by_no_number_of_workers_is_refused(tmp_path, jobs):
     documents = write(tmp_path / "documents", {"a.xml": esi(device()), "b.xml": esi(device(product="#x2"))})
-    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
-        with pytest.raises(InputError, match=f"jobs {jobs!r}: give the number of worker processes"):
-            catalog.ingest(documents, jobs=jobs)
+    catalog = Catalog.open(tmp_path / "c.db", create=True)
+    with pytest.raises(InputError, match=f"jobs {jobs!r}: give the number of worker processes"):
+        catalog.ingest(documents, jobs=jobs)
     assert not (tmp_path / "c.db").exists()
+
+
+@pytest.mark.parametrize("target", [":memory:", "sqlite://", "sqlite:///", "sqlite:///:memory:"])
+def test_a_catalog_needs_a_file(tmp_path, target):
+    """Each connection to memory has its own: an ingest would tell of devices that nobody finds."""
+    documents = write(tmp_path, {"a.xml": esi(device())})
+    with pytest.raises(CatalogError, match="needs a file, not memory"):
+        Catalog.open(target, create=True).ingest(documents)
+    with pytest.raises(CatalogError, match="needs a file, not memory"):
+        Catalog.open(target)

@@ -47,13 +47,13 @@ _NO_FILE = re.compile(
 def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
     """The SQLAlchemy URL of a file path or of a URL text. Raises :class:`CatalogError`."""
     text = os.fspath(target)
-    if not text:
-        raise CatalogError("the name of the catalog is empty; name a file")
+    if not text or "\0" in text:
+        raise CatalogError(f"the name of the catalog {'holds a NUL' if text else 'is empty'}; name a file")
     if "://" not in text:
         if _NO_FILE.match(text):
             # The text may hold a password.
             raise CatalogError("neither a file nor a URL; write postgresql+psycopg://USER@HOST/DATABASE")
-        return sa.URL.create("sqlite", database=text)
+        return _with_file(sa.URL.create("sqlite", database=text))
     try:
         url = sa.make_url(text)
     except (sa.exc.ArgumentError, ValueError) as error:
@@ -71,7 +71,14 @@ def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
         raise CatalogError(
             f"{shown_url(url)}: SQLite URLs take no options and no file: names; give the path of the catalog"
         )
-    return url.set(drivername=_DRIVERS[url.drivername])
+    return _with_file(url.set(drivername=_DRIVERS[url.drivername]))
+
+
+def _with_file(url: sa.URL) -> sa.URL:
+    """The same URL. Raises :class:`CatalogError` for SQLite in memory, of which each connection has its own."""
+    if url.get_backend_name() == "sqlite" and url.database in (None, "", ":memory:"):
+        raise CatalogError("a catalog needs a file, not memory; name one")
+    return url
 
 
 def shown_target(target: str | os.PathLike[str]) -> str:
@@ -86,10 +93,8 @@ def shown_url(url: sa.URL) -> str:
 
 
 def sqlite_path(url: sa.URL) -> Path | None:
-    """The file of an SQLite catalog, None for other databases and for memory."""
-    if url.get_backend_name() != "sqlite" or url.database in (None, "", ":memory:"):
-        return None
-    return Path(str(url.database))
+    """The file of an SQLite catalog, None for other databases."""
+    return Path(str(url.database)) if url.get_backend_name() == "sqlite" else None
 
 
 def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
