@@ -267,7 +267,8 @@ class Catalog:
     def content_hash(self) -> str | None:
         """SHA-256 over all descriptions and the documents that carry them, as the last ingest stored it.
 
-        None while one is under way. Documents that describe no device and what versions derive do not count.
+        None until one has stored it, while one is under way and after one that was cut short. Documents that describe
+        no device and what versions derive do not count.
         """
         from esicatalog.catalog.state import CONTENT_HASH
 
@@ -277,7 +278,7 @@ class Catalog:
     def state_hash(self) -> str | None:
         """SHA-256 of what the content hash leaves out: all documents with the versions that read them, and the schema.
 
-        None while an ingest is under way, and until one has stored it.
+        None until an ingest has stored it, while one is under way and after one that was cut short.
         """
         from esicatalog.catalog.state import STATE_HASH
 

@@ -73,3 +73,10 @@ def test_a_catalog_needs_a_file(tmp_path, target):
         Catalog.open(target, create=True).ingest(documents)
     with pytest.raises(CatalogError, match="needs a file, not memory"):
         Catalog.open(target)
+
+
+def test_a_catalog_into_which_nothing_was_ingested_is_sound(tmp_path):
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        assert (catalog.check().problems, catalog.content_hash(), catalog.state_hash()) == ([], None, None)
+        with pytest.raises(CatalogError, match="nothing was ingested yet, or an ingest is under way"):
+            catalog.snapshot(tmp_path / "snapshot.db")
