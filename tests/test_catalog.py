@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from snippets import device, esi, write
 
-from esicatalog import Catalog, CatalogError, InputError
+from esicatalog import BrokenDocument, Catalog, CatalogError, InputError, read_esi
 
 VENDOR = 0xE5C
 
@@ -80,3 +80,17 @@ def test_a_catalog_into_which_nothing_was_ingested_is_sound(tmp_path):
         assert (catalog.check().problems, catalog.content_hash(), catalog.state_hash()) == ([], None, None)
         with pytest.raises(CatalogError, match="nothing was ingested yet, or an ingest is under way"):
             catalog.snapshot(tmp_path / "snapshot.db")
+
+
+def test_a_folder_is_no_snapshot(tmp_path):
+    with Catalog.open(made(tmp_path / "c.db", 1)) as catalog, pytest.raises(InputError, match="is a folder; name a f"):
+        catalog.snapshot(tmp_path)
+
+
+def test_a_name_with_nul_is_no_file(tmp_path):
+    catalog = Catalog.open(tmp_path / "c.db", create=True)
+    for take in (catalog.ingest, read_esi):
+        with pytest.raises((InputError, BrokenDocument), match="no such file"):
+            take("a\0b")
+    with pytest.raises(CatalogError, match="holds a NUL"):
+        Catalog.open("a\0b")

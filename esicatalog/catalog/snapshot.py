@@ -63,6 +63,8 @@ def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
     if unknown is not None:
         raise InputError(f"{name}: nothing stands for {unknown[0]}; there are {HASH_PLACE} and {STATE_PLACE}")
     path = Path(named)
+    if path.is_dir():
+        raise InputError(f"{path}: is a folder; name a file in it, for example {path / f'catalog-{HASH_PLACE}.db'}")
     if path.exists():
         _check_is_other_file(path, source)
         _check_same(path, expected, state)
