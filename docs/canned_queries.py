@@ -218,7 +218,8 @@ with mapped as (
   union all
   select l.device_id, mapped.* from mapped join device_modules l on l.module_id = mapped.module_id
 )
-select d.id as device_id, coalesce(d.own_vendor_name, v.name) as vendor, d.type as device_type, hex0x(d.vendor_id, 8) as vendor_id_hex,
+select d.id as device_id, coalesce(d.own_vendor_name, v.name) as vendor, d.type as device_type,
+  hex0x(d.vendor_id, 8) as vendor_id_hex,
   hex0x(d.product_code, 8) as product_code_hex, hex0x(d.revision_no, 8) as revision_no_hex,
   hex0x(m.module_ident, 8) as module, m.type as module_type, direction, pdo, pdo_name, sm,
   entry, subindex, bit_length, data_type, entry_name

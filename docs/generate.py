@@ -120,6 +120,8 @@ VIEW_TABLES = {
 
 RELATED_TABLES = ("pdos", "devices", "modules", "objects", "vendors")
 
+_MAPPED_OBJECT = "Name of the mapped object in the object dictionary"
+
 VIEW_COLUMNS = {
     **{mode.lower(): f"Devices with {mode}" for mode in DRIVE_MODES},
     "bit_offset_in_pdo": "Bits of the PDO's entries before this one",
@@ -128,6 +130,7 @@ VIEW_COLUMNS = {
     "device_id": "Key in devices",
     "device_overview.sync0": "1 = some OpMode generates SYNC0",
     "device_overview.sync1": "1 = some OpMode generates SYNC1",
+    "device_pdo_entries.object_name": _MAPPED_OBJECT,
     "drives": "Devices with any finding about a drive mode",
     "first_source": "First document that carries it",
     "image_byte_bit": "Place in the default process image of the SyncManager: byte.bit",
@@ -137,9 +140,12 @@ VIEW_COLUMNS = {
     "maximum": "Maximum that the object dictionary gives",
     "minimum": "Minimum that the object dictionary gives",
     "module_id": "Key in modules",
+    "module_pdo_entries.object_name": _MAPPED_OBJECT,
+    "module_type": "Type text of the module",
     "modules": "Number of modules that its slots can reach",
     "object_entry_name": "Name of the mapped subindex in the object dictionary",
-    "object_name": "Name of the mapped object in the object dictionary",
+    "object_id": "Key in objects",
+    "object_name": "Name of the object in the object dictionary",
     "object_position": "Position of the object in its dictionary, from 0",
     "other_device_id": "Key of the other device in devices",
     "other_product_code": "Product code of the other device",

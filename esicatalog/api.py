@@ -62,6 +62,7 @@ class Catalog:
     def open(cls, target: str | os.PathLike[str], create: bool = False, read_only: bool = False) -> Self:
         """Open the catalog in a file or at a database URL; ``create`` makes a missing one on first use.
 
+        A catalog stays with the file that a link means now, also when the link is switched to another one later.
         With ``read_only``, which excludes ``create``, the database refuses every change, whatever asks for one.
         Raises :class:`~esicatalog.errors.CatalogError` with what to do when that is not possible.
         """
@@ -107,7 +108,7 @@ class Catalog:
 
         ``jobs`` is the number of worker processes (default: one a core, 1 = none); ``prune`` also removes what the
         given folders no longer hold; ``progress`` is called after every document. Raises
-        :class:`~esicatalog.errors.InputError` for a missing path and
+        :class:`~esicatalog.errors.InputError` for a missing path and for ``jobs`` below 1, and
         :class:`~esicatalog.errors.CatalogError` when the database cannot be written.
         """
         from esicatalog.catalog.own_files import own_files
@@ -132,7 +133,7 @@ class Catalog:
             with interrupts_wait():
                 from esicatalog.ingest.run import ingest
 
-            return ingest(self._open(create=True, when_new=read_all), given, reading, prune, progress)
+            return ingest(self._open(create=True, when_new=read_all), given, own, reading, prune, progress)
 
     def identify(self, vendor_id: int, product_code: int, revision_no: int | None = None) -> "Identification":
         """What the catalog knows about an identity; see :class:`~esicatalog.catalog.results.Identification`.
@@ -266,7 +267,8 @@ class Catalog:
     def content_hash(self) -> str | None:
         """SHA-256 over all descriptions and the documents that carry them, as the last ingest stored it.
 
-        None while one is under way. Documents that describe no device and what versions derive do not count.
+        None until one has stored it, while one is under way and after one that was cut short. Documents that describe
+        no device and what versions derive do not count.
         """
         from esicatalog.catalog.state import CONTENT_HASH
 
@@ -276,19 +278,19 @@ class Catalog:
     def state_hash(self) -> str | None:
         """SHA-256 of what the content hash leaves out: all documents with the versions that read them, and the schema.
 
-        None while an ingest is under way, and until one has stored it.
+        None until an ingest has stored it, while one is under way and after one that was cut short.
         """
         from esicatalog.catalog.state import STATE_HASH
 
         with self._identities() as lookup:
             return lookup.state(STATE_HASH)
 
-    def findings(self, rules: "Iterable[Rule]") -> "Iterator[DocumentFinding]":
+    def findings(self, rules: "Iterable[Rule]") -> "list[DocumentFinding]":
         """What an ingest found by these rules, document by document, then what documents contradict each other in."""
         from esicatalog.catalog.stored_findings import stored_findings
 
         with self._connection() as connection:
-            yield from stored_findings(connection, rules)
+            return list(stored_findings(connection, rules))
 
     def unchecked_documents(self, rules: "Iterable[Rule]") -> list[str]:
         """The documents that :meth:`findings` of these rules says nothing of, though none has looked at them.

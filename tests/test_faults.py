@@ -36,8 +36,10 @@ from library import (
 from snippets import device, esi, rows, write
 
 from esicatalog import Catalog, CatalogError
+from esicatalog.catalog import load
 from esicatalog.catalog.lock import only_writer
 from esicatalog.cli.main import cli
+from esicatalog.lint.rules import ALL_RULES
 
 L6N = "0x4321:0x8100"
 
@@ -284,7 +286,7 @@ def test_a_locked_database_is_waited_for_and_then_named(tmp_path, whole, library
         for process in waiting:
             out, said = process.communicate()
             done = subprocess.CompletedProcess(process.args, process.returncode, out, said)
-            assert "another process is writing to it; wait for it" in one_line(done)
+            assert "another process is reading or writing it; wait for it" in one_line(done)
         connection.rollback()
     assert run("ingest", library.parent / "more", "--db", db).returncode == 0
     assert_consistent(db)
@@ -396,6 +398,48 @@ def test_an_ingest_that_ends_while_others_are_reading_says_that_the_latest_is_in
         assert len(rows(tmp_path / "snapshot.db", "SELECT 1 FROM devices")) == before + 1, done.stderr
     assert "-wal" not in run("ingest", documents, "--db", db).stderr
     assert len(rows(Path(shutil.copy(db, tmp_path / "copy.db")), "SELECT 1 FROM devices")) == before + 1
+
+
+def test_an_ingest_waits_for_those_who_read_a_finished_catalog_and_lets_others_in_meanwhile(
+    tmp_path, whole, library, monkeypatch
+):
+    db = Path(shutil.copy(whole, tmp_path / "c.db"))
+    documents = write(tmp_path / "more", {"1.xml": esi(device(product="#xABCD1"))})
+    before = len(rows(db, "SELECT 1 FROM devices"))
+    seen = []
+    with closing(sqlite3.connect(db)) as reader, Catalog.open(db) as catalog:
+
+        def end_reading(seconds: float) -> None:
+            with closing(sqlite3.connect(db, timeout=0)) as another:
+                seen.append(len(another.execute("SELECT 1 FROM devices").fetchall()))
+            reader.rollback()
+            half_read.close()
+
+        half_read = reader.execute("SELECT * FROM objects")
+        half_read.fetchone()
+        # Nothing is written: nobody is in the way.
+        assert catalog.ingest(sorted(library.glob("000*.xml"))).counts["stored"] == 0
+        monkeypatch.setattr(load.time, "sleep", end_reading)
+        assert catalog.ingest(documents).counts["stored"] == 1
+        assert seen == [before]
+        assert (len(catalog.devices()), journal_mode(db)) == (before + 1, "delete")
+    assert_consistent(db)
+
+
+def test_an_ingest_names_who_does_not_end_reading(tmp_path, whole, library, monkeypatch):
+    db = Path(shutil.copy(whole, tmp_path / "c.db"))
+    documents = write(tmp_path / "more", {"1.xml": esi(device(product="#xABCD1"))})
+    monkeypatch.setattr(load, "_READERS_SECONDS", 1.0)
+    with closing(sqlite3.connect(db)) as reader, Catalog.open(db) as catalog:
+        half_read = reader.execute("SELECT * FROM objects")
+        half_read.fetchone()
+        with pytest.raises(CatalogError, match="another process is reading or writing it; wait for it"):
+            catalog.ingest(documents)
+        half_read.close()
+        # What has looked at findings only in part keeps nobody waiting.
+        findings = iter(catalog.findings(ALL_RULES))
+        next(findings)
+        assert catalog.ingest(documents).counts["stored"] == 1
 
 
 def test_an_emptied_catalog_fills_again_while_others_have_it_open(tmp_path):

@@ -7,7 +7,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.check_rows import rules
-from esicatalog.catalog.deferred_keys import are_keys_pending
+from esicatalog.catalog.deferred_keys import are_keys_pending, is_empty
 from esicatalog.catalog.full_text import outdated_devices, search_table
 from esicatalog.catalog.load import are_indexes_pending, secondary_indexes
 from esicatalog.catalog.schema import devices
@@ -67,11 +67,14 @@ def check_catalog(connection: sa.Connection) -> CheckResult:
 
 def _load_problems(connection: sa.Connection, recomputed: str) -> Iterator[str]:
     stored = read_state(connection, CONTENT_HASH)
-    if stored is None or are_indexes_pending(connection):
+    keys_pending = are_keys_pending(connection)
+    if are_indexes_pending(connection) or (stored is None and (keys_pending or not is_empty(connection))):
         yield CUT_SHORT
         return
-    if are_keys_pending(connection):
+    if keys_pending:
         yield KEYS_MISSING
+    if stored is None:  # nothing was ingested yet
+        return
     if stored != recomputed:
         yield f"the stored content hash {stored} is not that of the rows: delete the catalog and ingest again"
     elif (state := read_state(connection, STATE_HASH)) not in (None, state_hash(connection)):

@@ -55,13 +55,13 @@ _SCHEMA_OF_CATALOG = f"""
 def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
     """The SQLAlchemy URL of a file path or of a URL text. Raises :class:`CatalogError`."""
     text = os.fspath(target)
-    if not text:
-        raise CatalogError("the name of the catalog is empty; name a file")
+    if not text or "\0" in text:
+        raise CatalogError(f"the name of the catalog {'holds a NUL' if text else 'is empty'}; name a file")
     if "://" not in text:
         if _NO_FILE.match(text):
             # The text may hold a password.
             raise CatalogError("neither a file nor a URL; write postgresql+psycopg://USER@HOST/DATABASE")
-        return sa.URL.create("sqlite", database=text)
+        return _with_file(sa.URL.create("sqlite", database=text))
     try:
         url = sa.make_url(text)
     except (sa.exc.ArgumentError, ValueError) as error:
@@ -79,7 +79,14 @@ def catalog_url(target: str | os.PathLike[str]) -> sa.URL:
         raise CatalogError(
             f"{shown_url(url)}: SQLite URLs take no options and no file: names; give the path of the catalog"
         )
-    return url.set(drivername=_DRIVERS[url.drivername])
+    return _with_file(url.set(drivername=_DRIVERS[url.drivername]))
+
+
+def _with_file(url: sa.URL) -> sa.URL:
+    """The same URL. Raises :class:`CatalogError` for SQLite in memory, of which each connection has its own."""
+    if url.get_backend_name() == "sqlite" and url.database in (None, "", ":memory:"):
+        raise CatalogError("a catalog needs a file, not memory; name one")
+    return url
 
 
 def shown_target(target: str | os.PathLike[str]) -> str:
@@ -94,19 +101,22 @@ def shown_url(url: sa.URL) -> str:
 
 
 def sqlite_path(url: sa.URL) -> Path | None:
-    """The file of an SQLite catalog, None for other databases and for memory."""
-    if url.get_backend_name() != "sqlite" or url.database in (None, "", ":memory:"):
-        return None
-    return Path(str(url.database))
+    """The file of an SQLite catalog, None for other databases."""
+    return Path(str(url.database)) if url.get_backend_name() == "sqlite" else None
 
 
 def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
     """An engine with foreign keys enforced and short waits for locks; ``read_only`` refuses every write.
 
-    Raises :class:`CatalogError` where the driver is missing.
+    Its connections are all to the file that a path or link meant at first. Raises :class:`CatalogError` where the
+    driver is missing; connecting raises it when the file was replaced.
     """
     options: dict[str, Any] = {}
-    if url.get_backend_name() != "sqlite":
+    path = sqlite_path(url)
+    if path is not None:
+        file = Path(os.path.realpath(path))
+        url, options = url.set(database=str(file)), {"creator": _connector(file)}
+    else:
         # Whoever waited for its turn to write has to see what the others wrote, whatever the server's default is.
         options = {
             "isolation_level": "READ COMMITTED",
@@ -120,7 +130,7 @@ def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
             f"{shown_url(url)}: the driver of {url.drivername} is not installed ({error}); "
             "PostgreSQL's comes with: pip install 'esicatalog[postgres]'"
         ) from error
-    if url.get_backend_name() == "sqlite":
+    if path is not None:
 
         @sa.event.listens_for(engine, "connect")
         def _configure(connection: sqlite3.Connection, record: Any) -> None:
@@ -144,6 +154,25 @@ def _keep_to_schema(connection: Any, record: Any) -> None:
         if found is not None and found[1] > 1:
             cursor.execute(f"SET search_path TO {found[0]}")
     connection.commit()
+
+
+def _connector(file: Path) -> Callable[[], sqlite3.Connection]:
+    """What connects to one file: two connections to different ones would answer with two catalogs.
+
+    The first connection makes it if it is not there.
+    """
+    opened: list[os.stat_result] = []
+
+    def connect() -> sqlite3.Connection:
+        if opened and not (file.exists() and os.path.samestat(file.stat(), *opened)):
+            raise CatalogError(f"{file}: is not the file any more that was opened; open the catalog again")
+        mode = "rw" if opened else "rwc"
+        connection = sqlite3.connect(f"{file.as_uri()}?mode={mode}", uri=True, check_same_thread=False)
+        if not opened:
+            opened.append(file.stat())
+        return connection
+
+    return connect
 
 
 def reading_connection(engine: sa.Engine) -> sa.Connection:

@@ -18,7 +18,7 @@ _NO_RIGHT = "the database user may not do that; ask for the right"
 _LATER = "try again later"
 
 _FILE_HINTS = {
-    "locked": "another process is writing to it; wait for it or use another catalog",
+    "locked": "another process is reading or writing it; wait for it or use another catalog",
     "not a database": "not an SQLite catalog; name another file",
     "malformed": _DAMAGED,
     "readonly": "the file or its folder cannot be written",

@@ -9,6 +9,7 @@ so that what is newer is in the log alone.
 """
 
 import sqlite3
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -22,6 +23,10 @@ from esicatalog.catalog.turns import take_turn
 
 _INDEXES_PENDING = "indexes_pending"
 _CACHE_KB = 32_768
+_READERS_SECONDS = 60.0
+"""How long readers are waited for that began before there was a log: a snapshot of a large catalog takes that long."""
+_ATTEMPT_SECONDS = 1.0
+_PAUSE_SECONDS = 0.3
 _KEPT_WHILE_LOADING = frozenset(
     {
         # Every commit looks things up by these.
@@ -40,11 +45,16 @@ _KEPT_WHILE_LOADING = frozenset(
 """Indexes of a new catalog that are not put off while it is filled: table and first column."""
 
 
-def prepare_load(connection: sa.Connection) -> None:
-    """Get ready to write: repair what a killed load left, put off what a load into a new catalog does late."""
+def prepare_load(connection: sa.Connection, changes: bool = True) -> None:
+    """Get ready to write: repair what a killed load left, put off what a load into a new catalog does late.
+
+    Without ``changes`` a complete catalog is left as it is, whoever is reading it.
+    """
     fills_empty = is_empty(connection)
     was_filled = read_state(connection, CONTENT_HASH) is not None
     connection.commit()
+    if was_filled and not changes:
+        return
     if connection.dialect.name == "sqlite":
         # Who has a catalog open that was emptied goes on reading it; of a new one there is nothing to read.
         _prepare_file(connection, fills_empty and not was_filled)
@@ -56,7 +66,7 @@ def _prepare_file(connection: sa.Connection, is_new: bool) -> None:
     if is_new:
         _end_log(connection)
     else:
-        connection.exec_driver_sql("PRAGMA journal_mode = WAL")
+        _begin_log(connection)
     connection.exec_driver_sql(f"PRAGMA cache_size = -{_CACHE_KB}")
     connection.commit()
     finish_indexes(connection)
@@ -137,13 +147,34 @@ def _end_log(connection: sa.Connection) -> None:
     Whoever has read while there is a log holds the file until it closes it, a server for as long as it runs. Nothing
     is lost by leaving the log to them, and no reason to say that the load had failed.
     """
+    _has_mode(connection, "DELETE")
+
+
+def _begin_log(connection: sa.Connection) -> None:
+    """Go over to the write-ahead log, waiting for those who have begun to read without it.
+
+    While SQLite waits for them it lets nobody else begin, so it is asked again and again for a short time.
+    """
+    (timeout_ms,) = connection.exec_driver_sql("PRAGMA busy_timeout").one()
+    connection.exec_driver_sql(f"PRAGMA busy_timeout = {_ATTEMPT_SECONDS * 1000:.0f}")
+    until = time.monotonic() + _READERS_SECONDS
+    while not _has_mode(connection, "WAL", must_be=time.monotonic() > until):
+        time.sleep(_PAUSE_SECONDS)
+    connection.exec_driver_sql(f"PRAGMA busy_timeout = {timeout_ms}")
+    connection.commit()
+
+
+def _has_mode(connection: sa.Connection, mode: str, must_be: bool = False) -> bool:
+    """Change the journal's mode; whether others did not keep it from that, which is an error if it ``must_be``."""
     try:
-        connection.exec_driver_sql("PRAGMA journal_mode = DELETE")
+        connection.exec_driver_sql(f"PRAGMA journal_mode = {mode}")
     except sa.exc.OperationalError as error:
-        if getattr(error.orig, "sqlite_errorcode", None) != sqlite3.SQLITE_BUSY:
+        if must_be or getattr(error.orig, "sqlite_errorcode", None) != sqlite3.SQLITE_BUSY:
             raise
         connection.rollback()
+        return False
     connection.commit()
+    return True
 
 
 def _enforce_foreign_keys(connection: sa.Connection, enforce: bool) -> None:

@@ -19,9 +19,9 @@ except ImportError:  # Windows
 def only_writer(path: Path | None) -> Iterator[None]:
     """Hold the lock file beside an SQLite catalog; it is gone afterwards, and a killed process leaves it unlocked.
 
-    SQLite's own lock ends with every transaction, an ingest has many. None (another database, or memory) locks
-    nothing. Raises :class:`CatalogError` when another process holds it, or nobody can (as on some NFS), and for a
-    snapshot, which never changes, whoever asks.
+    SQLite's own lock ends with every transaction, an ingest has many. None (another database) locks nothing. Raises
+    :class:`CatalogError` when another process holds it, or nobody can (as on some NFS), and for a snapshot, which never
+    changes, whoever asks.
     """
     if path is None:
         yield

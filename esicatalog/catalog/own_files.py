@@ -16,7 +16,7 @@ def own_files(target: str | os.PathLike[str]) -> frozenset[str]:
     if "://" in path:
         driver, _, place = path.partition("://")
         path = place.removeprefix("/") if driver.startswith("sqlite") else ""
-    if path in ("", ":memory:"):
+    if not path:
         return frozenset()
     # SQLite follows a symbolic link and keeps its journals beside the file; the link itself is no document either.
     folder, name = os.path.split(path)

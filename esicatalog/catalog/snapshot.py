@@ -51,7 +51,10 @@ def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
         source.exec_driver_sql("BEGIN")
     expected = read_state(source, CONTENT_HASH)
     if expected is None:
-        raise CatalogError("an ingest is under way or was cut short: wait for it or repeat it, then take the snapshot")
+        raise CatalogError(
+            "nothing was ingested yet, or an ingest is under way or was cut short: wait for it or repeat it, then take "
+            "the snapshot"
+        )
     if "://" in name:
         raise InputError(f"{shown_target(name)}: a snapshot is a file; name one, for example catalog-{HASH_PLACE}.db")
     state = state_hash(source)
@@ -60,6 +63,8 @@ def write_snapshot(source: sa.Connection, name: str) -> Snapshot:
     if unknown is not None:
         raise InputError(f"{name}: nothing stands for {unknown[0]}; there are {HASH_PLACE} and {STATE_PLACE}")
     path = Path(named)
+    if path.is_dir():
+        raise InputError(f"{path}: is a folder; name a file in it, for example {path / f'catalog-{HASH_PLACE}.db'}")
     if path.exists():
         _check_is_other_file(path, source)
         _check_same(path, expected, state)

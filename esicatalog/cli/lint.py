@@ -1,7 +1,7 @@
 """esicatalog lint"""
 
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -129,13 +129,13 @@ class _StoredRun:
         self._rules = rules
         self.unreadable: list[str] = []
 
-    def findings(self) -> "Iterator[DocumentFinding]":
-        """All findings; those across documents come last."""
+    def findings(self) -> "list[DocumentFinding]":
+        """All findings; those across documents come last. The catalog is closed before anything is printed."""
         from esicatalog.api import Catalog
 
         with Catalog.open(self._db, read_only=True) as catalog:
             self.unreadable += catalog.unchecked_documents(self._rules)
-            yield from catalog.findings(self._rules)
+            return catalog.findings(self._rules)
 
     def counts(self) -> str:
         """How many documents were looked at; an ingest has told it."""

@@ -97,7 +97,7 @@ def no_file_reason(path: str | os.PathLike[str]) -> str | None:
     """
     try:
         mode = Path(path).stat().st_mode
-    except OSError:
+    except (OSError, ValueError):
         return "standard input is not read here; give ESI files" if os.fspath(path) == "-" else None
     return "is a pipe; ESI is read from files only" if stat.S_ISFIFO(mode) else None
 

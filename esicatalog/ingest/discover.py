@@ -67,7 +67,7 @@ def _existing(path: str | os.PathLike[str]) -> Path:
         raise InputError("the name is empty; give a file, a folder or an archive")
     try:
         return Path(path).resolve(strict=True)
-    except (OSError, RuntimeError) as error:
+    except (OSError, RuntimeError, ValueError) as error:
         raise InputError(f"{os.fspath(path)}: {no_file_reason(path) or 'no such file or folder'}") from error
 
 

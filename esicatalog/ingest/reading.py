@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence, Set
 from itertools import chain
 from typing import Self
 
+from esicatalog.errors import InputError
 from esicatalog.ingest.plan import Plan
 from esicatalog.ingest.tasks import Outcome
 from esicatalog.ingest.unchanged import Hashes
@@ -18,10 +19,13 @@ _SMALL_BYTES = 1024 * 1024
 class Reading:
     """The documents of a plan being read, in worker processes or (``jobs`` 1) in this one.
 
-    Both :meth:`hash_ahead` and :meth:`start` begin something that ends with this context.
+    Both :meth:`hash_ahead` and :meth:`start` begin something that ends with this context. Raises
+    :class:`~esicatalog.errors.InputError` for a number of jobs that is none.
     """
 
     def __init__(self, jobs: int | None = None) -> None:
+        if jobs is not None and (not isinstance(jobs, int) or jobs < 1):
+            raise InputError(f"jobs {jobs!r}: give the number of worker processes, 1 for none")
         self._jobs = jobs or os.cpu_count() or 1
         self._stop: Callable[[], None] = lambda: None
         self._hashed: Callable[[], Hashes] = dict

@@ -2,7 +2,7 @@
 
 import os
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Set
 from contextlib import contextmanager
 from itertools import islice
 
@@ -13,7 +13,6 @@ from esicatalog.catalog.database import shown_url, sqlite_path
 from esicatalog.catalog.driver_errors import database_error
 from esicatalog.catalog.load import end_load, finish_indexes, finish_load, prepare_load
 from esicatalog.catalog.lock import only_writer
-from esicatalog.catalog.own_files import own_files
 from esicatalog.catalog.writer import SourceRow, Writer
 from esicatalog.errors import CatalogError
 from esicatalog.esi.stages import Stages
@@ -42,21 +41,21 @@ _MOST_GATHERED_BYTES = 16_000_000
 def ingest(
     engine: sa.Engine,
     paths: Iterable[str | os.PathLike[str]],
+    own_files: Set[str],
     reading: Reading,
     prune: bool = False,
     progress: Progress | None = None,
 ) -> IngestReport:
     """Ingest everything below ``paths`` into the catalog.
 
-    ``reading`` may have been started when the catalog was known to be empty, else it is started here. ``prune`` also
-    removes what the given folders no longer hold. Raises :class:`InputError` for a missing path and
-    :class:`CatalogError` when the database cannot be written or another ingest is writing to it; what was committed
-    before stays.
+    ``own_files``, those of the catalog, are left out. ``reading`` may have been started when the catalog was known to
+    be empty, else it is started here. ``prune`` also removes what the given folders no longer hold. Raises
+    :class:`InputError` for a missing path and :class:`CatalogError` when the database cannot be written or another
+    ingest is writing to it; what was committed before stays.
     """
     started = time.monotonic()
     stages = Stages()
     path = sqlite_path(engine.url)
-    own = own_files(path) if path is not None else frozenset()
     try:
         with only_writer(path), engine.connect() as connection, without_cycle_search():
             # What a load leaves on its connection, temporary tables and a large cache, ends with it.
@@ -64,8 +63,8 @@ def ingest(
             try:
                 held = _read_held(connection)
                 connection.commit()  # Planning may take long; who wants to change tables need not wait for it.
-                plan = reading.plan or reading.start(make_plan(paths, held, prune, reading.hashed(), own))
-                prepare_load(connection)
+                plan = reading.plan or reading.start(make_plan(paths, held, prune, reading.hashed(), own_files))
+                prepare_load(connection, changes=not plan.is_empty)
                 lines = _write(connection, plan, reading.outcomes, held, progress, stages)
                 with stages("index"):
                     finish_load(connection, changed=not plan.is_empty)

@@ -35,11 +35,10 @@ def datasette_app(path: str | os.PathLike[str], immutable: bool = False) -> Any:
     ``immutable`` promises that nobody changes the file: row counts are kept, those of a snapshot are taken from the
     file beside it, and the file can be downloaded. Raises :class:`CatalogError` for counts of another file.
     """
-    file = Path(path)
+    # A link may be switched to another file while this one is served.
+    file = Path(path).resolve()
     counted: dict[str, Any] = {}
     if immutable:
-        # A link may be switched to another file while this one is served.
-        file = file.resolve()
         found = read_inspect_data(file)
         counted = {MOUNTED_AS: found} if found is not None else {}
     metadata = yaml.load(resource("datasette-metadata.yml").read_bytes(), SafeLoader)

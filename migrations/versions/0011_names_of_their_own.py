@@ -26,6 +26,8 @@ _SLOT = (
 )
 _BEFORE = f"{_SIZE}with DefaultSize and no PDO{_SLOT}"
 _AFTER = f"{_SIZE}without PDO that has a DefaultSize or whose device uploads its PDOs (PdoUpload){_SLOT}"
+_SM_BEFORE = "SyncManager of the default assignment; NULL = not assigned"
+_SM_AFTER = "Sm attribute: its SyncManager; what is in the default process image is pdos.image_sm"
 _PATH = "Element path"
 COMMENTS: tuple[tuple[str, str, sa.types.TypeEngine[object], bool, str, str], ...] = (
     ("device_facts", "output_bytes", sa.BigInteger(), True, _BEFORE.format("writes"), _AFTER.format("writes")),

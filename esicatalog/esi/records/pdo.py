@@ -54,7 +54,10 @@ class Pdo(Record):
     excluded_sms: Annotated[
         tuple[int, ...], Xml("ExcludedSm", INT, "SyncManagers this PDO may not be assigned to, as JSON")
     ] = ()
-    sm: Annotated[int | None, Xml("@Sm", INT, "SyncManager of the default assignment; NULL = not assigned")] = None
+    sm: Annotated[
+        int | None,
+        Xml("@Sm", INT, "Sm attribute: its SyncManager; what is in the default process image is pdos.image_sm"),
+    ] = None
     fixed: Annotated[bool | None, Xml("@Fixed", BOOL, "Entry list may not be changed")] = None
     mandatory: Annotated[bool | None, Xml("@Mandatory", BOOL, "PDO must stay assigned")] = None
     virtual: Annotated[bool | None, Xml("@Virtual", BOOL, "Not transported by mapping objects")] = None
