@@ -194,7 +194,8 @@ def _only_uploaded() -> sa.ColumnElement[bool]:
         sa.select(pdos.c.id).where(pdos.c.device_id == devices.c.id),
         sa.select(_LINKS.module_id).where(_LINKS.device_id == devices.c.id),
     )
-    return sa.and_(uploads.exists(), *(sa.not_(item.exists()) for item in described))
+    is_uploaded, *are_described = (item.correlate(devices).exists() for item in (uploads, *described))
+    return sa.and_(is_uploaded, *map(sa.not_, are_described))
 
 
 def _entry_fits(mapped: AskedObject, bits: int | None) -> list[Any]:

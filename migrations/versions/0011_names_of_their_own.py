@@ -32,6 +32,7 @@ _PATH = "Element path"
 COMMENTS: tuple[tuple[str, str, sa.types.TypeEngine[object], bool, str, str], ...] = (
     ("device_facts", "output_bytes", sa.BigInteger(), True, _BEFORE.format("writes"), _AFTER.format("writes")),
     ("device_facts", "input_bytes", sa.BigInteger(), True, _BEFORE.format("reads"), _AFTER.format("reads")),
+    ("pdos", "sm", sa.BigInteger(), True, _SM_BEFORE, _SM_AFTER),
     (
         "findings",
         "path",
