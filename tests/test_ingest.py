@@ -556,7 +556,7 @@ STEPS = st.lists(
 )
 
 
-@settings(max_examples=4, deadline=None, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=3, deadline=None, phases=[Phase.explicit, Phase.generate])
 @given(STEPS)
 def test_any_history_equals_a_fresh_ingest(tmp_path_factory, steps):
     """None: what is there is removed."""

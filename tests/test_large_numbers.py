@@ -28,7 +28,7 @@ def numbers(held: object) -> list[int]:
 
 @pytest.mark.parametrize(
     ("text", "step"),
-    [(str(LARGEST), 20), *(pytest.param(str(number), 1, marks=pytest.mark.faults) for number in (LARGEST, -LARGEST))],
+    [(str(LARGEST), 60), *(pytest.param(str(number), 1, marks=pytest.mark.faults) for number in (LARGEST, -LARGEST))],
 )
 def test_one_large_number_anywhere(text, step, tmp_path):
     worker, content = DocumentWorker(), MAXIMAL.read_bytes()
