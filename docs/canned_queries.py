@@ -6,7 +6,7 @@ What ``esicatalog devices`` would refuse is an error here too: none found must n
 from typing import Any
 
 from esicatalog.catalog.filter_texts import TRUE_WORDS
-from esicatalog.catalog.views import mapped_subindex
+from esicatalog.catalog.views import mapped_subindex, vendor_name
 from esicatalog.model.drive_evidence import YES
 from esicatalog.model.drive_modes import LIKELY, accepted_verdicts
 
@@ -218,7 +218,7 @@ with mapped as (
   union all
   select l.device_id, mapped.* from mapped join device_modules l on l.module_id = mapped.module_id
 )
-select d.id as device_id, coalesce(d.own_vendor_name, v.name) as vendor, d.type as device_type,
+select d.id as device_id, {vendor_name("d", "v")} as vendor, d.type as device_type,
   hex0x(d.vendor_id, 8) as vendor_id_hex,
   hex0x(d.product_code, 8) as product_code_hex, hex0x(d.revision_no, 8) as revision_no_hex,
   hex0x(m.module_ident, 8) as module, m.type as module_type, direction, pdo, pdo_name, sm,

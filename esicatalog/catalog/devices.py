@@ -7,6 +7,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog.results import FoundDevice
 from esicatalog.catalog.schema import devices, slots, vendors
+from esicatalog.catalog.views import vendor_name
 from esicatalog.errors import NotFound
 from esicatalog.identity import Identity
 from esicatalog.model.revisions import latest_revision
@@ -19,8 +20,8 @@ ORDER = (
     devices.c.variant,
 )
 """The order of lists, which is that of the index ``ix_devices_listed``."""
-VENDOR_NAME = sa.func.coalesce(devices.c.own_vendor_name, vendors.c.name)
-"""The name under which the vendor of a device is shown, whose vendor id has a row in vendors."""
+VENDOR_NAME: sa.ColumnElement[str | None] = sa.literal_column(vendor_name(devices.name, vendors.name), sa.Text)
+"""The name under which the vendor of a device is shown, given its row of vendors."""
 SUMMARY = (
     sa.select(
         devices.c.id,

@@ -81,9 +81,9 @@ def _searched(text: sa.ColumnElement[str | None]) -> sa.ColumnElement[str | None
 
 def index_devices(connection: sa.Connection, device_ids: Iterable[int]) -> None:
     """Write the search rows of these devices anew; rows of devices that are gone disappear."""
-    table = search_table(connection)
+    table, vendors = search_table(connection), _VendorTexts(connection)
     for part in chunks(device_ids):
-        rows = _search_rows(connection, part)
+        rows = _search_rows(connection, part, vendors)
         if connection.dialect.name != "sqlite":
             word_search.write(connection, part, rows)
             continue
@@ -97,10 +97,10 @@ def index_devices(connection: sa.Connection, device_ids: Iterable[int]) -> None:
 
 def outdated_devices(connection: sa.Connection) -> list[int]:
     """Devices that the search does not know, or not as they are."""
-    table = search_table(connection)
+    table, vendors = search_table(connection), _VendorTexts(connection)
     found: list[int] = []
     for part in chunks(connection.execute(sa.select(schema.devices.c.id)).scalars()):
-        rows = _search_rows(connection, part)
+        rows = _search_rows(connection, part, vendors)
         expected = rows if connection.dialect.name == "sqlite" else word_search.table_rows(rows)
         held = connection.execute(sa.select(table).where(next(iter(table.columns)).in_(part))).all()
         found += {row[0] for row in {*expected} - {*map(tuple, held)}}
@@ -112,7 +112,9 @@ def search_table(connection: sa.Connection) -> sa.TableClause:
     return _FTS5_TABLE if connection.dialect.name == "sqlite" else word_search.TABLE
 
 
-def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[tuple[Any, ...]]:
+def _search_rows(
+    connection: sa.Connection, device_ids: Sequence[int], vendors: "_VendorTexts"
+) -> list[tuple[Any, ...]]:
     """What is searched of devices: (device number, vendor, type, name, identity, endings of words)."""
     columns, texts = schema.devices.c, schema.device_names.c
     query = (
@@ -127,8 +129,6 @@ def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[t
         .where(columns.id.in_(device_ids))
         .order_by(columns.id)
     )
-    found = connection.execute(query).all()
-    makers = _vendor_texts(connection, {row.vendor_id for row in found})
     names: dict[int, list[str]] = {}
     named = (
         sa.select(texts.device_id, _searched(texts.text))
@@ -138,7 +138,7 @@ def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[t
     for number, text in connection.execute(named).all():
         names.setdefault(number, []).append(text)
     rows = []
-    for row in found:
+    for row in connection.execute(query).all():
         identity = [
             notation
             for number in (row.vendor_id, row.product_code, row.revision_no)
@@ -146,18 +146,25 @@ def _search_rows(connection: sa.Connection, device_ids: Sequence[int]) -> list[t
         ]
         name = " ".join(dict.fromkeys(names.get(row.id, [])))[:_MOST_SEARCHED]
         endings = word_endings(f"{row.type or ''} {name}")
-        maker = row.own_vendor_name or makers.get(row.vendor_id)
+        maker = row.own_vendor_name or vendors[row.vendor_id]
         rows.append((row.id, maker, row.type, name, " ".join(identity), " ".join(endings)))
     return rows
 
 
-def _vendor_texts(connection: sa.Connection, vendor_ids: Iterable[int | None]) -> dict[int, str]:
-    """All spellings and languages of vendors' names, but those of other makers who use their ids."""
-    named, others = schema.vendor_names.c, schema.devices.c
-    is_of_other = sa.exists().where(others.vendor_id == named.vendor_id, others.own_vendor_name == named.name)
-    names: dict[int, set[str]] = {}
-    for part in chunks(number for number in vendor_ids if number is not None):
-        query = sa.select(named.vendor_id, _searched(named.name)).where(named.vendor_id.in_(part), ~is_of_other)
-        for vendor_id, name in connection.execute(query):
-            names.setdefault(vendor_id, set()).add(name)
-    return {vendor_id: " ".join(sorted(texts))[:_MOST_SEARCHED] for vendor_id, texts in names.items()}
+class _VendorTexts(dict[int | None, str | None]):
+    """All spellings and languages of vendors' names, but those of other makers who use their ids; by vendor id.
+
+    Each vendor is looked up once: for that all its devices are looked through.
+    """
+
+    def __init__(self, connection: sa.Connection) -> None:
+        super().__init__()
+        self._connection = connection
+
+    def __missing__(self, vendor_id: int | None) -> str | None:
+        named, others = schema.vendor_names.c, schema.devices.c
+        is_of_other = sa.exists().where(others.vendor_id == named.vendor_id, others.own_vendor_name == named.name)
+        query = sa.select(_searched(named.name)).where(named.vendor_id == vendor_id, ~is_of_other).distinct()
+        names = sorted(name for name in self._connection.execute(query).scalars() if name is not None)
+        text = self[vendor_id] = " ".join(names)[:_MOST_SEARCHED] if names else None
+        return text

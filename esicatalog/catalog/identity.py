@@ -10,7 +10,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 import msgspec
 
 from esicatalog.catalog.results import NONE, VENDOR, DeviceSource, FoundDevice, Identification, IdentifiedDevice
-from esicatalog.catalog.views import VENDOR_NAME, image_is_known
+from esicatalog.catalog.views import image_is_known, vendor_name
 from esicatalog.identity import is_read
 from esicatalog.model.bus import DeviceAtBus
 from esicatalog.model.pdo_facts import mapped_words
@@ -23,7 +23,9 @@ NEAREST = 10
 """How many other candidates an answer names."""
 _MOST_KEPT = 4096
 
-_COLUMNS = f"d.id, d.vendor_id, d.product_code, d.revision_no, d.variant, {VENDOR_NAME}, d.type, d.name, d.hidden"
+_COLUMNS = (
+    f"d.id, d.vendor_id, d.product_code, d.revision_no, d.variant, {vendor_name('d', 'v')}, d.type, d.name, d.hidden"
+)
 _OF_PRODUCT = (
     f"SELECT {_COLUMNS}, d.check_revision_no, f.image_signature, "
     f"{image_is_known('f')} FROM devices d "

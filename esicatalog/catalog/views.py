@@ -55,6 +55,14 @@ def image_is_known(facts: str) -> str:
     return f"{facts}.output_bytes IS NOT NULL AND {facts}.input_bytes IS NOT NULL"
 
 
+def vendor_name(device: str, vendor: str) -> str:
+    """SQL for the name under which the vendor of a device is shown; they name its rows of devices and vendors.
+
+    Several makers may use one vendor id: a device whose documents name another one is shown under that name.
+    """
+    return f"coalesce({device}.own_vendor_name, {vendor}.name)"
+
+
 def _integer(expression: str) -> str:
     """SQL for an integer that a view computes: without a type, SQLite would never find it equal to a text.
 
@@ -79,7 +87,7 @@ def _device_identity(dialect: str) -> str:
         f"{hex_text('d.vendor_id', 8, dialect)} AS vendor_id_hex, "
         f"{hex_text('d.product_code', 8, dialect)} AS product_code_hex, "
         f"{hex_text('d.revision_no', 8, dialect)} AS revision_no_hex, {_revision_text(dialect)} AS revision_text, "
-        f"d.hidden, {VENDOR_NAME} AS vendor, d.type AS device_type, d.name AS device_name"
+        f"d.hidden, {vendor_name('d', 'v')} AS vendor, d.type AS device_type, d.name AS device_name"
     )
 
 
@@ -136,8 +144,6 @@ def _module_identity(dialect: str) -> str:
 _SOURCES = _integer("(SELECT count(DISTINCT x.source_id) FROM device_sources x WHERE x.device_id = d.id)")
 """SQL for the number of documents that carry a device; one may carry its description twice."""
 
-VENDOR_NAME = "coalesce(d.own_vendor_name, v.name)"
-"""SQL for the name of the vendor of a device ``d`` whose vendor id has the row ``v`` of vendors."""
 _DEVICES = "FROM devices d LEFT JOIN vendors v ON v.vendor_id = d.vendor_id"
 _MODULES = "FROM modules m LEFT JOIN vendors v ON v.vendor_id = m.vendor_id"
 

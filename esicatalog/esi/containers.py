@@ -51,9 +51,14 @@ class Container(Protocol):
         """The member with this name in any letter case, or None."""
 
 
+def reference_path(reference: str) -> str:
+    """The path that a reference means; some vendors write it with backslashes."""
+    return reference.strip().replace("\\", "/")
+
+
 def resolve_reference(container: Container, document: str, reference: str) -> str | None:
     """The member that ``reference`` in ``document`` means, or None when it is missing or leads outside."""
-    text = reference.strip().replace("\\", "/")
+    text = reference_path(reference)
     if not text or text.startswith("/") or ":" in text.split("/", 1)[0]:
         return None
     joined = posixpath.normpath(posixpath.join(posixpath.dirname(document), text))

@@ -10,7 +10,7 @@ from lxml import etree
 
 from esicatalog.errors import BrokenDocument, DocumentError, NotAnEsiDocument
 from esicatalog.esi.binding import Record, read_record
-from esicatalog.esi.containers import Container, Folder, no_file_reason, resolve_reference
+from esicatalog.esi.containers import Container, Folder, no_file_reason, reference_path, resolve_reference
 from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.documents import ParsedDocument, parse_as_it_is, parse_document
 from esicatalog.esi.layouts import Layouts
@@ -345,8 +345,8 @@ class _Puller:
 
 def _seen_past(document: str, reference: str) -> str:
     """A reference in a document as seen from the one that refers to that document by the text ``document``."""
-    folder = posixpath.dirname(document.strip().replace("\\", "/"))
-    return posixpath.join(folder, reference.strip().replace("\\", "/")) if folder else reference
+    folder = posixpath.dirname(reference_path(document))
+    return posixpath.join(folder, reference_path(reference)) if folder else reference
 
 
 def _same(new: Record, old: Record) -> bool:

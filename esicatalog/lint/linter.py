@@ -148,7 +148,7 @@ class Linter:
             hits += _below(("modules", number), self._owner(module, ModuleSubject, external))
         at_reference: Place = ("info_references", 0) if len(info.info_references) == 1 else ()
         for module in modules[len(info.modules) :]:
-            hits += _below(at_reference, self._with_hosts_only(module, gaps, external))
+            hits += _below(at_reference, self._with_hosts_only(module, gaps))
         for module in modules:
             module.hosts.clear()  # no circles: they would stay in memory until the collector comes by
         return hits
@@ -156,14 +156,17 @@ class Linter:
     def _module(self, module: Module, info: EsiInfo, gaps: Gaps) -> ModuleSubject:
         return ModuleSubject(module, info, self._views.of(module.profiles), gaps)
 
-    def _with_hosts_only(self, module: ModuleSubject, gaps: Gaps, external: set[str]) -> Iterator[_Hit]:
-        """What is found in a module of another document because of the devices here, and not there already."""
+    def _with_hosts_only(self, module: ModuleSubject, gaps: Gaps) -> Iterator[_Hit]:
+        """What is found in a module of another document because of the devices here, and not there already.
+
+        Its records and dictionaries are what they are with any device.
+        """
         if not module.hosts:
             return
-        alone = self._owner(self._module(module.module, _NO_DEVICES, gaps), ModuleSubject, external)
-        told_there = {(hit.rule.id, hit.found) for hit in alone}
+        alone = self._module(module.module, _NO_DEVICES, gaps)
+        told_there = {(hit.rule.id, hit.found) for hit in [*self._check(alone, ModuleSubject), *self._pdos(alone)]}
         words = f"module 0x{module.module.module_ident or 0:X} of another document: "
-        for hit in self._owner(module, ModuleSubject, external):
+        for hit in [*self._check(module, ModuleSubject), *self._pdos(module)]:
             if (hit.rule.id, hit.found) not in told_there:
                 yield hit._replace(found=hit.found._replace(message=words + hit.found.message), place=())
 

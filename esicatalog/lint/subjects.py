@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from esicatalog.esi.binding import Record
+from esicatalog.esi.containers import reference_path
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import EsiInfo
 from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
@@ -111,14 +112,10 @@ class Gaps(NamedTuple):
 
     def concerns(self, profile: Profile) -> bool:
         """Whether the dictionary of a profile is missing, or may have further objects."""
-        name = _path(profile.dictionary_file or "")
+        name = reference_path(profile.dictionary_file or "")
         return bool(name) and (
-            profile.dictionary is None or any(_path(text).endswith(name) for text in self.dictionaries)
+            profile.dictionary is None or any(reference_path(text).endswith(name) for text in self.dictionaries)
         )
-
-
-def _path(reference: str) -> str:
-    return reference.strip().replace("\\", "/")
 
 
 class Owner:
