@@ -1,12 +1,16 @@
 """Fixtures that several test files use. ``corpus`` names real files that are not part of the project."""
 
+import ast
 import contextlib
 import gc
+import inspect
 import os
 import subprocess
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
+from types import ModuleType
 from typing import TypeVar
 
 import pytest
@@ -35,14 +39,39 @@ _LONGEST = ("kill", "postgres_writers", "faults", "browser", "upgrade", "ingest"
 """Test files that take long for the number of their tests: they come first, lest one process is left with them."""
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_xdist_auto_num_workers() -> int:
+    """One process more than processors: an eighth of the time is spent waiting, for locks, servers and browsers."""
+    return (os.cpu_count() or 1) + 1
+
+
+def pytest_collection_modifyitems(items: list[pytest.Function]) -> None:
     """Mark what answers through Datasette: ``make test-datasette-1`` runs that on the coming line of it."""
     items.sort(key=lambda item: item.path.stem.removeprefix("test_") not in _LONGEST)
     for item in items:
-        names = vars(item.module)
-        sources = {getattr(value, "__module__", None) for value in names.values()}
-        if "served" in item.fixturenames or "serving" in names or sources & _APPLICATIONS:
+        if item.originalname in _using_datasette(item.module):
             item.add_marker("datasette")
+
+
+@cache
+def _using_datasette(module: ModuleType) -> set[str]:
+    """What of a test file leads to an application or a server: fixtures are named as arguments, commands in texts."""
+    uses = {
+        function.name: {
+            str(getattr(item, field, None)) for item in ast.walk(function) for field in ("id", "arg", "value", "module")
+        }
+        for function in ast.parse(inspect.getsource(module)).body
+        if isinstance(function, ast.FunctionDef | ast.AsyncFunctionDef)
+    }
+    using = {"served", "serving", "serve", "datasette", "datasette.app"}
+    for name, value in vars(module).items():
+        home = getattr(value, "__module__", None) or ""
+        if home in _APPLICATIONS or home.startswith("datasette"):
+            using.add(name)
+        elif home != module.__name__ and "tests" in Path(getattr(sys.modules.get(home), "__file__", None) or "").parts:
+            using |= {name} & _using_datasette(sys.modules[home])
+    while found := {name for name, used in uses.items() if used & using} - using:
+        using |= found
+    return using
 
 
 @pytest.fixture(scope="session")

@@ -783,12 +783,12 @@ def test_the_patterns_of_openapi_are_what_the_filters_take(name):
     pattern = PATTERNS[name].removeprefix("^").removesuffix("$")
 
     @given(st.from_regex(pattern, fullmatch=True))
-    @settings(max_examples=60)
+    @settings(max_examples=25)
     def is_taken_when_made_from_it(text):
         assert is_taken(name, text)
 
     @given(SPELLINGS)
-    @settings(max_examples=150)
+    @settings(max_examples=60)
     def is_taken_if_it_has_it(text):
         assert is_taken(name, text) == bool(re.fullmatch(pattern, text))
 

@@ -90,7 +90,7 @@ def survive(case: Case, folder: Path, moment: float, target: str) -> None:
 
 @pytest.fixture(scope="module")
 def small(tmp_path_factory) -> dict[str, Case]:
-    return new_and_changed(tmp_path_factory.mktemp("small"), 80)
+    return new_and_changed(tmp_path_factory.mktemp("small"), 40)
 
 
 @pytest.mark.parametrize(
@@ -110,7 +110,7 @@ def test_a_killed_ingest_is_completed_by_the_next(tmp_path, small, kind, moment,
 
 def test_a_killed_ingest_has_stored_what_it_had_committed(tmp_path):
     """The last committed state is what the next run goes on from: it reads only the rest."""
-    library = make_library(tmp_path / "library", 400)
+    library = make_library(tmp_path / "library", 250)
     db = tmp_path / "c.db"
     process = started(*ingest_command(db, library))
     while process.poll() is None and not (db.exists() and stored(db)):

@@ -145,7 +145,7 @@ def test_evidence_of_mappings_begins_with_the_devices_found(engine, index, bits)
     check(engine, DeviceFilter(maps=((index, None),), bits=bits))
 
 
-@settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=20, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(wanted=filters())
 def test_filters_together(engine, wanted):
     check(engine, wanted)
