@@ -370,6 +370,21 @@ async def test_json_of_a_variant_that_is_not_there_names_those_that_are(tmp_path
     assert "match" not in found
 
 
+async def test_json_of_a_device_says_that_others_contradict_it(tmp_path):
+    """Both documents describe 0xe5c:1:1, one with 2 input bytes, the other with 4."""
+    documents = [esi(device(pdo("TxPdo", "#x1A00", bits), name=name)) for name, bits in (("A", 16), ("B", 32))]
+    db = catalog_of(tmp_path, *documents)
+    first, second = [
+        (await (await client(db)).get(f"/-/esi/device/0xe5c/1/1{variant}.json")).json() for variant in ("", "@2")
+    ]
+    assert first["variants"] == second["variants"]
+    assert [(item["variant"], len(item["sources"])) for item in first["variants"]] == [(1, 1), (2, 1)]
+    assert [sheet["identity"]["variant"] for sheet in (first, second)] == [1, 2]
+    assert {item["name"] for item in first["variants"]} == {"A", "B"}
+    asked = (await (await client(db)).get("/-/esi/identify.json?vendor=0xe5c&product=1&revision=1")).json()
+    assert first["variants"] == asked["variants"]
+
+
 async def test_virtual_sync_managers_are_named_so(tmp_path):
     """ESI-FACTS 8, Sm/@Virtual: not a real SyncManager; in the sheet too."""
     content = '<Sm ControlByte="#x64">Outputs</Sm><Sm ControlByte="#x64" Virtual="1">Outputs</Sm>'
@@ -943,6 +958,15 @@ async def test_sheet_and_page_list_the_same_slots_with_what_fits(tmp_path):
         assert offered == [f"{number}={ident}" for number in range(3) for ident in ("", "0x10", "0x20")]
         selected = [option.get("value") for option in tree.cssselect("#slots option[selected]")]
         assert selected == [f"{number}={ident}" for number, ident in plugged.items()]
+        found = (await (await client(db)).get(f"/-/esi/device/0xe5c/1/1.json{query}")).json()["slots"]
+        assert [(slot["first"], slot["last"], slot["name"]) for slot in found] == [
+            *((int(numbers[0]), int(numbers[-1]), "Port") for numbers in runs),
+            (3, 3, ""),
+        ]
+        fitting = [(slot["first"], item["choice"], item["plugged"]) for slot in found for item in slot["modules"]]
+        assert fitting == [
+            (int(numbers[0]), ident, plugged.get(numbers) == ident) for numbers in runs for ident in ("0x10", "0x20")
+        ]
         assert "Slot 3: no described module to choose" in texts(tree, "section[aria-labelledby=image] p")
 
 
