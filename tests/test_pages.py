@@ -922,6 +922,38 @@ async def test_a_search_keeps_every_filter(data_db):
     assert sorted(item for item in sent if item[1]) == sorted(parse_qsl(query))
 
 
+FIELDS = {"text", "mode", "sync", "protocol", "maps", "object", "bytes-in", "bytes-out", "min-cycle-ns", "e-bus-ma"} | {
+    *("axes", "physics", "like", "strict", "include-hidden", "all-variants", "needs-dc", "complete-access"),
+    *("pdo-assign", "pdo-config", "bootstrap", "no-lrw"),
+}
+"""What the form shows of a search: written, chosen or ticked."""
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        "text=nothing-like-it&vendor=0x1097",
+        "vendor=EYOU&profile=402&product=0x2406",
+        "maps=0x6040&bits=16&not-maps=0x1&not-maps=0x2&identification=ado&mode=CSV",
+        "product=nonsense&text=servo",
+    ],
+)
+async def test_every_filter_without_a_field_is_named_and_can_be_taken_back(data_db, query):
+    """Also where no device is found, or the filter cannot be read."""
+    tree = html.fromstring((await (await client(data_db)).get(f"/-/esi/?{query}")).text)
+    given = parse_qsl(query)
+    named = {name: link.get("href") for link in tree.cssselect("a.chip") for name in texts(link, "bdi")}
+    assert [*named] == [f"{name} {text}" for name, text in given if name not in FIELDS]
+    for words, href in named.items():
+        assert parse_qsl(href.removeprefix("?")) == [item for item in given if " ".join(item) != words]
+
+
+@pytest.mark.parametrize(("query", "is_open"), [("text=a&object=&axes=&like=", 0), ("needs-dc=1", 1), ("axes=2", 1)])
+async def test_more_filters_are_open_where_one_of_them_is_asked(data_db, query, is_open):
+    """Forms send empty fields too."""
+    assert len((await page(data_db, f"/-/esi/?{query}")).cssselect("details.more[open]")) == is_open
+
+
 async def test_after_the_last_page_comes_no_other(library_db):
     last, beyond = [await page(library_db, f"/-/esi/?text=terminal&page={number}") for number in (2, 9)]
     shown = [(texts(tree, ".pages"), texts(tree, ".device-head"), texts(tree, "h2")) for tree in (last, beyond)]
