@@ -78,6 +78,24 @@ def test_dictionary_is_loaded_and_filtered(page: Page):
     assert page.locator("details[data-object]:visible").count() == 1
 
 
+def test_objects_that_cannot_be_had_are_asked_for_again(page: Page):
+    """A server that is restarted, then one that refuses, then one that answers."""
+    page.goto(EYOU)
+    section = page.locator("section[aria-labelledby=objects]")
+    summary = section.locator("summary").first
+    for hinder, words in (
+        (lambda route: route.abort(), "the server cannot be reached"),
+        (lambda route: route.fulfill(status=503), "the server answered 503"),
+    ):
+        page.route("**/objects", hinder)
+        summary.click()
+        expect(section.locator("[data-target]")).to_contain_text(words)
+        page.unroute("**/objects")
+        summary.click()
+    summary.click()
+    expect(section.locator("details[data-object]").first).to_be_visible()
+
+
 def test_the_page_of_objects_alone_is_filtered(page: Page):
     page.goto(f"{EYOU}/objects")
     page.get_by_label("Filter by index, name or type").fill("0x6502")
