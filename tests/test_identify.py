@@ -619,6 +619,11 @@ async def test_bounds_methods_and_etag(data_db):
     again = await web.get(f"{ROUTE}?vendor=0x1097&product=0x2406", headers={"if-none-match": first.headers["etag"]})
     assert (first.status_code, again.status_code, again.content) == (200, 304, b"")
     assert "access-control-allow-origin" not in first.headers
+    # RFC 9110, 13.1.2: a list, compared weakly.
+    etag = first.headers["etag"]
+    for held, status in ((f"W/{etag}", 304), (f'"a",W/{etag} , "b"', 304), ('"a", W/"b"', 200), (etag.strip('"'), 200)):
+        answer = await web.get(f"{ROUTE}?vendor=0x1097&product=0x2406", headers={"if-none-match": held})
+        assert answer.status_code == status, held
 
 
 async def test_a_document_without_devices_makes_other_answers(tmp_path):

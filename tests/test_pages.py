@@ -485,6 +485,9 @@ async def test_images_are_shown(tmp_path):
     [
         ("product_code=0x10", "product_code=16"),
         ("a=1&entry_index__in=0x10,%23x11&b=0x1", "a=1&entry_index__in=16,17&b=0x1"),
+        ("product_code__in=%5B%220x044c2c52%22%2C+%22%23x11%22%2C+18%5D&b=1", "product_code__in=72100946,17,18&b=1"),
+        ("product_code__in=%5B%220x10%22", None),
+        ("product_code__in=" + "[" * 100_000 + "0x10", None),
         ("product_code=16", None),
         ("name=0x10", None),
         ("product_code__contains=0x10", None),
