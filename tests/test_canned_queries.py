@@ -88,6 +88,17 @@ async def test_a_part_of_the_name_of_a_vendor_finds_what_the_command_finds(tmp_p
     assert len(listed) == (3 if part in ("TEST", "other") else 0)
 
 
+async def test_the_mode_matrix_counts_makers_of_one_vendor_id_apart(tmp_path):
+    """As devices and their modes name them: two documents say rt-labs, one kubabuda."""
+    spelled = [f"<Id>#xE5C</Id><Name>{name}</Name>" for name in ("rt-labs", "kubabuda", "rt-labs")]
+    documents = [esi(device(_DRIVE, product=f"#x{n}"), vendor=vendor) for n, vendor in enumerate(spelled, 1)]
+    web = await client(catalog_of(tmp_path, *documents))
+    matrix = (await web.get("/catalog/drive_modes_of_each_vendor.json", params={"_shape": "array"})).json()
+    assert [(row["vendor"], row["drives"], row["csv"]) for row in matrix] == [("rt-labs", 2, 2), ("kubabuda", 1, 1)]
+    listed = (await web.get("/catalog/drives_with_a_mode.json", params={"_shape": "array"})).json()
+    assert sorted(row["vendor"] for row in listed) == ["kubabuda", "rt-labs", "rt-labs"]
+
+
 @pytest.fixture(scope="module")
 def drives_db(tmp_path_factory) -> Path:
     return catalog_of(tmp_path_factory.mktemp("drives"), DRIVES)
