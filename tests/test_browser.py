@@ -16,7 +16,7 @@ pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no chromium on this ma
 
 EYOU = "/-/esi/device/0x1097/0x2406/0x8f"
 COMPARE = "/-/esi/compare?a=0xe5c:0x0d080808:0x00100000&b=0xe5c:0x0d080808:0x00110000"
-PAGES = ("/-/esi/", "/-/esi/?mode=CSV", EYOU, "/-/esi/scan", COMPARE)
+PAGES = ("/-/esi/", "/-/esi/?mode=CSV&vendor=0x1097", EYOU, "/-/esi/scan", COMPARE)
 
 
 @pytest.fixture(scope="module")
