@@ -3,19 +3,29 @@
 What ``esicatalog devices`` would refuse is an error here too: none found must not be the answer to a slip.
 """
 
+from collections.abc import Iterable
 from typing import Any
 
+from esicatalog.catalog.device_filter import MODES
 from esicatalog.catalog.filter_texts import TRUE_WORDS
 from esicatalog.catalog.views import mapped_subindex, vendor_name
-from esicatalog.model.drive_evidence import YES
-from esicatalog.model.drive_modes import LIKELY, accepted_verdicts
+from esicatalog.model.cia402 import CIA402
+from esicatalog.model.drive_modes import accepted_verdicts
+from esicatalog.model.words import MAILBOX_PROTOCOLS
 
 _IDENTITY = "vendor, device_type, device_name, vendor_id_hex, product_code_hex, revision_no_hex"
 _ORDER = "vendor_id, product_code, revision_no"
-_TRUE = f"({', '.join(map(repr, TRUE_WORDS))})"
+
+
+def _texts(words: Iterable[str]) -> str:
+    """A list of texts, none of which has a quote."""
+    return "({})".format(", ".join(f"'{word}'" for word in words))
+
+
+_TRUE = _texts(TRUE_WORDS)
 _SHOWN = f"(hidden = 0 or :include_hidden in {_TRUE})"
 """Rows of revisions that ``esicatalog devices`` lists, with and without ``--include-hidden``."""
-_ACCEPTED = "({})".format(", ".join(f"'{word}'" for word in accepted_verdicts()))
+_ACCEPTED, _ACCEPTED_STRICTLY = _texts(accepted_verdicts()), _texts(accepted_verdicts(strict=True))
 _HIDDEN_DOC = "include_hidden: 1 = also revisions that another description supersedes (empty = without them)."
 
 
@@ -79,7 +89,7 @@ order by {_ORDER}
         "title": "Devices with DC SYNC1",
         "description": (
             "Devices with an OpMode whose AssignActivate generates SYNC1; op_modes names them with the word. "
-            "vendor: part of the vendor's name (empty = all). "
+            "vendor: part of one of the vendor's names (empty = all). "
             f"{_HIDDEN_DOC}"
         ),
         "params": ["vendor", "include_hidden"],
@@ -89,7 +99,8 @@ select device_id, {_IDENTITY},
 from device_dc_modes
 where {_readable("include_hidden")}
   and sync1 = 1 and device_id in (select device_id from device_facts where supports_sync1 = 1)
-  and variant = 1 and {_SHOWN} and (:vendor = '' or vendor like '%' || :vendor || '%')
+  and variant = 1 and {_SHOWN}
+  and (:vendor = '' or vendor_id in (select vendor_id from vendor_names where instr(lower(name), lower(:vendor))))
 group by device_id
 order by {_ORDER}
 """,
@@ -97,7 +108,7 @@ order by {_ORDER}
     "drives_with_a_mode": {
         "title": "Which drives support CSV",
         "description": (
-            "mode: PP VL PV TQ HM IP CSP CSV CST CSTCA (empty = CSV); strict: 1 = only the verdict yes (empty = yes "
+            f"mode: {' '.join(MODES)} (empty = CSV); strict: 1 = only the verdict yes (empty = yes "
             "and likely). What the files say, not what the drives do: read 0x6502 on the drive. recipe says what to "
             f"plug, assign, choose and write. {_HIDDEN_DOC}"
         ),
@@ -107,8 +118,8 @@ select device_id, {_IDENTITY},
   axis, mode, verdict, conflict, evidence, recipe
 from device_drive_modes
 where {_readable("mode", "strict", "include_hidden")}
-  and mode = upper(ifnull(nullif(trim(:mode), ''), 'CSV')) and kind = 'CiA 402' and variant = 1 and {_SHOWN}
-  and verdict in ('{YES}', case when :strict not in {_TRUE} then '{LIKELY}' end)
+  and mode = upper(ifnull(nullif(trim(:mode), ''), 'CSV')) and kind = '{CIA402}' and variant = 1 and {_SHOWN}
+  and verdict in {_ACCEPTED} and (verdict in {_ACCEPTED_STRICTLY} or :strict not in {_TRUE})
 order by {_ORDER}, axis
 """,
     },
@@ -125,7 +136,7 @@ select device_id, {_IDENTITY},
     where c.device_id = m.device_id and c.sync1 = 1) as sync1_op_modes
 from device_drive_modes m
 where {_readable("include_hidden")}
-  and mode = 'CSV' and kind = 'CiA 402' and verdict in {_ACCEPTED} and variant = 1 and {_SHOWN}
+  and mode = 'CSV' and kind = '{CIA402}' and verdict in {_ACCEPTED} and variant = 1 and {_SHOWN}
   and device_id in (select device_id from device_facts where supports_sync1 = 1)
 order by {_ORDER}, axis
 """,
@@ -143,7 +154,7 @@ select m.device_id, {_IDENTITY},
   axis, verdict, evidence, fsoe, fsoe_evidence
 from device_drive_modes m join device_facts f on f.device_id = m.device_id
 where {_readable("include_hidden")}
-  and mode = 'CSP' and kind = 'CiA 402' and verdict in {_ACCEPTED} and variant = 1 and {_SHOWN}
+  and mode = 'CSP' and kind = '{CIA402}' and verdict in {_ACCEPTED} and variant = 1 and {_SHOWN}
   and fsoe is not null
 order by {_ORDER}, axis
 """,
@@ -180,17 +191,16 @@ order by vendor_id_hex, product_code_hex, revision_no_hex
     "devices_by_mailbox_protocol": {
         "title": "Devices by mailbox protocol",
         "description": (
-            f"protocol: coe, eoe, foe, soe, aoe or voe (empty = foe); as declared by the Mailbox element. {_HIDDEN_DOC}"
+            f"protocol: {', '.join(MAILBOX_PROTOCOLS)} (empty = foe); as declared by the Mailbox element. {_HIDDEN_DOC}"
         ),
         "params": ["protocol", "include_hidden"],
         "sql": f"""\
 select device_id, {_IDENTITY},
-  coe, eoe, foe, soe, aoe, voe, coe_complete_access, coe_sdo_info
+  {", ".join(MAILBOX_PROTOCOLS)}, coe_complete_access, coe_sdo_info
 from device_overview
 where {_readable("protocol", "include_hidden")}
   and variant = 1 and {_SHOWN} and case lower(ifnull(nullif(trim(:protocol), ''), 'foe'))
-  when 'coe' then coe when 'eoe' then eoe when 'foe' then foe
-  when 'soe' then soe when 'aoe' then aoe when 'voe' then voe end = 1
+  {" ".join(f"when '{name}' then {name}" for name in MAILBOX_PROTOCOLS)} end = 1
 order by {_ORDER}
 """,
     },
@@ -243,11 +253,11 @@ order by d.vendor_id, d.product_code, d.revision_no, m.module_ident, pdo
         "sql": f"""\
 select device_id, {_IDENTITY},
   revision_text, hidden, layout_changed, output_bytes, input_bytes,
-  (select group_concat(distinct hex0x(newer.revision_no, 8))
+  (select group_concat(distinct ifnull(hex0x(newer.revision_no, 8), '-'))
     from hidden_revisions h join devices newer on newer.id = h.device_id
     where newer.vendor_id = d.vendor_id and ifnull(h.product_code, newer.product_code) = d.product_code
       and h.revision_no = d.revision_no
-      and (newer.product_code <> d.product_code or newer.revision_no is not d.revision_no)) as superseded_by
+      and (newer.product_code is not d.product_code or newer.revision_no is not d.revision_no)) as superseded_by
 from device_revisions d
 where {_readable("vendor", "product")}
   and (:vendor = '' or vendor_id = parse_hex(:vendor)) and product_code = parse_hex(:product)

@@ -381,9 +381,9 @@ def _lookup_on(connection: "sa.Connection") -> "IdentityLookup":
 def _subject_among_variants(connection: "sa.Connection", wanted: Identity) -> "Subject":
     from esicatalog.catalog.devices import find_device, variants_with_slots
 
-    number, found, variant_count = find_device(connection, wanted)
-    with_slots = variants_with_slots(connection, found, variant_count)
-    is_open = wanted.variant is None and variant_count > 1
+    number, found, variants = find_device(connection, wanted)
+    with_slots = variants_with_slots(connection, found, len(variants))
+    is_open = wanted.variant is None and len(variants) > 1
     differing = _lookup_on(connection).other_variants(found) if is_open else None
     words = f"{found.identity_text} has several descriptions; @1 is taken, append @N to choose another: {differing}"
     subject = _export_subject(connection, number, found)

@@ -117,7 +117,7 @@ def test_the_recipe_of_a_module_tells_what_is_assigned_with_it_plugged():
     assert (found[1].rx_pdo_index, found[1].rx_pdo_is_default) == (0x1611, True)
 
 
-def test_virtual_pdos_of_modules_are_never_assigned(tmp_path):
+async def test_virtual_pdos_of_modules_are_never_assigned(tmp_path):
     text = modular("#x1700", setpoint("1600", f'{ON_SM2} Virtual="1"') + setpoint("1601", ON_SM2) + setpoint("1602"))
     db = catalog_of(tmp_path, text)
     with Catalog.open(db) as catalog:
@@ -129,3 +129,9 @@ def test_virtual_pdos_of_modules_are_never_assigned(tmp_path):
     )
     sheet = assigned_in_sheet(run("show", "0xe5c:1:1", db=db).stdout, "PDOs of the module")
     assert sheet == {"0x1600": "no", "0x1601": "SM2", "0x1602": "no"}
+    shown = texts(await page(db, "/-/esi/device/0xe5c/1/1"), "#pdos ~ details details summary .small")
+    assert [text.split(", ")[1] for text in shown] == [
+        "not assigned by default",
+        "SM2 when plugged",
+        "not assigned by default",
+    ]

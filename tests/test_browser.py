@@ -16,7 +16,7 @@ pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no chromium on this ma
 
 EYOU = "/-/esi/device/0x1097/0x2406/0x8f"
 COMPARE = "/-/esi/compare?a=0xe5c:0x0d080808:0x00100000&b=0xe5c:0x0d080808:0x00110000"
-PAGES = ("/-/esi/", "/-/esi/?mode=CSV", EYOU, "/-/esi/scan", COMPARE)
+PAGES = ("/-/esi/", "/-/esi/?mode=CSV&vendor=0x1097", EYOU, "/-/esi/scan", COMPARE)
 
 
 @pytest.fixture(scope="module")
@@ -76,6 +76,24 @@ def test_dictionary_is_loaded_and_filtered(page: Page):
     box.fill("0x6502")
     expect(page.locator("[data-shown]")).to_have_text("1 object")
     assert page.locator("details[data-object]:visible").count() == 1
+
+
+def test_objects_that_cannot_be_had_are_asked_for_again(page: Page):
+    """A server that is restarted, then one that refuses, then one that answers."""
+    page.goto(EYOU)
+    section = page.locator("section[aria-labelledby=objects]")
+    summary = section.locator("summary").first
+    for hinder, words in (
+        (lambda route: route.abort(), "the server cannot be reached"),
+        (lambda route: route.fulfill(status=503), "the server answered 503"),
+    ):
+        page.route("**/objects", hinder)
+        summary.click()
+        expect(section.locator("[data-target]")).to_contain_text(words)
+        page.unroute("**/objects")
+        summary.click()
+    summary.click()
+    expect(section.locator("details[data-object]").first).to_be_visible()
 
 
 def test_the_page_of_objects_alone_is_filtered(page: Page):

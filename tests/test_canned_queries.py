@@ -61,6 +61,44 @@ async def test_no_revision_supersedes_itself(tmp_path):
     assert found == [("0x00000001", 1, "0x00000002"), ("0x00000002", 0, None)]
 
 
+@pytest.mark.parametrize("codes", ['RevisionNo="#x9"', ""])
+async def test_what_has_no_product_code_can_hide_a_revision(tmp_path, codes):
+    """What is hidden names by which revision; - where that is not given."""
+    hiding = device("<HideType ProductCode='#x1' RevisionNo='#x1'/>", product="").replace(
+        "<Type ", f"<Type {codes} ", 1
+    )
+    db = catalog_of(tmp_path, esi(device() + hiding))
+    query = "/catalog/revisions_of_a_product.json"
+    answer = await (await client(db)).get(query, params={"vendor": "", "product": "1", "_shape": "array"})
+    found = [(row["hidden"], row["superseded_by"]) for row in answer.json()]
+    assert found == [(1, "0x00000009" if codes else "-")]
+
+
+@pytest.mark.parametrize("part", ["_", "%", "TEST", "other", "nobody"])
+async def test_a_part_of_the_name_of_a_vendor_finds_what_the_command_finds(tmp_path, part):
+    """The same id under two names, of which one is shown: both are looked at, and no letter stands for others."""
+    spelled = [f"<Id>#xE5C</Id><Name>{name}</Name>" for name in ("Test vendor", "Test vendor", "Other name")]
+    documents = [esi(device(_DRIVE, product=f"#x{n}"), vendor=vendor) for n, vendor in enumerate(spelled, 1)]
+    db = catalog_of(tmp_path, *documents)
+    asked = {"vendor": part, "include_hidden": "", "_shape": "array"}
+    answer = await (await client(db)).get("/catalog/devices_with_dc_sync1.json", params=asked)
+    with Catalog.open(db) as catalog:
+        listed = [f"0x{found.product_code:08x}" for found in catalog.devices(vendor=part, sync="sync1")]
+    assert [row["product_code_hex"] for row in answer.json()] == listed
+    assert len(listed) == (3 if part in ("TEST", "other") else 0)
+
+
+async def test_the_mode_matrix_counts_makers_of_one_vendor_id_apart(tmp_path):
+    """As devices and their modes name them: two documents say rt-labs, one kubabuda."""
+    spelled = [f"<Id>#xE5C</Id><Name>{name}</Name>" for name in ("rt-labs", "kubabuda", "rt-labs")]
+    documents = [esi(device(_DRIVE, product=f"#x{n}"), vendor=vendor) for n, vendor in enumerate(spelled, 1)]
+    web = await client(catalog_of(tmp_path, *documents))
+    matrix = (await web.get("/catalog/drive_modes_of_each_vendor.json", params={"_shape": "array"})).json()
+    assert [(row["vendor"], row["drives"], row["csv"]) for row in matrix] == [("rt-labs", 2, 2), ("kubabuda", 1, 1)]
+    listed = (await web.get("/catalog/drives_with_a_mode.json", params={"_shape": "array"})).json()
+    assert sorted(row["vendor"] for row in listed) == ["kubabuda", "rt-labs", "rt-labs"]
+
+
 @pytest.fixture(scope="module")
 def drives_db(tmp_path_factory) -> Path:
     return catalog_of(tmp_path_factory.mktemp("drives"), DRIVES)

@@ -131,6 +131,23 @@ def test_an_unknown_size_is_a_mark():
     assert [box.get("class") for box in root.iter(f"{SVG}rect")] == ["no-size", "no-size"]
 
 
+def test_no_bytes_are_not_an_unknown_size():
+    """0 is known of DefaultSize, of an image without PDOs, and of neither where an image is open."""
+    sizes, known = (0, 0, None, 0), {1: True, 2: True, 3: False}
+    areas = [sm("Inputs", 0x1000 * (number + 1), size, BUFFERED_IN) for number, size in enumerate(sizes)]
+    images = [SmImage(number, None, OUTPUT, (), 0, (), has_known_size=is_known) for number, is_known in known.items()]
+    svg = memory_map_svg(Device(sync_managers=tuple(areas)), images)
+    root = drawn(svg)
+    assert [title(root, number).partition("\n")[2] for number in range(4)] == [
+        "starts at 0x1000, 0 bytes: DefaultSize 0 bytes",
+        "starts at 0x2000, 0 bytes: DefaultSize 0 bytes",
+        "starts at 0x3000, 0 bytes: process image 0 bytes",
+        "starts at 0x4000, size unknown: DefaultSize 0 bytes, process image of unknown length",
+    ]
+    assert ["SM0 Inputs: 0 bytes" in words(root), "SM3 Inputs: size unknown" in words(root)] == [True, True]
+    assert addresses(root) == ["0x1000", "0x2000", "0x3000", "0x4000"]
+
+
 def test_an_unknown_mode_is_drawn_once_and_said():
     for control in (None, 0x21):
         root = memory_map(sm("Inputs", 0x1000, 4, control))

@@ -29,7 +29,7 @@ from esicatalog.catalog.filter_texts import SHARPENS, filter_of_texts
 from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.results import json_bytes
 from esicatalog.cli.serve import _listen
-from esicatalog.identity import Identity
+from esicatalog.identity import Identity, parse_number
 from esicatalog.scan.front import read_pdos, read_scan
 from esicatalog.web.app import datasette_app
 from esicatalog.web.http import MAX_BODY_BYTES
@@ -619,6 +619,11 @@ async def test_bounds_methods_and_etag(data_db):
     again = await web.get(f"{ROUTE}?vendor=0x1097&product=0x2406", headers={"if-none-match": first.headers["etag"]})
     assert (first.status_code, again.status_code, again.content) == (200, 304, b"")
     assert "access-control-allow-origin" not in first.headers
+    # RFC 9110, 13.1.2: a list, compared weakly.
+    etag = first.headers["etag"]
+    for held, status in ((f"W/{etag}", 304), (f'"a",W/{etag} , "b"', 304), ('"a", W/"b"', 200), (etag.strip('"'), 200)):
+        answer = await web.get(f"{ROUTE}?vendor=0x1097&product=0x2406", headers={"if-none-match": held})
+        assert answer.status_code == status, held
 
 
 async def test_a_document_without_devices_makes_other_answers(tmp_path):
@@ -694,7 +699,7 @@ def test_answers_are_sent_without_waiting_for_acknowledgements():
 
 def names_no_slot_twice(case) -> bool:
     """OpenAPI has no words for a part of texts that differs."""
-    slots = [int(text.partition("=")[0]) for text in case.query.get("module", [])]
+    slots = [parse_number(text.partition("=")[0]) for text in case.query.get("module", [])]
     return len(set(slots)) == len(slots)
 
 
@@ -730,7 +735,7 @@ def test_openapi_says_what_the_routes_do(data_db, examples):
     [
         ("0xe5c/0x1/-", "0x00000e5c:0x00000001:- is not in the catalog"),
         ("0xe5c/0x1/0x1@9", "0x00000e5c:0x00000001:0x00000001 has no variant 9; it has one description only"),
-        ("0xe5c/0x1/latest@9", "0x00000e5c:0x00000001 has no variant 9; it has one description only"),
+        ("0xe5c/0x1/latest@9", "0x00000e5c:0x00000001:0x00000001 has no variant 9; it has one description only"),
         ("0xe5c/0x1/0x2", {"match": "older", "revision_no": 2}),
         ("0xe5c/0x7/-", {"match": "vendor", "revision_no": None}),
         ("0xe5d/0x1/0x1@2", {"match": "none", "revision_no": 1}),
@@ -823,6 +828,19 @@ def test_openapi_lists_the_modules_that_the_route_of_a_device_reads(data_db):
     assert list(listed) == ["vendor", "product", "revision", "module"]
     items = listed["module"]["schema"]["items"]
     assert all(re.search(items["pattern"], text) for text in items["examples"])
+    # As pages write them, as people do, and what parse_plugged refuses.
+    assert all(re.search(items["pattern"], text) for text in ("0=0x13EC", "0x10=5100", "#x1=#X13ec/KL6021-A"))
+    assert not any(re.search(items["pattern"], text) for text in ("65536=0x1", "0=0x1/", "=0x1", "0=13EC"))
+
+
+@pytest.mark.parametrize(
+    "path", ["4247/9222/143", "#x1097/#X2406/0X8F", "0x1097/0x2406/0x8f@0x1", "1/1/latest", "1/1/-@2"]
+)
+def test_openapi_takes_the_notations_that_the_route_of_a_device_takes(path):
+    paths = openapi_document("/")["paths"]
+    parameters = paths["/-/esi/device/{vendor}/{product}/{revision}.json"]["get"]["parameters"]
+    patterns = [item["schema"]["pattern"] for item in parameters if item["in"] == "path"]
+    assert all(re.search(pattern, text) for pattern, text in zip(patterns, path.split("/"), strict=True))
 
 
 def test_a_scan_on_the_shell(data_db, tmp_path):

@@ -5,6 +5,8 @@ import urllib.request
 
 import pytest
 
+from esicatalog.web.mcp_tools import _MOST_SHOWN
+
 pytest.importorskip("datasette_mcp", reason="datasette-mcp is not installed")
 
 HEADERS = {"accept": "application/json, text/event-stream", "content-type": "application/json"}
@@ -44,6 +46,42 @@ def test_their_answers(served):
     assert [device["type"] for device in json.loads(text)["devices"]] == ["EYOU_ServoModule_V143"]
     failed, text = called(served, "device_sheet", identity="0x1097:0x2406")
     assert json.loads(text)["identity"]["revision_no"] == 0x8F
+
+
+def test_filters_are_those_of_the_command(served):
+    """Numbers, truth values and several objects too; data/ has three drives that run CSV and map both objects."""
+    filters = {"mode": "CSV", "maps": ["0x6040"], "bits": 16, "include-hidden": True, "strict": False, "limit": 2}
+    failed, text = called(served, "find_devices", filters=filters)
+    assert not failed, text
+    found = json.loads(text)
+    assert (found["count"], found["shown"], len(found["devices"])) == (3, 2, 2)
+    failed, text = called(served, "find_devices", filters={"maps": ["0x6040", "0x60FF"], "not-maps": ["0x1", "0x2"]})
+    assert (failed, json.loads(text)["count"]) == (False, 3)
+
+
+def test_no_more_than_are_said_are_shown(served):
+    tools = asked(served, "tools/list", {})["tools"]
+    (words,) = [tool["description"] for tool in tools if tool["name"] == "find_devices"]
+    assert f"At most {_MOST_SHOWN} devices" in words
+
+
+def test_a_sheet_names_variants_and_what_fits_into_slots(served):
+    """EYOU has module 0x119800 in slot 0 by default: 0x219800 of the same file exchanges something else."""
+    sheets = []
+    for modules in ([], ["0=0x219800"]):
+        failed, text = called(served, "device_sheet", identity="0x1097:0x2406", modules=modules)
+        assert not failed, text
+        sheets.append(json.loads(text))
+    assert [len(sheet["variants"]) for sheet in sheets] == [1, 1]
+    plugged = [
+        [module["choice"] for slot in sheet["slots"] for module in slot["modules"] if module["plugged"]]
+        for sheet in sheets
+    ]
+    assert plugged == [["0x119800"], ["0x219800"]]
+    assert sheets[0]["process_image"] != sheets[1]["process_image"]
+    failed, text = called(served, "device_sheet", identity="0x1097:0x2406", modules=["0=0x1"])
+    assert failed
+    assert "does not fit slot 0" in text
 
 
 def test_what_is_wrong_is_told_in_words(served):

@@ -370,6 +370,21 @@ async def test_json_of_a_variant_that_is_not_there_names_those_that_are(tmp_path
     assert "match" not in found
 
 
+async def test_json_of_a_device_says_that_others_contradict_it(tmp_path):
+    """Both documents describe 0xe5c:1:1, one with 2 input bytes, the other with 4."""
+    documents = [esi(device(pdo("TxPdo", "#x1A00", bits), name=name)) for name, bits in (("A", 16), ("B", 32))]
+    db = catalog_of(tmp_path, *documents)
+    first, second = [
+        (await (await client(db)).get(f"/-/esi/device/0xe5c/1/1{variant}.json")).json() for variant in ("", "@2")
+    ]
+    assert first["variants"] == second["variants"]
+    assert [(item["variant"], len(item["sources"])) for item in first["variants"]] == [(1, 1), (2, 1)]
+    assert [sheet["identity"]["variant"] for sheet in (first, second)] == [1, 2]
+    assert {item["name"] for item in first["variants"]} == {"A", "B"}
+    asked = (await (await client(db)).get("/-/esi/identify.json?vendor=0xe5c&product=1&revision=1")).json()
+    assert first["variants"] == asked["variants"]
+
+
 async def test_virtual_sync_managers_are_named_so(tmp_path):
     """ESI-FACTS 8, Sm/@Virtual: not a real SyncManager; in the sheet too."""
     content = '<Sm ControlByte="#x64">Outputs</Sm><Sm ControlByte="#x64" Virtual="1">Outputs</Sm>'
@@ -470,6 +485,9 @@ async def test_images_are_shown(tmp_path):
     [
         ("product_code=0x10", "product_code=16"),
         ("a=1&entry_index__in=0x10,%23x11&b=0x1", "a=1&entry_index__in=16,17&b=0x1"),
+        ("product_code__in=%5B%220x044c2c52%22%2C+%22%23x11%22%2C+18%5D&b=1", "product_code__in=72100946,17,18&b=1"),
+        ("product_code__in=%5B%220x10%22", None),
+        ("product_code__in=" + "[" * 100_000 + "0x10", None),
         ("product_code=16", None),
         ("name=0x10", None),
         ("product_code__contains=0x10", None),
@@ -907,6 +925,38 @@ async def test_a_search_keeps_every_filter(data_db):
     assert sorted(item for item in sent if item[1]) == sorted(parse_qsl(query))
 
 
+FIELDS = {"text", "mode", "sync", "protocol", "maps", "object", "bytes-in", "bytes-out", "min-cycle-ns", "e-bus-ma"} | {
+    *("axes", "physics", "like", "strict", "include-hidden", "all-variants", "needs-dc", "complete-access"),
+    *("pdo-assign", "pdo-config", "bootstrap", "no-lrw"),
+}
+"""What the form shows of a search: written, chosen or ticked."""
+
+
+@pytest.mark.parametrize(
+    "query",
+    [
+        "text=nothing-like-it&vendor=0x1097",
+        "vendor=EYOU&profile=402&product=0x2406",
+        "maps=0x6040&bits=16&not-maps=0x1&not-maps=0x2&identification=ado&mode=CSV",
+        "product=nonsense&text=servo",
+    ],
+)
+async def test_every_filter_without_a_field_is_named_and_can_be_taken_back(data_db, query):
+    """Also where no device is found, or the filter cannot be read."""
+    tree = html.fromstring((await (await client(data_db)).get(f"/-/esi/?{query}")).text)
+    given = parse_qsl(query)
+    named = {name: link.get("href") for link in tree.cssselect("a.chip") for name in texts(link, "bdi")}
+    assert [*named] == [f"{name} {text}" for name, text in given if name not in FIELDS]
+    for words, href in named.items():
+        assert parse_qsl(href.removeprefix("?")) == [item for item in given if " ".join(item) != words]
+
+
+@pytest.mark.parametrize(("query", "is_open"), [("text=a&object=&axes=&like=", 0), ("needs-dc=1", 1), ("axes=2", 1)])
+async def test_more_filters_are_open_where_one_of_them_is_asked(data_db, query, is_open):
+    """Forms send empty fields too."""
+    assert len((await page(data_db, f"/-/esi/?{query}")).cssselect("details.more[open]")) == is_open
+
+
 async def test_after_the_last_page_comes_no_other(library_db):
     last, beyond = [await page(library_db, f"/-/esi/?text=terminal&page={number}") for number in (2, 9)]
     shown = [(texts(tree, ".pages"), texts(tree, ".device-head"), texts(tree, "h2")) for tree in (last, beyond)]
@@ -943,6 +993,15 @@ async def test_sheet_and_page_list_the_same_slots_with_what_fits(tmp_path):
         assert offered == [f"{number}={ident}" for number in range(3) for ident in ("", "0x10", "0x20")]
         selected = [option.get("value") for option in tree.cssselect("#slots option[selected]")]
         assert selected == [f"{number}={ident}" for number, ident in plugged.items()]
+        found = (await (await client(db)).get(f"/-/esi/device/0xe5c/1/1.json{query}")).json()["slots"]
+        assert [(slot["first"], slot["last"], slot["name"]) for slot in found] == [
+            *((int(numbers[0]), int(numbers[-1]), "Port") for numbers in runs),
+            (3, 3, ""),
+        ]
+        fitting = [(slot["first"], item["choice"], item["plugged"]) for slot in found for item in slot["modules"]]
+        assert fitting == [
+            (int(numbers[0]), ident, plugged.get(numbers) == ident) for numbers in runs for ident in ("0x10", "0x20")
+        ]
         assert "Slot 3: no described module to choose" in texts(tree, "section[aria-labelledby=image] p")
 
 

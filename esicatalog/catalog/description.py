@@ -10,7 +10,7 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.devices import find_device, variants_with_slots
 from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.reader import RecordReader
-from esicatalog.catalog.results import DeviceSource, FoundDevice
+from esicatalog.catalog.results import DeviceSource, FoundDevice, IdentifiedDevice
 from esicatalog.catalog.siblings import Revision, revisions_of, same_layout
 from esicatalog.esi.binding import Record
 from esicatalog.esi.records.common import display_text
@@ -18,7 +18,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
-from esicatalog.model.module_choice import chosen_modules
+from esicatalog.model.module_choice import SlotOffer, chosen_modules, slot_offers
 from esicatalog.model.pdo_facts import has_object
 from esicatalog.model.process_image import SmImage, whole_process_image
 from esicatalog.model.slots import PluggedModule
@@ -46,14 +46,14 @@ class DeviceDescription(NamedTuple):
     """Row number in this catalog; not stable between catalogs."""
     found: FoundDevice
     sources: tuple[DeviceSource, ...]
+    variants: tuple[IdentifiedDevice, ...]
+    """All descriptions of this identity, this one included, the preferred one first. Several contradict each other."""
     device: Device
     modules: tuple[Module, ...]
     revisions: tuple[Revision, ...]
     """All revisions of the product, this one included."""
     same_layout: tuple[FoundDevice, ...]
     """Other devices whose default process image has the same layout."""
-    variant_count: int
-    """How many descriptions of this identity there are."""
     findings: tuple[SourceFinding, ...]
     variants_with_slots: tuple[int, ...] = ()
     """Of several descriptions of the identity, those that have slots."""
@@ -84,20 +84,21 @@ class DeviceDescription(NamedTuple):
 
 def read_description(connection: sa.Connection, lookup: IdentityLookup, identity: Identity) -> DeviceDescription:
     """Read a description in a number of queries that does not depend on its size. Raises :class:`NotFound`."""
-    number, found, variant_count = find_device(connection, identity)
+    number, found, descriptions = find_device(connection, identity)
+    variants = {row: IdentifiedDevice(described, lookup.sources(row)) for row, described in descriptions}
     reader = RecordReader(connection)
     device = reader.device(number)
     return DeviceDescription(
         number,
         found,
-        lookup.sources(number),
+        variants[number].sources,
+        tuple(variants.values()),
         device,
         tuple(reader.modules_of(number)),
         revisions_of(connection, number, found),
         same_layout(connection, number),
-        variant_count,
         _findings(connection, number),
-        variants_with_slots(connection, found, variant_count),
+        variants_with_slots(connection, found, len(variants)),
     )
 
 
@@ -155,7 +156,7 @@ def _in_lines() -> sa.ColumnElement[bool]:
 
 
 def description_json(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
-    """Identity, sources, process image, facts, drive modes, and the records of device and modules.
+    """Identity, sources, variants, process image, slots, facts, drive modes, and the records of device and modules.
 
     Records hold what their document says, and leave out what it does not; what is derived is complete.
     """
@@ -164,7 +165,12 @@ def description_json(description: DeviceDescription, choice: Mapping[int, Module
     return {
         "identity": description.found.as_json(),
         "sources": [source.as_json() for source in description.sources],
+        "variants": [variant.as_json() for variant in description.variants],
         "process_image": [_image_json(image) for image in images],
+        "slots": [
+            _slots_json(offer)
+            for offer in slot_offers(description.device, description.modules, description.plugged(choice))
+        ],
         "facts": _complete(derived.facts),
         "drive_modes": [_complete(verdict) for verdict in derived.modes.verdicts],
         "mode_evidence": [_complete(evidence) for evidence in derived.modes.evidence],
@@ -182,6 +188,18 @@ def description_json(description: DeviceDescription, choice: Mapping[int, Module
 def _complete(derived: Record) -> dict[str, Any]:
     """All fields of a record that no document spells."""
     return {name: value for name, value in msgspec.structs.asdict(derived).items() if name != "spelling"}
+
+
+def _slots_json(offer: SlotOffer) -> dict[str, Any]:
+    return {
+        "first": offer.numbers[0],
+        "last": offer.numbers[-1],
+        "name": offer.name,
+        "modules": [
+            {"choice": str(module.choice), "name": module.name, "plugged": module.is_plugged}
+            for module in offer.fitting
+        ],
+    }
 
 
 def _image_json(image: SmImage) -> dict[str, Any]:

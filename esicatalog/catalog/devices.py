@@ -1,7 +1,7 @@
 """Single descriptions: by their identity as people write it, and where they come from."""
 
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, NamedTuple
 
 import sqlalchemy as sa
 
@@ -57,8 +57,18 @@ def summary(row: Any, evidence: Iterable[str] = ()) -> FoundDevice:
     )
 
 
-def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, FoundDevice, int]:
-    """Row number and summary of a description, and the number of variants. Raises :class:`NotFound`."""
+class Descriptions(NamedTuple):
+    """The description that an identity names, and all that there are of this vendor, product and revision."""
+
+    number: int
+    """Row number."""
+    found: FoundDevice
+    variants: tuple[tuple[int, FoundDevice], ...]
+    """Row numbers and summaries, the preferred one first."""
+
+
+def find_device(connection: sa.Connection, identity: Identity) -> Descriptions:
+    """The description of an identity, among its variants. Raises :class:`NotFound`."""
     condition = [devices.c.vendor_id == identity.vendor_id, devices.c.product_code == identity.product_code]
     if identity.revision_no is not None:
         condition.append(devices.c.revision_no == identity.revision_no)
@@ -69,12 +79,14 @@ def find_device(connection: sa.Connection, identity: Identity) -> tuple[int, Fou
         raise NotFound(f"{identity} is not in the catalog", f"esicatalog identify {identity_words(identity)}")
     wanted = identity.variant if identity.variant is not None else 1
     chosen = latest_revision((row.revision_no, row.hidden) for row in rows)
-    variants = [row for row in rows if row.revision_no == chosen]
-    for row in variants:
-        if row.variant == wanted:
-            return row.id, summary(row), len(variants)
+    alike = sorted((row for row in rows if row.revision_no == chosen), key=lambda row: row.variant)
+    variants = tuple((row.id, summary(row)) for row in alike)
+    for number, found in variants:
+        if found.variant == wanted:
+            return Descriptions(number, found, variants)
+    described = variants[0][1].identity_text
     last = f"its variants are @1 to @{len(variants)}" if len(variants) > 1 else "it has one description only"
-    raise NotFound(f"{identity._replace(variant=None)} has no variant {wanted}; {last}")
+    raise NotFound(f"{described} has no variant {wanted}; {last}")
 
 
 def variants_with_slots(connection: sa.Connection, found: FoundDevice, variant_count: int) -> tuple[int, ...]:

@@ -312,12 +312,13 @@ def _capabilities(dialect: str) -> list[View]:
         ),
         View(
             "drive_modes_by_vendor",
-            "Mode matrix: how many visible devices of a vendor run each CiA 402 mode by verdict yes or likely.",
-            f"SELECT d.vendor_id, v.name AS vendor, {_integer('count(DISTINCT d.id)')} AS drives, "
+            "Mode matrix: how many visible devices of a vendor run each CiA 402 mode by verdict yes or likely; "
+            "makers who share a vendor id have a row each.",
+            f"SELECT d.vendor_id, {vendor_name('d', 'v')} AS vendor, {_integer('count(DISTINCT d.id)')} AS drives, "
             + ", ".join(f"{_integer(_devices_with(mode))} AS {mode.lower()}" for mode in DRIVE_MODES)
             + f" {_DEVICES} JOIN drive_modes m ON m.device_id = d.id AND m.kind = '{CIA402}' "
             f"WHERE d.variant = 1 AND d.hidden = {'0' if dialect == 'sqlite' else 'false'} "
-            "GROUP BY d.vendor_id, v.name",
+            f"GROUP BY d.vendor_id, {vendor_name('d', 'v')}",
         ),
     ]
 

@@ -122,9 +122,9 @@ def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[st
         *fact_words(description.device, facts),
         *(("described in", f"{source.member}, line {source.line}") for source in description.sources),
     ]
-    if description.variant_count > 1:
+    if len(description.variants) > 1:
         rank = "the preferred description" if found.variant == 1 else "not the preferred description"
-        shown.append(("variant", f"{found.variant} of {description.variant_count}: {rank} of this identity"))
+        shown.append(("variant", f"{found.variant} of {len(description.variants)}: {rank} of this identity"))
     yield from _fact_lines(shown)
 
 

@@ -1,5 +1,6 @@
 """Cells of Datasette's table pages: numbers in hex, images as images, devices as links to their pages."""
 
+import json
 from collections.abc import Mapping
 from typing import Any
 from urllib.parse import quote, unquote
@@ -92,6 +93,7 @@ def _decimal(column: str, operator: str, text: str) -> str | None:
     if not any(mark in text.lower() for mark in ("0x", "#x")):
         return None
     try:
-        return ",".join(str(parse_number(item)) for item in text.split(","))
-    except InputError:
+        items = json.loads(text) if text.startswith("[") else text.split(",")
+        return ",".join(str(parse_number(str(item))) for item in items)
+    except (InputError, ValueError, RecursionError):
         return None

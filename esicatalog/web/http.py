@@ -201,8 +201,12 @@ def _validators(catalog: Catalog, kind: str = "") -> dict[str, str]:
 
 
 def _is_confirmed(request: Any, headers: dict[str, str]) -> bool:
-    """Whether the client has the answer already that has these validators."""
-    return "ETag" in headers and request.headers.get("if-none-match") == headers["ETag"]
+    """Whether the client has the answer already that has these validators.
+
+    It names one or several, weak where a proxy has compressed the answer: they are compared as RFC 9110, 13.1.2 says.
+    """
+    held = request.headers.get("if-none-match", "").split(",")
+    return "ETag" in headers and headers["ETag"] in [tag.strip().removeprefix("W/") for tag in held]
 
 
 def _json(value: Any, status: int, headers: dict[str, str]) -> Response:

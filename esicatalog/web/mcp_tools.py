@@ -2,17 +2,18 @@
 
 from typing import Any
 
+import msgspec
 from datasette.utils.asgi import Forbidden, NotFound
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import description_json
 from esicatalog.catalog.filter_texts import filter_of_texts
 from esicatalog.errors import EsiCatalogError
-from esicatalog.identity import parse_identity, parse_number
+from esicatalog.identity import modules_by_slot, parse_identity, parse_number, parse_plugged
 from esicatalog.web.state import catalog_for
 
-_MOST_FOUND = 50
-_SHEET_PARTS = ("identity", "sources", "process_image", "facts", "drive_modes", "revisions")
+_MOST_SHOWN = 50
+_SHEET_PARTS = ("identity", "sources", "variants", "process_image", "slots", "facts", "drive_modes", "revisions")
 """What of a sheet fits into a conversation; the records themselves are at device/V/P/R.json."""
 
 
@@ -46,25 +47,41 @@ def register_tools(datasette: Any, mcp: Any) -> None:
         return found.as_json()
 
     @mcp.tool()
-    async def find_devices(ctx: Context, filters: dict[str, str]) -> dict[str, Any]:
+    async def find_devices(ctx: Context, filters: dict[str, str | int | bool | list[str]]) -> dict[str, Any]:
         """EtherCAT devices that fulfil all filters, each with its evidence.
 
-        Filters are those of `esicatalog devices`, for example {"mode": "CSV", "sync": "sync1"}, {"text": "EL1100"},
-        {"maps": "0x60FF", "bits": "32"}, {"protocol": "foe", "vendor": "0x2"}.
+        Filters are those of `esicatalog devices`, for example {"mode": "CSV,CSP", "sync": "sync1"}, {"text": "EL1100"},
+        {"maps": ["0x60FF", "0x6040:0"], "bits": 32}, {"protocol": "foe", "vendor": "0x2", "complete-access": true}.
+        At most 50 devices are shown, or `limit` of them; count says how many there are.
         """
         try:
-            wanted = filter_of_texts({name: [text] for name, text in filters.items()})
-            found = (await opened(ctx)).find(wanted)
+            wanted = filter_of_texts({name: _texts(given) for name, given in filters.items()})
+            found = (await opened(ctx)).find(msgspec.structs.replace(wanted, limit=None))
         except EsiCatalogError as error:
             raise ToolError(str(error)) from error
-        return {"count": len(found), "devices": [device.as_json() for device in found[:_MOST_FOUND]]}
+        shown = found[: _MOST_SHOWN if wanted.limit is None else min(wanted.limit, _MOST_SHOWN)]
+        return {"count": len(found), "shown": len(shown), "devices": [device.as_json() for device in shown]}
 
     @mcp.tool()
-    async def device_sheet(ctx: Context, identity: str) -> dict[str, Any]:
-        """Process image, drive modes, facts and revisions of one device; identity is V:P[:R][@VARIANT]."""
+    async def device_sheet(ctx: Context, identity: str, modules: list[str] | None = None) -> dict[str, Any]:
+        """Process image, slots, drive modes, facts and revisions of one device; identity is V:P[:R][@VARIANT].
+
+        Several variants are descriptions of one identity that contradict each other: the sheet is that of one of them,
+        the device may be as another one says. Where there are slots, process data come from the modules in them, and
+        by default there may be none: name what is plugged, SLOT=CHOICE of those that slots has, for example
+        ["0=0x119800", "1=0x1785/KL6021-A"]. The process image is then with these modules, all else is by default.
+        """
         try:
+            choice = modules_by_slot(map(parse_plugged, modules or ()))
             description = (await opened(ctx)).device(parse_identity(identity))
+            sheet = description_json(description, choice)
         except EsiCatalogError as error:
             raise ToolError(str(error)) from error
-        sheet = description_json(description, {})
         return {part: sheet[part] for part in _SHEET_PARTS}
+
+
+def _texts(given: str | int | bool | list[str]) -> list[str]:
+    """A filter as the texts that addresses have."""
+    if isinstance(given, list):
+        return given
+    return [str(int(given)) if isinstance(given, bool) else str(given)]

@@ -115,6 +115,9 @@ _DEVICE = {
     "evidence": _list({"type": "string"}),
 }
 _SOURCE = _object({"member": {"type": "string"}, "line": {"type": "integer"}, "group_type": _TEXT})
+_SLOT = {"type": "integer", "minimum": 0}
+_FITTING = _object({"choice": {"type": "string"}, "name": {"type": "string"}, "plugged": {"type": "boolean"}})
+_SLOTS = _object({"first": _SLOT, "last": _SLOT, "name": {"type": "string"}, "modules": _list(_FITTING)})
 _ANSWER = {
     "query": _object(_IDENTITY),
     "match": {
@@ -155,6 +158,23 @@ _SCHEMAS = {
         "is of what stands before them, with the first. A message about a list of "
         "PDOs or objects begins with its file, in which the line is",
     },
+    "Sheet": _object(
+        {
+            "identity": _ref("Device"),
+            "variants": {
+                **_list(_ref("DescribedDevice")),
+                "minItems": 1,
+                "description": "All descriptions of this identity, the preferred one first. Several contradict each "
+                "other: this answer is that of one of them, the device may be as another one says",
+            },
+            "slots": {
+                **_list(_SLOTS),
+                "description": "Slots from first to last that have the same module or none, and what fits them: "
+                "choice is the IDENT[/TYPE] of module",
+            },
+            "device": {"type": "object"},
+        }
+    ),
     "Error": _object(_ERROR),
     "OtherDescriptions": _object({**_ERROR, **{name: _ANSWER[name] for name in ("device", "variants", "candidates")}}),
     "Identity": {
@@ -203,9 +223,9 @@ def _filters() -> list[dict[str, Any]]:
 _IN_PATH = [
     {"name": name, "in": "path", "required": True, "schema": {"type": "string", "pattern": pattern}}
     for name, pattern in (
-        ("vendor", "^0x[0-9a-f]{1,8}$"),
-        ("product", "^0x[0-9a-f]{1,8}$"),
-        ("revision", "^(0x[0-9a-f]{1,8}|latest|-)(@[1-9][0-9]{0,3})?$"),
+        ("vendor", _NUMBER["pattern"]),
+        ("product", _NUMBER["pattern"]),
+        ("revision", f"^({_UINT32_NUMBER}|latest|-)(@({_VARIANT_NUMBER}))?$"),
     )
 ]
 
@@ -219,7 +239,7 @@ _MODULE = {
     "schema": _list(
         {
             "type": "string",
-            "pattern": "^[0-9]{1,4}=(0x[0-9a-f]{1,8}(/.*\\S.*)?)?$",
+            "pattern": f"^({_number(4)})=(({_UINT32_NUMBER})(/.*\\S.*)?)?$",
             "examples": ["0=0x219800", "0=0x1785/KL6021-A", "1="],
         }
     ),
@@ -284,7 +304,7 @@ _PATHS = {
             "records of the document (device, modules) leave out what has its default.",
             "parameters": [*_IN_PATH, _MODULE],
             "responses": {
-                "200": _answers("The device", {"type": "object", "required": ["identity", "device"]}),
+                "200": _answers("The device", _ref("Sheet")),
                 "404": _answers(
                     "There is no such device: what identify.json answers; where the product is described, but "
                     "not in this variant or not without revision, an error with the descriptions there are",

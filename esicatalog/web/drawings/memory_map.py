@@ -52,7 +52,7 @@ class _Area(NamedTuple):
 
     @property
     def end(self) -> int:
-        """The first address behind it; an area of open size has room for a mark."""
+        """The first address behind it; one of open size, or of none, has room for a mark."""
         return self.start + (self.size or 1) * self.buffers
 
     @property
@@ -99,7 +99,7 @@ def memory_map_svg(device: Device, images: Sequence[SmImage]) -> str:
 
 def _area(number: int, sync_manager: SyncManager, image: SmImage | None) -> _Area:
     facts = sm_facts(sync_manager)
-    size = max(sync_manager.default_size or 0, image.described_bytes if image is not None else 0) or None
+    size = _size(sync_manager.default_size, image)
     return _Area(
         number,
         f"SM{number} {clipped(sync_manager.usage or '')}".rstrip(),
@@ -114,9 +114,16 @@ def _area(number: int, sync_manager: SyncManager, image: SmImage | None) -> _Are
     )
 
 
+def _size(default_size: int | None, image: SmImage | None) -> int | None:
+    """Bytes of a buffer: 0 only where nothing is open."""
+    described = max(default_size or 0, image.described_bytes if image is not None else 0)
+    is_open = default_size is None if image is None else not image.has_known_size
+    return described or (None if is_open else 0)
+
+
 def _size_words(default_size: int | None, image: SmImage | None) -> str:
     known = []
-    if default_size:
+    if default_size is not None:
         known.append(f"DefaultSize {counted(default_size, 'byte')}")
     if image is not None and image.byte_size != default_size:
         known.append(f"process image {'of ' if not image.has_known_size else ''}{image.byte_words}")
@@ -231,7 +238,7 @@ def _colour(area: _Area) -> str:
 
 def _title_lines(area: _Area) -> list[str]:
     if not area.size:
-        return [area.name, f"starts at {index_words(area.start)}, size unknown: {area.size_words}"]
+        return [area.name, f"starts at {index_words(area.start)}, {_area_words(area)}: {area.size_words}"]
     buffers = f"{counted(area.buffers, 'buffer')} of {counted(area.size, 'byte')}"
     lines = [area.name, f"{_span(area.start, area.end)}, {buffers}", area.size_words]
     mode = area.facts.buffer_mode
@@ -241,9 +248,16 @@ def _title_lines(area: _Area) -> list[str]:
     return lines
 
 
+def _area_words(area: _Area) -> str:
+    return counted(area.size, "byte") if area.size is not None else "size unknown"
+
+
 def _labels(area: _Area, places: dict[int, int], x: float, width: float) -> Iterator[str]:
-    size = counted(area.size, "byte") if area.size else "size unknown"
-    details = size + (f" × {area.buffers}" if area.buffers > 1 else "") + ("" if area.enabled else ", not enabled")
+    details = (
+        _area_words(area)
+        + (f" × {area.buffers}" if area.buffers > 1 else "")
+        + ("" if area.enabled else ", not enabled")
+    )
     choices = ((f"{area.name}: {details}",), (area.name, details), (area.name,), (f"SM{area.sm}",))
     for at, (start, end) in enumerate(area.parts):
         wanted = choices if at == 0 else ((f"SM{area.sm} buffer {at + 1}",), (f"{at + 1}",))

@@ -164,7 +164,7 @@ def _head(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) ->
         "chosen": chosen,
         "json_path": f"{path}.json{chosen}",
         "variants": [
-            f"{path.partition('@')[0]}{'' if n == 1 else f'@{n}'}" for n in range(1, description.variant_count + 1)
+            f"{path.partition('@')[0]}{'' if n == 1 else f'@{n}'}" for n in range(1, len(description.variants) + 1)
         ],
     }
 

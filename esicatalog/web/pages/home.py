@@ -19,7 +19,7 @@ from esicatalog.web.links import BASE, device_path, with_query
 PAGE_LENGTH = 50
 _PAGE, _LAST_PAGE = "page", 100_000
 _LIMIT = "limit"
-_MAIN_FILTERS = ("text", "vendor", "mode", "sync", "protocol", "profile", "maps")
+_MAIN_FIELDS = ("text", "mode", "sync", "protocol", "maps")
 _CHECKS = {
     "strict": "only verdict yes",
     "include-hidden": "hidden revisions too",
@@ -105,9 +105,12 @@ def _context(texts: dict[str, list[str]], wanted: DeviceFilter, listing: Listing
     given = _pairs(_meant(texts))
     chosen = _chosen(wanted)
     pages = _pages(listing)
+    written = {name: [text for text in values if text.strip()] for name, values in texts.items()}
+    checked = [name for name in _CHECKS if {*TRUE_WORDS}.intersection(texts.get(name, ()))]
+    without_field = [item for item in given if item[0] not in (*_MAIN_FIELDS, *_CHECKS, *_TEXTS)]
     return {
         "given": {name: values[0] for name, values in texts.items() if values},
-        "written": {name: [text for text in values if text.strip()] for name, values in texts.items()},
+        "written": written,
         "devices": [_row(item) for item in listing.devices],
         "total": listing.total,
         "facets": {
@@ -123,16 +126,19 @@ def _context(texts: dict[str, list[str]], wanted: DeviceFilter, listing: Listing
             for name, values in listing.facets.items()
         },
         "checks": _CHECKS,
-        "checked": [name for name in _CHECKS if {*TRUE_WORDS}.intersection(texts.get(name, ()))],
+        "checked": checked,
         "texts": _TEXTS,
-        "hidden_fields": [(name, text) for name, text in given if name not in (*_MAIN_FILTERS, *_CHECKS, *_TEXTS)],
+        "has_more": bool(checked) or any(written.get(name) for name in _TEXTS),
+        "without_field": [
+            (name, text, with_query("", [item for item in given if item != (name, text)]))
+            for name, text in without_field
+        ],
         "sql": listing.sql,
         "json_href": with_query(f"{BASE}devices.json", given),
         "page": number,
         "pages": pages,
         "previous": with_query("", [*given, (_PAGE, str(number - 1))]) if number > 1 else None,
         "next": with_query("", [*given, (_PAGE, str(number + 1))]) if number < pages else None,
-        "is_search": bool(given),
         "modes": PARAMETERS["mode"].choices,
         "syncs": PARAMETERS["sync"].choices,
         "protocols": PARAMETERS["protocol"].choices,

@@ -18,18 +18,25 @@ for (const holder of document.querySelectorAll("details[data-src]")) {
     if (!holder.open || target.dataset.loaded) return;
     target.dataset.loaded = "1";
     target.textContent = "loading …";
-    const response = await fetch(holder.dataset.src, { headers: { "X-Esicatalog-Part": "objects" } });
-    if (!response.ok) {
-      target.textContent = `the server answered ${response.status}`;
+    try {
+      target.innerHTML = await partOf(holder.dataset.src);
+      bindFilters(target);
+    } catch (error) {
+      target.textContent = `${error.message}; close and open this to try again`;
       delete target.dataset.loaded;
-      return;
     }
-    target.innerHTML = await response.text();
-    bindFilters(target);
   });
 }
 
 bindFilters(document);
+
+async function partOf(address) {
+  const response = await fetch(address, { headers: { "X-Esicatalog-Part": "objects" } }).catch(() => {
+    throw new Error("the server cannot be reached");
+  });
+  if (!response.ok) throw new Error(`the server answered ${response.status}`);
+  return response.text();
+}
 
 function bindFilters(target) {
   for (const label of target.querySelectorAll("[data-filter-label]")) {
