@@ -50,6 +50,42 @@ def test_l35_says_nothing_of_an_image_of_unknown_length(tmp_path):
     assert linted(tmp_path, "L35", device(content)) == []
 
 
+UNREADABLE = {
+    "L66": pdo("RxPdo", "#x1600", 8, attributes='Sm="x" Mandatory="1"'),
+    "L61": '<Mailbox><CoE SdoInfo="yes"/></Mailbox>',
+    "L62 PdoAssign": pdo("RxPdo", "#x1600", 8, attributes='Fixed="1"') + '<Mailbox><CoE PdoAssign="yes"/></Mailbox>',
+    "L62 Sm": pdo("RxPdo", "#x1600", 8, attributes='Fixed="1" Sm="x"') + "<Mailbox><CoE/></Mailbox>",
+    "L62 PdoConfig": pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + '<Mailbox><CoE PdoConfig="yes"/></Mailbox>',
+    "L62 Fixed": pdo("RxPdo", "#x1600", 8, attributes='Sm="2" Fixed="ja"') + "<Mailbox><CoE/></Mailbox>",
+    "L50": "<Dc><OpMode><Name>DC</Name><AssignActivate>#x700</AssignActivate><CycleTimeSync0>5</CycleTimeSync0>"
+    "<CycleTimeSync1>1.5</CycleTimeSync1></OpMode></Dc>",
+    "L51": "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate>"
+    "<CycleTimeSync0>#x10 us</CycleTimeSync0></OpMode></Dc>",
+}
+
+
+@pytest.mark.parametrize(("rule_id", "content"), UNREADABLE.items(), ids=UNREADABLE)
+def test_what_cannot_be_read_is_not_called_missing(tmp_path, rule_id, content):
+    """The reader tells of it."""
+    assert linted(tmp_path, rule_id.split()[0], device(MAILBOX_AND_PROCESS_DATA + content)) == []
+
+
+@pytest.mark.parametrize("rule_id", ["L10", "L14"])
+def test_a_device_that_may_be_invisible_is_not_said_to_be_visible(tmp_path, rule_id):
+    described = device(product="").replace('Physics="YY"', 'Invisible="ja"')
+    assert linted(tmp_path, rule_id, described) == []
+
+
+def test_l52_knows_the_sync_managers_that_a_pdo_excludes(tmp_path):
+    listing = (
+        '<Dc><OpMode><Name>a</Name><AssignActivate>0</AssignActivate><Sm No="2"><Pdo>#x1600</Pdo></Sm></OpMode></Dc>'
+    )
+    excluding = pdo("RxPdo", "#x1600", 8, extra="<ExcludedSm>2</ExcludedSm>")
+    (found,) = linted(tmp_path, "L52", device(MAILBOX_AND_PROCESS_DATA + excluding + listing))
+    words = "assigns PDO 0x1600 to SM 2, which its ExcludedSm rules out: correct one of them"
+    assert found["message"] == f"OpMode 0 'a' {words}"
+
+
 def test_l27_finds_a_pdo_that_may_not_go_to_its_own_sync_manager(tmp_path):
     assigned = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"', extra="<ExcludedSm>2</ExcludedSm>")
     (found,) = linted(tmp_path, "L27", device(MAILBOX_AND_PROCESS_DATA + assigned))
@@ -306,6 +342,20 @@ CYCLE_0, NO_CYCLE_0 = '<CycleTimeSync0 Factor="1">0</CycleTimeSync0>', "<CycleTi
         ("L51", op_mode(NO_CYCLE_0.replace(">", ' Factor="0">', 1)), "OpMode 0 'DC' makes SYNC pulses with"),
         ("L51", op_mode(), "OpMode 0 'DC' makes SYNC pulses without CycleTimeSync0"),
         ("L51", op_mode(CYCLE_0), None),
+        (
+            "L51",
+            op_mode("<CycleTimeSync0>-1000</CycleTimeSync0>", activate="#x301"),
+            "OpMode 0 'DC' has CycleTimeSync0 -1000: no cycle takes less than nothing",
+        ),
+        (
+            "L50",
+            op_mode(CYCLE_0, "<CycleTimeSync1>-1</CycleTimeSync1>", activate="#x700"),
+            "OpMode 0 'DC' has CycleTimeSync1 -1: no cycle takes less than nothing",
+        ),
+        # The sync unit is off, or the word is none that the registers can hold: nothing is programmed.
+        ("L51", op_mode("<CycleTimeSync0>-1000</CycleTimeSync0>", activate="0"), None),
+        ("L50", op_mode("<CycleTimeSync1>5</CycleTimeSync1>", activate="#x10300"), None),
+        ("L49", op_mode(activate="#x10200"), None),
         # Bit 0x0001: the device makes its SYNC signals itself.
         ("L51", op_mode(NO_CYCLE_0, activate="#x301"), None),
         (

@@ -267,11 +267,19 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
                 )
 
 
-@rule("L33", ERROR, "ETG.2000 Entry/BitLen: required")
-def entry_without_length(pdo: Pdo) -> Iterator[Found]:
-    """An entry has no BitLen, or one below 0 (objects in no bits: W)."""
+@rule("L33", ERROR, "ETG.2000 RxPdo/Index, TxPdo/Index, Entry/Index, Entry/BitLen: required")
+def incomplete(pdo: Pdo) -> Iterator[Found]:
+    """A PDO or an entry has no Index, or an entry no BitLen or one below 0 (objects in no bits: W)."""
+    if is_absent(pdo, "pdo_index"):
+        yield Found("the PDO has no Index: no master can assign it; give it")
     empty = []
     for number, entry in enumerate(pdo.entries):
+        if is_absent(entry, "entry_index"):
+            yield Found(
+                f"entry {number + 1} of PDO {index_words(pdo.pdo_index)} has no Index: "
+                "nothing tells what it maps; give it, 0 for padding",
+                ("entries", number),
+            )
         length = entry.bit_length
         if is_absent(entry, "bit_length") if length is None else length < 0:
             words = "no BitLen" if length is None else f"BitLen {length}"
@@ -378,7 +386,7 @@ def _indices(indices: Iterable[int | None], in_order: bool) -> str:
 def mandatory_without_sync_manager(subject: ProcessSubject) -> Iterator[Found]:
     """A mandatory PDO has no Sm, or excludes optional ones, which can then never be assigned."""
     pdos = [placed.pdo for placed in subject.pdos if not placed.pdo.virtual]
-    assigned = {pdo.pdo_index for pdo in pdos if pdo.sm is not None}.union(listed_pdos(subject.data.op_modes))
+    assigned = {pdo.pdo_index for pdo in pdos if not is_absent(pdo, "sm")}.union(listed_pdos(subject.data.op_modes))
     optional = {pdo.pdo_index for pdo in pdos} - assigned
     exclusions = symmetric_exclusions(pdos) if _any_excludes(subject) else {}
     for placed in subject.pdos:
