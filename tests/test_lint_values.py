@@ -137,6 +137,7 @@ def test_l56_knows_when_an_object_can_be_written(tmp_path, restriction, transiti
         ("BOOL", 1, "<DefaultValue>1</DefaultValue>", None),
         ("BOOL", 1, "<DefaultData>01</DefaultData>", None),
         ("BOOL", 1, "<DefaultData>02</DefaultData>", "the default 2, which does not fit into the 1 bit of BOOL"),
+        ("BOOL", 1, "<DefaultData>FF</DefaultData>", None),  # true in all bits
         ("BIT12", 12, "<DefaultData>FF0F</DefaultData>", None),
         ("BIT12", 12, "<DefaultData>FFFF</DefaultData>", "the default 65535, which does not fit into the 12 bits"),
         ("INT", 16, "<DefaultData>FFFF</DefaultData>", None),

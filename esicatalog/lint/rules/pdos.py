@@ -270,7 +270,7 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
 @rule("L33", ERROR, "ETG.2000 RxPdo/Index, TxPdo/Index, Entry/Index, Entry/BitLen: required")
 def incomplete(pdo: Pdo) -> Iterator[Found]:
     """A PDO or an entry has no Index, or an entry no BitLen or one below 0 (objects in no bits: W)."""
-    if is_absent(pdo, "pdo_index"):
+    if is_absent(pdo, "pdo_index") and pdo.ref is None:  # an old Ref names what is described elsewhere
         yield Found("the PDO has no Index: no master can assign it; give it")
     empty = []
     for number, entry in enumerate(pdo.entries):

@@ -10,6 +10,8 @@ from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
 from esicatalog.model.values import byte_length, fills, number_size, spelled_number
 from esicatalog.words import counted, index_words
 
+_TRUE_BYTE = ("bool", 0xFF)
+"""How a BOOL is true in all bits of its byte."""
 _CHARACTER_BITS = {"string": 8, "octets": 8, "unicode": 16}
 
 
@@ -76,7 +78,9 @@ def _fit_problem(entry: ObjectEntry) -> str | None:
         if not 0 < room < length:  # STRING(0) is of any length
             return None
         return f"has a DefaultString of {length} characters, {entry.data_type} has {room}"
-    if number is None or not base.integral or (entry.default_kind == "data" and base.signed):
+    if number is None or not base.integral:
+        return None
+    if entry.default_kind == "data" and (base.signed or (base.kind, number) == _TRUE_BYTE):
         return None
     needed = (number if number >= 0 else ~number).bit_length() + base.signed
     if needed <= entry.bit_size and (base.signed or number >= 0):
