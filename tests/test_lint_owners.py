@@ -34,7 +34,7 @@ def blamed(found: list[dict]) -> list[tuple[str, str]]:
     return [(item["path"].split("/")[3], item["message"].split(":")[0]) for item in found]
 
 
-BIG_ENDIAN = "0x6502 has the default 00000180, which looks big-endian"
+BIG_ENDIAN = "0x6502 has the default 00000180, which looks byte-swapped"
 
 
 def test_l58_blames_the_alternative_that_is_wrong(tmp_path):
