@@ -287,12 +287,50 @@ def test_l31_leaves_out_what_the_op_mode_of_the_device_assigns(tmp_path):
     assert linted(tmp_path, "L31", device(MAILBOX_AND_PROCESS_DATA + mode + slots(1)), module(pdos)) == []
 
 
+@pytest.mark.parametrize(
+    ("other", "preset", "count"),
+    [("#x1601", 1, 1), ("#x1601", 0, 0), ("#x1602", 1, 0)],
+    ids=["both preset", "one preset", "no such PDO"],
+)
+def test_l31_looks_at_the_default_modules_of_several_slots(tmp_path, other, preset, count):
+    """The image leaves out the second one, in slot 1."""
+    slot = '<Slot MinInstances="{0}" MaxInstances="1"><Name>s</Name><ModuleIdent Default="{0}">{1}</ModuleIdent></Slot>'
+    carried = f"<Slots>{slot.format(preset, '#x10')}{slot.format(1, '#x20')}</Slots>"
+    modules = module(pdo("RxPdo", "#x1601", 8, attributes='Sm="2"')) + module(
+        pdo("RxPdo", "#x1600", 8, attributes='Sm="2"', extra=f"<Exclude>{other}</Exclude>"), "#x20"
+    )
+    found = linted(tmp_path, "L31", device(MAILBOX_AND_PROCESS_DATA + carried), modules)
+    said = "RxPdo 0x1600 of module 0x20 in slot 1 and 0x1601 exclude each other, but the default modules bring both"
+    assert [item["message"].partition(":")[0] for item in found] == [said] * count
+
+
+@pytest.mark.parametrize(
+    ("of_object", "of_entry", "count"),
+    [
+        ("", "", 0),
+        ('DependOnSlot="1"', 'DependOnSlot="1"', 0),
+        ('DependOnSlot="1"', "", 2),
+        ("", 'DependOnSlot="1"', 2),
+    ],
+)
+def test_l55_knows_what_moves_with_its_object(tmp_path, of_object, of_entry, count):
+    entry = f"<Entry><Index {of_entry}>#x7000</Index><SubIndex>0</SubIndex><BitLen>16</BitLen></Entry>"
+    mapping = f"<RxPdo Sm='2'><Index>#x1600</Index><Name>p</Name>{entry}</RxPdo>"
+    command = f"<Mailbox><CoE><InitCmd><Transition>PS</Transition><Index {of_entry}>#x7000</Index><Data>0100</Data>"
+    described = dictionary("", declared("#x7000", "UINT", 16, of_object))
+    carried = module(mapping + command + "</InitCmd></CoE></Mailbox>" + described)
+    found = linted(tmp_path, "L55", device(MAILBOX_AND_PROCESS_DATA + slots(1)), carried)
+    words = "0x7000:00, which does not move with the slot as the object does: give it the DependOnSlot of the object"
+    said = [f"RxPdo 0x1600 maps {words}", f"InitCmd for {words}"]
+    assert sorted(item["message"] for item in found) == sorted(said[:count])
+
+
 PRESET = (
     '<Slots SlotPdoIncrement="{}" SlotIndexIncrement="{}"><Slot MinInstances="{}" MaxInstances="{}"><Name>s</Name>'
     '<ModuleIdent Default="1">#x10</ModuleIdent></Slot></Slots>'
 )
 MOVING = module(
-    pdo("RxPdo", "#x1600", 8).replace("<Index>", '<Index DependOnSlot="1">', 1)
+    pdo("RxPdo", "#x1600", 8).replace("<Index>", '<Index DependOnSlot="1">')
     + dictionary("", declared("#x7000", "UINT", 16, 'DependOnSlot="1"'))
 )
 

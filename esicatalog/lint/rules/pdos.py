@@ -132,6 +132,8 @@ def exclusion_one_sided(subject: ProcessSubject | ModuleSubject) -> Iterator[Fou
 @rule("L31", ERROR, "ETG.2000 Exclude: the PDOs may not be assigned at the same time")
 def exclusive_defaults(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """Two PDOs that exclude each other are both assigned by default or by an OpMode, or a PDO excludes itself."""
+    if isinstance(subject, ProcessSubject) and subject.data.is_modular:
+        yield from _exclusive_across_slots(subject.data)
     if not _any_excludes(subject):
         return
     for placed in subject.pdos:
@@ -150,6 +152,17 @@ def exclusive_defaults(subject: ProcessSubject | ModuleSubject) -> Iterator[Foun
                 both = f"{_words(placed.direction, index)} and 0x{other:04X}"
                 words, field = _assigning(mode, (other, index))
                 yield Found(f"{both} exclude each other, but {words}", (*placed.place, *field))
+
+
+def _exclusive_across_slots(data: ProcessData) -> Iterator[Found]:
+    """PDOs of default modules and of the device, or of modules in several slots, that may not be assigned together."""
+    slots = {placed.pdo.pdo_index: placed.slot_number for image in data.images for placed in image.pdos}
+    for left_out, rival in [pair for image in data.images for pair in image.excluded]:
+        if rival in slots and slots[rival] != left_out.slot_number:
+            yield Found(
+                f"{_words(left_out.direction, left_out.pdo.pdo_index)} of {left_out.owner} and 0x{rival:04X} exclude "
+                "each other, but the default modules bring both: preset others, or one of the PDOs must lose its Sm",
+            )
 
 
 def _assigning(mode: OpMode | None, both: Sequence[int]) -> tuple[str, tuple[str, ...]]:
