@@ -103,6 +103,12 @@ class DataType(Record):
 class DeclaredValues(Record):
     """Info element of an object or of one of its sub-items: default, minimum and maximum as declared."""
 
+    CHOICES: ClassVar[tuple[tuple[str, ...], ...]] = (
+        ("default_data", "default_value", "default_string"),
+        ("min_data", "min_value"),
+        ("max_data", "max_value"),
+    )
+
     default_string: Annotated[str | None, Xml("Info/DefaultString", doc="Default as text")] = None
     min_data: Annotated[str | None, Xml("Info/MinData", HEX_BINARY, "Minimum, bytes little-endian in hex")] = None
     max_data: Annotated[str | None, Xml("Info/MaxData", HEX_BINARY, "Maximum, bytes little-endian in hex")] = None
