@@ -64,19 +64,20 @@ def _names_of_one_vendor(library: Library) -> Iterator[Found]:
 
 @rule("L12", WARNING, "ETG.2000: masters and catalogs find a description by vendor, product and revision alone")
 def described_differently(library: Library) -> Iterator[Found]:
-    """Two documents describe one identity differently."""
+    """Two documents, or two EtherCATInfo of an EtherCATInfoList, describe one identity differently."""
     variants: dict[tuple[int, int, int], dict[bytes, DeviceFact]] = {}
     for number, fact in enumerate(library.facts):
         if fact.identity is None or fact.vendor_name is None:  # without vendor name: what a master printed
             continue
         known = variants.setdefault(fact.identity, {})
-        others = [other for other in known.values() if other.document != fact.document]
+        others = [other for other in known.values() if other.section != fact.section]
         if others and fact.signature not in known:
             other = others[0]
             what = "with other content" if other.type == fact.type else f"as {other.type!r}"
+            where = other.document if other.document != fact.document else f"line {other.line} of this document"
             yield Found(
                 f"{fact.type!r} (product 0x{fact.product_code:08X}, revision 0x{fact.revision_no:08X}) is also "
-                f"described {what} in {other.document}: a new content needs a new RevisionNo",
+                f"described {what} in {where}: a new content needs a new RevisionNo",
                 (number,),
             )
         known.setdefault(fact.signature, fact)
