@@ -130,6 +130,22 @@ def test_default_data_of_integers_is_little_endian(type_name, data, number):
     assert (entry.default_raw, entry.default_kind, entry.default_int) == (data, "data", number)
 
 
+@pytest.mark.parametrize(
+    ("type_name", "text", "number"),
+    [
+        ("LINT", "#xFFFFFFFFFFFFFFFF", -1),
+        ("LINT", "#x8000000000000001", 1 - 2**63),
+        ("LINT", "#x7FFFFFFFFFFFFFFF", 2**63 - 1),
+        ("LINT", "#x8000000000000000", None),  # no database keeps it with its opposite
+        ("ULINT", "#xFFFFFFFFFFFFFFFF", None),
+        ("LINT", "#x1FFFFFFFFFFFFFFFF", None),
+    ],
+)
+def test_default_value_of_64_bits(type_name, text, number):
+    entry = simple(type_name, f"<DefaultValue>{text}</DefaultValue>")
+    assert (entry.default_raw, entry.default_kind, entry.default_int) == (text, "value", number)
+
+
 @pytest.mark.parametrize(("type_name", "layout", "number"), [("REAL", "<f", 0.5), ("LREAL", "<d", -1.1)])
 def test_default_data_of_floats(type_name, layout, number):
     entry = simple(type_name, f"<DefaultData>{struct.pack(layout, number).hex()}</DefaultData>")

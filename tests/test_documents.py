@@ -111,6 +111,25 @@ def test_utf_8_under_another_name_is_read_as_such(declared):
 
 
 @pytest.mark.parametrize(
+    "declared", ["utf-16", "UTF-16LE", "utf-16be", "utf16", "ISO-10646-UCS-2", "UCS-2", "utf-32", "ucs-4"]
+)
+@pytest.mark.parametrize(
+    ("saved_as", "rest", "words"),
+    [
+        ("utf-8", "", "read as utf-8"),
+        ("windows-1252", "", "read as windows-1252"),
+        ("utf-8", "<more/>", "read by recovery"),
+    ],
+)
+def test_a_wide_encoding_that_is_only_declared(declared, saved_as, rest, words):
+    """What a .NET StringWriter makes declares the encoding of its string, whatever that is saved as."""
+    parsed = parse_document((DECLARED.format(declared) + esi(device(name="Gerät")) + rest).encode(saved_as))
+    assert parsed.root.findtext("Descriptions/Devices/Device/Name") == "Gerät"
+    said = f"declared as {declared.lower()}, but it begins with characters of 8 bits; {words}"
+    assert (parsed.recovered, parsed.error_line) == (said, 1)
+
+
+@pytest.mark.parametrize(
     ("between", "line"),
     [('\n<?xml version="1.0" ?>\n', 4), ("\n\n", 4), ("</oops>\n", 3)],
     ids=["as ethercat xml writes", "without declaration", "behind an end tag too many"],

@@ -161,6 +161,23 @@ def test_swapped_bytes_are_likely_and_named():
     assert all(item.conflict and item.rank == "A+ swapped" for item in found.evidence)
 
 
+@pytest.mark.parametrize("element", ["DefaultValue", "DefaultString"])
+@pytest.mark.parametrize("kind", ["UDINT", "DINT"])
+@pytest.mark.parametrize(
+    ("number", "modes"),
+    [
+        ("#x80030000", ["CSP", "CSV", "CST"]),  # 0x00000380
+        ("#x00030000", ["CSV", "CST"]),  # 0x00000300
+        ("#x00FF0000", []),  # 0x0000FF00 goes beyond bit 10: nonsense either way
+    ],
+)
+def test_swapped_bytes_of_a_number_are_likely_and_named(element, kind, number, modes):
+    said = supported_modes(number).replace("DefaultData", element).replace("UDINT", kind)
+    found = one_drive(dictionary(said))
+    assert verdicts(found) == dict.fromkeys(modes, "likely")
+    assert {item.rank for item in found.evidence if item.mode} <= {"A+ swapped"}
+
+
 def test_a_short_default_claims_nothing_absent():
     found = one_drive(dictionary(supported_modes("0001")))
     assert verdicts(found) == {"CSV": "likely"}

@@ -566,6 +566,17 @@ def test_a_device_that_uses_the_time_only_gets_no_sync_signals():
     assert next(choice_lines(free)) == "OpMode:   0 'FreeRun': no distributed clocks"
 
 
+@pytest.mark.parametrize(
+    ("sync1", "shift1", "count"),
+    [('Factor="0">0', "", 1), ("", "", 1), ("", "0", 0), ('Factor="1">0', "", 0), (">1000000", "", 0)],
+)
+def test_a_sync1_without_any_time_is_told(sync1, shift1, count):
+    found = configured(SMS + dc(("DC", times("#x700", FACTOR_1, sync1, shift1=shift1))))
+    assert found.clocks.sync1_delay.in_ns(1_000_000) == 0
+    said = "neither CycleTimeSync1 nor ShiftTimeSync1 gives a time: SYNC1 comes at the start of each SYNC0 cycle"
+    assert found.remarks.count(said) == count
+
+
 @pytest.mark.parametrize("activate", ["#x10300", "-256"])
 def test_an_assign_activate_that_does_not_fit_its_registers_is_refused(activate):
     with pytest.raises(InputError, match=r"'DC' has AssignActivate -?0x\w+, which does not fit the registers"):
@@ -769,7 +780,7 @@ def test_no_words_name_a_pulse_that_is_not_generated(word):
         assert told
         for words in told:
             assert not re.search("SYNC0(?! cycle)", words)
-            assert not re.search("SYNC1(?! is given)", words)
+            assert word != "#x300" or "SYNC1" not in words
 
 
 @pytest.mark.parametrize("word", ["#x300", "#x500", "#x700"])

@@ -284,6 +284,29 @@ def test_the_schema_of_the_user(corpus, tmp_path):
     assert found(FILES / "L18.good.xml", "--schema", corpus / "xsd" / "1.17") == []
 
 
+SCHEMA = """<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema"><xs:element name="EtherCATInfo"><xs:complexType>
+<xs:sequence><xs:element name="Descriptions"><xs:complexType><xs:sequence><xs:element name="Devices"><xs:complexType>
+<xs:sequence><xs:element name="Device" maxOccurs="unbounded"><xs:complexType><xs:sequence>
+<xs:element name="RxPdo" minOccurs="0"><xs:complexType><xs:attribute name="Fixed" type="xs:boolean"/></xs:complexType>
+</xs:element></xs:sequence></xs:complexType></xs:element></xs:sequence></xs:complexType></xs:element></xs:sequence>
+</xs:complexType></xs:element></xs:sequence></xs:complexType></xs:element></xs:schema>"""
+
+
+def test_violations_of_the_schema_have_the_line_and_the_place_of_their_element(tmp_path):
+    """Beyond line 65535, where libxml2 no longer counts, and in a section of a list; a value is told once."""
+    device_elements = "<Device>\n</Device>" + "\n" * 70_000 + "<Device>\n<Foo/>\n<RxPdo Fixed='TRUE'/></Device>"
+    info = f"<EtherCATInfo><Descriptions><Devices>{device_elements}</Devices></Descriptions></EtherCATInfo>"
+    write(tmp_path / "xsd", {"EtherCATInfo.xsd": SCHEMA})
+    write(tmp_path, {"a.xml": f"<EtherCATInfoList>{info}\n{info.replace('<Foo/>', '')}</EtherCATInfoList>"})
+    items = found(tmp_path / "a.xml", "--schema", tmp_path / "xsd", "--select", "L03")
+    below = "/Descriptions/Devices/Device[1]/"
+    assert [(item["line"], item["path"], item["message"].partition(": ")[0]) for item in items] == [
+        (70_003, f"EtherCATInfoList/EtherCATInfo[0]{below}Foo", "Element 'Foo'"),
+        (70_004, f"EtherCATInfoList/EtherCATInfo[0]{below}RxPdo", "RxPdo/@Fixed"),
+        (140_008, f"EtherCATInfoList/EtherCATInfo[1]{below}RxPdo", "RxPdo/@Fixed"),
+    ]
+
+
 def test_a_schema_folder_that_cannot_be_used(tmp_path):
     write(tmp_path, {"EtherCATInfo.xsd": "<schema"})
     result = run(tmp_path, "--schema", tmp_path)

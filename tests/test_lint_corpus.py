@@ -47,7 +47,7 @@ def linted(archives: list[Path], schema: SchemaFolder) -> Iterator[Linted]:
             findings = linter.document(read, tree, lambda _: True)
             # What was recognised before it was parsed is told with the same place and line.
             assert findings == linter.document(read, lambda plain=plain: plain, lambda _: True), name
-            yield Linted(name, findings, schema.violations(plain.root))
+            yield Linted(name, findings, schema.violations(plain.root, Lines(content)))
 
 
 @pytest.fixture(scope="module")

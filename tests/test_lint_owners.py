@@ -34,7 +34,7 @@ def blamed(found: list[dict]) -> list[tuple[str, str]]:
     return [(item["path"].split("/")[3], item["message"].split(":")[0]) for item in found]
 
 
-BIG_ENDIAN = "0x6502 has the default 00000180, which looks big-endian"
+BIG_ENDIAN = "0x6502 has the default 00000180, which looks byte-swapped"
 
 
 def test_l58_blames_the_alternative_that_is_wrong(tmp_path):
@@ -140,6 +140,15 @@ def test_l56_tells_commands_that_are_never_sent(tmp_path, content, problem):
     command = f"<InitCmd><Index>#x2000</Index><SubIndex>0</SubIndex>{content}</InitCmd>"
     (found,) = linted(tmp_path, "L56", device(SYNC_MANAGERS + f"<Mailbox><CoE>{command}</CoE></Mailbox>"))
     assert found["message"] == f"InitCmd for 0x2000:00 {problem}"
+
+
+@pytest.mark.parametrize(("index", "said"), [("", ["InitCmd without Index is never sent: give it"]), ("x", [])])
+def test_l56_tells_a_command_without_index(tmp_path, index, said):
+    """Not one whose Index cannot be read, of which the reader tells."""
+    given = f"<Index>{index}</Index>" if index else ""
+    command = f"<InitCmd><Transition>PS</Transition>{given}<SubIndex>1</SubIndex><Data>01</Data></InitCmd>"
+    found = linted(tmp_path, "L56", device(SYNC_MANAGERS + f"<Mailbox><CoE>{command}</CoE></Mailbox>"))
+    assert [item["message"] for item in found] == said
 
 
 def test_l44_looks_for_subindex_0_at_every_position(tmp_path):
@@ -342,7 +351,9 @@ def test_what_the_device_of_a_module_has_is_not_missed_in_another_document(tmp_p
 
 
 def test_what_is_wrong_with_a_module_of_another_document_is_told_there_alone(tmp_path):
-    found = referring(tmp_path, "", module('<RxPdo Sm="2"><Index>#x1601</Index><Name>p</Name><Entry/></RxPdo>'))
+    found = referring(
+        tmp_path, "", module('<RxPdo Sm="2"><Index>#x1601</Index><Name>p</Name><Entry><Index>0</Index></Entry></RxPdo>')
+    )
     assert {name: sum(item["rule"] == "L33" for item in items) for name, items in found.items()} == {
         "a.xml": 0,
         "modules.xml": 1,

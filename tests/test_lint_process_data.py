@@ -50,6 +50,42 @@ def test_l35_says_nothing_of_an_image_of_unknown_length(tmp_path):
     assert linted(tmp_path, "L35", device(content)) == []
 
 
+UNREADABLE = {
+    "L66": pdo("RxPdo", "#x1600", 8, attributes='Sm="x" Mandatory="1"'),
+    "L61": '<Mailbox><CoE SdoInfo="yes"/></Mailbox>',
+    "L62 PdoAssign": pdo("RxPdo", "#x1600", 8, attributes='Fixed="1"') + '<Mailbox><CoE PdoAssign="yes"/></Mailbox>',
+    "L62 Sm": pdo("RxPdo", "#x1600", 8, attributes='Fixed="1" Sm="x"') + "<Mailbox><CoE/></Mailbox>",
+    "L62 PdoConfig": pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + '<Mailbox><CoE PdoConfig="yes"/></Mailbox>',
+    "L62 Fixed": pdo("RxPdo", "#x1600", 8, attributes='Sm="2" Fixed="ja"') + "<Mailbox><CoE/></Mailbox>",
+    "L50": "<Dc><OpMode><Name>DC</Name><AssignActivate>#x700</AssignActivate><CycleTimeSync0>5</CycleTimeSync0>"
+    "<CycleTimeSync1>1.5</CycleTimeSync1></OpMode></Dc>",
+    "L51": "<Dc><OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate>"
+    "<CycleTimeSync0>#x10 us</CycleTimeSync0></OpMode></Dc>",
+}
+
+
+@pytest.mark.parametrize(("rule_id", "content"), UNREADABLE.items(), ids=UNREADABLE)
+def test_what_cannot_be_read_is_not_called_missing(tmp_path, rule_id, content):
+    """The reader tells of it."""
+    assert linted(tmp_path, rule_id.split()[0], device(MAILBOX_AND_PROCESS_DATA + content)) == []
+
+
+@pytest.mark.parametrize("rule_id", ["L10", "L14"])
+def test_a_device_that_may_be_invisible_is_not_said_to_be_visible(tmp_path, rule_id):
+    described = device(product="").replace('Physics="YY"', 'Invisible="ja"')
+    assert linted(tmp_path, rule_id, described) == []
+
+
+def test_l52_knows_the_sync_managers_that_a_pdo_excludes(tmp_path):
+    listing = (
+        '<Dc><OpMode><Name>a</Name><AssignActivate>0</AssignActivate><Sm No="2"><Pdo>#x1600</Pdo></Sm></OpMode></Dc>'
+    )
+    excluding = pdo("RxPdo", "#x1600", 8, extra="<ExcludedSm>2</ExcludedSm>")
+    (found,) = linted(tmp_path, "L52", device(MAILBOX_AND_PROCESS_DATA + excluding + listing))
+    words = "assigns PDO 0x1600 to SM 2, which its ExcludedSm rules out: correct one of them"
+    assert found["message"] == f"OpMode 0 'a' {words}"
+
+
 def test_l27_finds_a_pdo_that_may_not_go_to_its_own_sync_manager(tmp_path):
     assigned = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"', extra="<ExcludedSm>2</ExcludedSm>")
     (found,) = linted(tmp_path, "L27", device(MAILBOX_AND_PROCESS_DATA + assigned))
@@ -251,12 +287,50 @@ def test_l31_leaves_out_what_the_op_mode_of_the_device_assigns(tmp_path):
     assert linted(tmp_path, "L31", device(MAILBOX_AND_PROCESS_DATA + mode + slots(1)), module(pdos)) == []
 
 
+@pytest.mark.parametrize(
+    ("other", "preset", "count"),
+    [("#x1601", 1, 1), ("#x1601", 0, 0), ("#x1602", 1, 0)],
+    ids=["both preset", "one preset", "no such PDO"],
+)
+def test_l31_looks_at_the_default_modules_of_several_slots(tmp_path, other, preset, count):
+    """The image leaves out the second one, in slot 1."""
+    slot = '<Slot MinInstances="{0}" MaxInstances="1"><Name>s</Name><ModuleIdent Default="{0}">{1}</ModuleIdent></Slot>'
+    carried = f"<Slots>{slot.format(preset, '#x10')}{slot.format(1, '#x20')}</Slots>"
+    modules = module(pdo("RxPdo", "#x1601", 8, attributes='Sm="2"')) + module(
+        pdo("RxPdo", "#x1600", 8, attributes='Sm="2"', extra=f"<Exclude>{other}</Exclude>"), "#x20"
+    )
+    found = linted(tmp_path, "L31", device(MAILBOX_AND_PROCESS_DATA + carried), modules)
+    said = "RxPdo 0x1600 of module 0x20 in slot 1 and 0x1601 exclude each other, but the default modules bring both"
+    assert [item["message"].partition(":")[0] for item in found] == [said] * count
+
+
+@pytest.mark.parametrize(
+    ("of_object", "of_entry", "count"),
+    [
+        ("", "", 0),
+        ('DependOnSlot="1"', 'DependOnSlot="1"', 0),
+        ('DependOnSlot="1"', "", 2),
+        ("", 'DependOnSlot="1"', 2),
+    ],
+)
+def test_l55_knows_what_moves_with_its_object(tmp_path, of_object, of_entry, count):
+    entry = f"<Entry><Index {of_entry}>#x7000</Index><SubIndex>0</SubIndex><BitLen>16</BitLen></Entry>"
+    mapping = f"<RxPdo Sm='2'><Index>#x1600</Index><Name>p</Name>{entry}</RxPdo>"
+    command = f"<Mailbox><CoE><InitCmd><Transition>PS</Transition><Index {of_entry}>#x7000</Index><Data>0100</Data>"
+    described = dictionary("", declared("#x7000", "UINT", 16, of_object))
+    carried = module(mapping + command + "</InitCmd></CoE></Mailbox>" + described)
+    found = linted(tmp_path, "L55", device(MAILBOX_AND_PROCESS_DATA + slots(1)), carried)
+    words = "0x7000:00, which does not move with the slot as the object does: give it the DependOnSlot of the object"
+    said = [f"RxPdo 0x1600 maps {words}", f"InitCmd for {words}"]
+    assert sorted(item["message"] for item in found) == sorted(said[:count])
+
+
 PRESET = (
     '<Slots SlotPdoIncrement="{}" SlotIndexIncrement="{}"><Slot MinInstances="{}" MaxInstances="{}"><Name>s</Name>'
     '<ModuleIdent Default="1">#x10</ModuleIdent></Slot></Slots>'
 )
 MOVING = module(
-    pdo("RxPdo", "#x1600", 8).replace("<Index>", '<Index DependOnSlot="1">', 1)
+    pdo("RxPdo", "#x1600", 8).replace("<Index>", '<Index DependOnSlot="1">')
     + dictionary("", declared("#x7000", "UINT", 16, 'DependOnSlot="1"'))
 )
 
@@ -306,6 +380,20 @@ CYCLE_0, NO_CYCLE_0 = '<CycleTimeSync0 Factor="1">0</CycleTimeSync0>', "<CycleTi
         ("L51", op_mode(NO_CYCLE_0.replace(">", ' Factor="0">', 1)), "OpMode 0 'DC' makes SYNC pulses with"),
         ("L51", op_mode(), "OpMode 0 'DC' makes SYNC pulses without CycleTimeSync0"),
         ("L51", op_mode(CYCLE_0), None),
+        (
+            "L51",
+            op_mode("<CycleTimeSync0>-1000</CycleTimeSync0>", activate="#x301"),
+            "OpMode 0 'DC' has CycleTimeSync0 -1000: no cycle takes less than nothing",
+        ),
+        (
+            "L50",
+            op_mode(CYCLE_0, "<CycleTimeSync1>-1</CycleTimeSync1>", activate="#x700"),
+            "OpMode 0 'DC' has CycleTimeSync1 -1: no cycle takes less than nothing",
+        ),
+        # The sync unit is off, or the word is none that the registers can hold: nothing is programmed.
+        ("L51", op_mode("<CycleTimeSync0>-1000</CycleTimeSync0>", activate="0"), None),
+        ("L50", op_mode("<CycleTimeSync1>5</CycleTimeSync1>", activate="#x10300"), None),
+        ("L49", op_mode(activate="#x10200"), None),
         # Bit 0x0001: the device makes its SYNC signals itself.
         ("L51", op_mode(NO_CYCLE_0, activate="#x301"), None),
         (

@@ -124,7 +124,25 @@ def test_l56_knows_when_an_object_can_be_written(tmp_path, restriction, transiti
         ),
         ("INT", 16, "<DefaultValue>-32768</DefaultValue>", None),
         ("INT", 16, "<DefaultValue>#xFFFF</DefaultValue>", None),  # the bits of -1
+        ("UINT", 16, "<DefaultValue>#x1FFFFFFFFFFFFFFFF</DefaultValue>", None),  # of that the reader tells
+        ("UINT", 16, "<DefaultValue>#xFFFFFFFFFFFFFFFF</DefaultValue>", "the default 18446744073709551615, which does"),
+        ("ULINT", 64, "<DefaultValue>#xFFFFFFFFFFFFFFFF</DefaultValue>", None),
+        ("LINT", 64, "<DefaultValue>#x8000000000000000</DefaultValue>", None),  # the bits of -2**63
+        (
+            "LINT",
+            64,
+            "<DefaultValue>18446744073709551615</DefaultValue>",
+            "the default 18446744073709551615, which does not fit into the 64 bits of LINT",
+        ),
         ("BOOL", 1, "<DefaultValue>1</DefaultValue>", None),
+        ("BOOL", 1, "<DefaultData>01</DefaultData>", None),
+        ("BOOL", 1, "<DefaultData>02</DefaultData>", "the default 2, which does not fit into the 1 bit of BOOL"),
+        ("BOOL", 1, "<DefaultData>FF</DefaultData>", None),  # true in all bits
+        ("BIT12", 12, "<DefaultData>FF0F</DefaultData>", None),
+        ("BIT12", 12, "<DefaultData>FFFF</DefaultData>", "the default 65535, which does not fit into the 12 bits"),
+        ("INT", 16, "<DefaultData>FFFF</DefaultData>", None),
+        ("OCTET_STRING(3)", 24, "<DefaultString>abc</DefaultString>", None),
+        ("OCTET_STRING(3)", 24, "<DefaultString>abcd</DefaultString>", "a DefaultString of 4 characters, OCTET_STRI"),
         ("BOOL", 1, "<DefaultValue>2</DefaultValue>", "the default 2, which does not fit into the 1 bit of BOOL"),
         ("UINT", 16, "<DefaultString>70000</DefaultString>", "the default 70000, which does not fit into the 16 bits"),
         ("STRING(4)", 32, "<DefaultString>ABCD</DefaultString>", None),

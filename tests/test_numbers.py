@@ -9,6 +9,7 @@ from esicatalog.esi.numbers import (
     DEC,
     DEC8,
     DEC16,
+    DEC64,
     FLOAT,
     HEX,
     HEX8,
@@ -85,6 +86,21 @@ def test_numbers_of_64_bits_are_kept_as_text(scalar):
     for text in ("9223372036854775808", "-9223372036854775809", "9" * 40, "9" * 5000):
         assert scalar.read(text).value is None
         assert scalar.read(text).raw == text
+
+
+@pytest.mark.parametrize("text", ["#xFFFFFFFFFFFFFFFF", "18446744073709551615", "-9223372036854775808"])
+def test_values_of_64_bits_are_kept_as_text_without_remark(text):
+    """ULINT goes to 2**64 - 1, LINT from -2**63."""
+    assert DEC64.read(text) == (None, text, None)
+    assert DEC64.read("9223372036854775807").value == 2**63 - 1
+
+
+@pytest.mark.parametrize(
+    "text", ["#x10000000000000000", "18446744073709551616", "-9223372036854775809", "0xFFFFFFFFFFFFFFFF", "#xG"]
+)
+def test_what_64_bits_do_not_hold_and_what_is_no_number_has_a_remark(text):
+    assert DEC64.read(text)[:2] == (None, text)
+    assert DEC64.read(text).remark.rule == "L06"
 
 
 @pytest.mark.parametrize(("text", "value"), [("1", True), ("true", True), ("0", False), ("false", False)])

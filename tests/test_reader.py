@@ -255,6 +255,45 @@ def test_a_misplaced_element_is_told_with_what_the_schema_has_behind_it():
 
 
 @pytest.mark.parametrize(
+    ("content", "place", "given", "counting"),
+    [
+        (
+            "<Profile><Dictionary/><DictionaryFile>d.xml</DictionaryFile></Profile>",
+            "Profile",
+            "Dictionary and DictionaryFile",
+            "Dictionary",
+        ),
+        (
+            "<Profile><DictionaryFile>d.xml</DictionaryFile><Dictionary/></Profile>",
+            "Profile",
+            "Dictionary and DictionaryFile",
+            "Dictionary",
+        ),
+        ("<Eeprom><Data>00</Data><ConfigData>05</ConfigData></Eeprom>", "Eeprom", "Data and ConfigData", "Data"),
+        (
+            dictionary(
+                "",
+                "<Object><Info><DefaultValue>0</DefaultValue><DefaultData>01</DefaultData></Info></Object>",
+            ),
+            "Object",
+            "Info/DefaultData and Info/DefaultValue",
+            "Info/DefaultData",
+        ),
+    ],
+)
+def test_alternatives_that_are_given_together_are_told_alone(content, place, given, counting):
+    """xs:choice: none stands before the other."""
+    found = [item for item in read(esi(device(content))).findings if item.rule in ("L03", "L04", "L05")]
+    said = f"{place}: {given} are given, of which the schema has one only; {counting} counts"
+    assert [(item.rule, item.message) for item in found] == [("L05", said)]
+
+
+def test_an_alternative_that_is_empty_says_nothing():
+    content = dictionary("", "<Object><Info><DefaultData/><DefaultValue>1</DefaultValue></Info></Object>")
+    assert [item for item in read(esi(device(content))).findings if item.rule == "L05"] == []
+
+
+@pytest.mark.parametrize(
     ("first", "second", "tag"),
     [
         ("<Descriptions><Devices>", "</Devices></Descriptions><Descriptions><Devices>", "Descriptions"),

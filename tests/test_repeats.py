@@ -5,12 +5,10 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from lxml import etree
 from snippets import device, dictionary, esi
 
 from esicatalog.errors import EsiCatalogError
 from esicatalog.esi import repeats
-from esicatalog.esi.documents import make_parser
 from esicatalog.esi.reader import ReadDocument, Reader
 from esicatalog.esi.repeats import Repeats
 from esicatalog.ingest.discover import FoundArchive, archive_members, discover
@@ -140,18 +138,6 @@ def test_places_of_findings_count_recognised_parts(monkeypatch):
     content = esi(device(dictionary(TYPE, f"\n{OBJECT}\n{OBJECT}\n{BROKEN}"))).encode()
     assert [finding.path[-15:] for finding in reader.read(content).findings] == ["Object[2]/Index"]
     assert reader.read(content) == plain(content, monkeypatch)
-
-
-def test_elements_that_were_cut_out_come_back_with_their_lines():
-    text = twice(f"\n{TYPE}\n", f"\n{OBJECT}\n{OBJECT}\n{BROKEN.replace('#xZZ', '#x2')}\n")
-    reader = Reader()
-    reader.read(text.encode())
-    tree = reader.read_tree(text.encode())[1]()
-    assert tree.cut is not None and len(list(tree.root.iter("Object"))) < 6
-    expected = etree.fromstring(text.encode(), make_parser())
-    assert [(e.tag, e.text, e.sourceline) for e in tree.whole().iter()] == [
-        (e.tag, e.text, e.sourceline) for e in expected.iter()
-    ]
 
 
 def test_lines_behind_recognised_parts_stay_right():

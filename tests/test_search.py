@@ -174,6 +174,19 @@ def test_evidence_says_what_a_document_leaves_out(tmp_path):
     }
 
 
+def test_evidence_says_which_op_modes_are_superseded(tmp_path):
+    """VendorSpecific/TwinCAT/@IgnoreFromBuildNo, as Beckhoff marks OpModes of which newer ones have the name."""
+    mode = "<OpMode><Name>DC</Name><AssignActivate>#x300</AssignActivate>{}</OpMode>"
+    said = "<VendorSpecific><TwinCAT {}/></VendorSpecific>"
+    modes = [mode.format(said.format(text)) for text in ('IgnoreFromBuildNo="2200"', 'UseFromBuildNo="2200"')]
+    db = catalog_of(tmp_path, esi(device(f"<Dc>{''.join(modes)}{mode.format('')}</Dc>")))
+    with Catalog.open(db) as catalog:
+        (found,) = catalog.devices(sync="sync0")
+    current = "SYNC0 in OpMode 'DC': AssignActivate 0x0300"
+    old = "SYNC0 in OpMode 'DC' (superseded: newer tools ignore it): AssignActivate 0x0300"
+    assert list(found.evidence) == [old, current, current]
+
+
 @pytest.mark.parametrize(
     ("texts", "values"),
     [

@@ -47,6 +47,12 @@ def test_an_absent_assign_activate_says_nothing():
     assert sync_signals(None).dc_active is None
 
 
+@pytest.mark.parametrize("word", [-1, 0x10300])
+def test_an_assign_activate_that_no_register_holds_says_nothing(word):
+    """The registers 0x0980 and 0x0981 are two bytes."""
+    assert sync_signals(word) == sync_signals(None)
+
+
 @given(st.integers(0, 0xFFFF))
 def test_no_signal_without_an_active_unit(word):
     found = sync_signals(word)

@@ -7,12 +7,14 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.conditions import Condition, Evidence, by_row, stated, tested, with_row
-from esicatalog.catalog.schema import dc_modes, device_facts, devices, drive_modes, mailboxes
+from esicatalog.catalog.schema import dc_modes, device_facts, devices, drive_modes, mailboxes, vendor_extensions
+from esicatalog.esi.records.dc import OpMode
 from esicatalog.identity import Bounds
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.drive_modes import accepted_verdicts
 from esicatalog.model.ports import port_kind
 from esicatalog.model.sync_parameters import MINIMUM_CYCLE, SYNC_PARAMETERS
+from esicatalog.model.twincat import is_superseded
 from esicatalog.model.words import protocol_name
 
 _FSOE = "fsoe"
@@ -111,12 +113,23 @@ def drive_mode(mode: str, strict: bool) -> Condition:
 
 def sync(signal: str) -> Condition:
     """Devices with an OpMode in which they generate SYNC0 or SYNC1."""
-    column, facts = dc_modes.c[signal], device_facts.c
-    query = sa.select(dc_modes.c.device_id, dc_modes.c.name, dc_modes.c.assign_activate).where(column == sa.true())
+    modes, said, facts = dc_modes.c, vendor_extensions.c, device_facts.c
+    of_mode = sa.and_(
+        said.device_id == modes.device_id,
+        said.owner_table == dc_modes.name,
+        said.owner_position == modes.position,
+    )
+    query = (
+        sa.select(modes.device_id, modes.name, modes.assign_activate, said.xml)
+        .select_from(dc_modes.outerjoin(vendor_extensions, of_mode))
+        .where(modes[signal] == sa.true())
+    )
 
-    def words(name: str | None, assign_activate: int) -> str:
+    def words(name: str | None, assign_activate: int, vendor_specific: str | None) -> str:
         mode = f"OpMode {name!r}" if name is not None else "an OpMode without Name"
-        return f"{signal.upper()} in {mode}: AssignActivate 0x{assign_activate:04X}"
+        superseded = is_superseded(OpMode(vendor_specific=vendor_specific))
+        ignored = " (superseded: newer tools ignore it)" if superseded else ""
+        return f"{signal.upper()} in {mode}{ignored}: AssignActivate 0x{assign_activate:04X}"
 
     ordered = query.order_by(dc_modes.c.device_id, dc_modes.c.position)
     evidence = by_row(ordered, dc_modes.c.device_id, words)

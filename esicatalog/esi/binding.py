@@ -37,6 +37,8 @@ class Record(msgspec.Struct, metaclass=_RecordMeta, frozen=True, gc=False, omit_
 
     SCHEMA_ORDER: ClassVar[tuple[str, ...]] = ()
     """Where the schema's sequence is not the order of declaration: these paths come first, the others as declared."""
+    CHOICES: ClassVar[tuple[tuple[str, ...], ...]] = ()
+    """Fields of which the schema has one only (xs:choice); where several are given, the first of them counts."""
 
     spelling: dict[str, str] | None = None
 
@@ -136,7 +138,8 @@ class _Node:
     """What the reader does with one element: the compiled tree of a record's paths."""
 
     __slots__ = (
-        "attributes", "children", "descends", "leaves", "lists", "many", "plain", "rank", "record", "text", "whole",
+        "alternatives", "attributes", "children", "choices", "descends", "leaves", "lists", "many", "plain", "rank",
+        "record", "text", "whole",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -153,6 +156,10 @@ class _Node:
         self.many = False
         self.plain: Target | None = None
         """The target of the text of an element that has nothing but text: the common case, read without descending."""
+        self.alternatives: frozenset[str] = frozenset()
+        """Tags of which the schema has one in this place."""
+        self.choices: tuple[dict[str, str], ...] = ()
+        """Choices of a record: the path of each field."""
         self.lists: tuple[str, ...] = ()
         """Fields of a record that collect repeated children."""
         self.leaves: dict[tuple[Any, ...], Record] = {}
@@ -170,11 +177,13 @@ def is_record(item: Any) -> bool:
 
 def _compile(record_type: type[Record]) -> _Node:
     root = _Node()
+    nodes: dict[str, _Node] = {}
     for field in fields_in_order(record_type):
         path, attribute = field.xml.element, field.xml.attribute
         node = root
         for tag in path.split("/") if path else []:
             node = node.children.setdefault(tag, _Node())
+        nodes[field.name] = node
         if is_record(field.item) or isinstance(field.xml.kind, Marker):
             node.whole, node.many = field.name, field.many
             node.record = field.item if is_record(field.item) else None
@@ -184,6 +193,11 @@ def _compile(record_type: type[Record]) -> _Node:
         else:
             node.text = Target(field.name, field.xml.kind, field.many)
     _finish(root)
+    paths = {field.name: field.xml.path for field in fields_of(record_type)}
+    root.choices = tuple({name: paths[name] for name in choice} for choice in record_type.CHOICES)
+    for choice in root.choices:
+        for name in choice:
+            nodes[name].alternatives = frozenset(path.rpartition("/")[2] for path in choice.values())
     root.lists = tuple(field.name for field in fields_of(record_type) if field.many)
     _compiled[record_type] = root
     return root
@@ -214,6 +228,10 @@ def read_record(record_type: type[R], element: etree._Element, notes: Notes) -> 
     node = _compiled.get(record_type) or _compile(record_type)
     values: dict[str, Any] = {}
     _fill(node, element, values, notes)
+    for choice in node.choices:
+        given = [path for name, path in choice.items() if values.get(name) not in (None, "")]
+        if len(given) > 1:
+            notes.given_together(element, given)
     for name in node.lists:
         if name in values:
             values[name] = tuple(values[name])
@@ -252,7 +270,9 @@ def _fill(node: _Node, element: etree._Element, values: dict[str, Any], notes: N
             notes.unmapped_element(child)
             continue
         if taken.rank < rank:
-            notes.misplaced(element, child, children)
+            before = child.getprevious()
+            if before is None or before.tag not in taken.alternatives:
+                notes.misplaced(element, child, children)
             rank = _ANYWHERE
         elif rank != _ANYWHERE:
             rank = taken.rank

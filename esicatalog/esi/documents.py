@@ -35,6 +35,8 @@ _BOMS = {
 """What the bytes are that begin with a byte order mark, and the other names by which a document may declare that. The
 longer ones come first: one begins as another does."""
 _WIDE_BOMS = tuple(bom for bom in _BOMS if bom != codecs.BOM_UTF8)
+_WIDE = frozenset(name for bom in _WIDE_BOMS for name in (_BOMS[bom][0].lower(), *_BOMS[bom][1].split()))
+"""Names of encodings whose characters have 16 or 32 bits."""
 _LONGEST_DECLARATION = 1_000
 _LIMITS = {
     "amplification": "its entities and attribute defaults expand too far",
@@ -153,12 +155,17 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
     _check_limits(error.code, reason, line)
     if b"<EtherCAT" not in content and not content.startswith(_WIDE_BOMS):
         raise NotAnEsiDocument(f"XML without an EtherCAT root, and not well-formed: {reason}", line)
-    if "encoding" in reason.lower() or "utf-8" in reason.lower():
+    label = (declared_encoding(content) or b"").decode()
+    # Programs that write XML into a string of UTF-16 declare that, whatever the string is saved as.
+    is_narrow = label in _WIDE
+    if is_narrow:
+        line, reason = 1, f"declared as {label}, but it begins with characters of 8 bits"
+    if is_narrow or "encoding" in reason.lower() or "utf-8" in reason.lower():
         for encoding in ("utf-8", _code_page(content), "windows-1252"):
             root = _read_as(content, encoding) if encoding is not None else None
             if root is not None:
                 return _known(content, root, f"{reason}; read as {encoding}", line)
-    parser, rest = make_parser(recover=True), None
+    parser, rest = make_parser(recover=True, encoding="utf-8" if is_narrow else None), None
     with contextlib.suppress(etree.XMLSyntaxError):
         rest = etree.fromstring(content, parser)
     for entry in parser.error_log:

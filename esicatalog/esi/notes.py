@@ -1,6 +1,6 @@
 """What the reader notices while it reads: findings with line numbers, and values that no record field holds."""
 
-from collections.abc import Callable, Container
+from collections.abc import Callable, Container, Sequence
 from typing import Any, Protocol
 
 import msgspec
@@ -103,6 +103,11 @@ class Notes:
     def read_as_one(self, element: etree._Element) -> None:
         """Another one of what the schema has once, whose parts are read as those of the first."""
         self.find(element, "L05", "W", f"element {element.tag!s} occurs again; read as one with the first")
+
+    def given_together(self, element: etree._Element, paths: Sequence[str]) -> None:
+        """Elements of which the schema has one only; the first of ``paths`` counts."""
+        words = f"{' and '.join(paths)} are given, of which the schema has one only; {paths[0]} counts"
+        self.find(element, "L05", "W", f"{element.tag!s}: {words}")
 
     def unmapped_attribute(self, element: etree._Element, name: str, text: str, repeated: bool = False) -> None:
         """An attribute that no field takes."""

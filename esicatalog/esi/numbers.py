@@ -126,6 +126,23 @@ def _hex_dec(limit: int, bits: int | None = None) -> Callable[[str], tuple[int |
 
 
 _byte = _hex_dec(MAX_STORED, 8)
+_number = _hex_dec(MAX_STORED)
+_INT64_MIN, _UINT64_MAX = -(1 << 63), (1 << 64) - 1
+
+
+def parse_value(text: str) -> int | None:
+    """The number of a HexDecValue that 64 bits hold with or without sign, stored or not; None for other texts."""
+    value = parse_hex_dec(text)
+    return value if value is not None and _INT64_MIN <= value <= _UINT64_MAX else None
+
+
+def _value(text: str) -> tuple[int | None, Remark | None]:
+    """A number of 64 bits; one that no database keeps stays a text, which is no fault of it."""
+    value, remark = _number(text)
+    is_right = value is None and parse_value(text) is not None and not text.upper().startswith(("0X", "#X0X"))
+    return (None, None) if is_right else (value, remark)
+
+
 _SWITCHED = {"true": 1, "false": 0}
 
 
@@ -210,6 +227,8 @@ HEX8 = Scalar("HexDecValue (8 bits)", _byte, _spell_hex)
 """The same of 8 bits: ControlByte."""
 DEC = Scalar("HexDecValue", _hex_dec(MAX_STORED), str)
 """HexDecValue usually written in decimal: values, counts."""
+DEC64 = Scalar("HexDecValue (64 bits)", _value, str)
+"""The same of 64 bits: values of objects."""
 DEC16 = Scalar("HexDecValue (16 bits)", _hex_dec(MAX_STORED, 16), str)
 """The same of 16 bits: lengths of SyncManagers."""
 DEC8 = Scalar("HexDecValue (8 bits)", _byte, str)

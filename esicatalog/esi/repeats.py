@@ -281,25 +281,8 @@ class Cut:
         """How many elements of the document an element of the cut one stands for."""
         return len(self._run(element)) or 1
 
-    def unfold(self, root: etree._Element) -> None:
-        """Put all elements that were cut out back into the tree, and take the marks away."""
-        for element in list(root.iter()):
-            around = element.getparent()
-            if around is not None and self._run(element):
-                at = around.index(element)
-                around[at : at + 1] = [self.itself(element, number) for number in range(self.count(element))]
-            element.attrib.pop(MARK, None)
-
-    def itself(self, element: etree._Element, number: int) -> etree._Element:
-        """Element ``number`` of those that an element stands for, with its lines; one that was cut out stands alone."""
-        run = self._run(element)
-        if not run:
-            return element
-        # Lines are counted by the parser, which knows more of them than an element can be given.
-        return self._parsed(b"\n" * self._lines_before(element, number) + run[number].words)
-
     def standing_alone(self, element: etree._Element, number: int) -> Located | None:
-        """:meth:`itself` in a tree of its own, for many looks at many parts; None for what was not cut out."""
+        """One of the elements that an element stands for, in a tree of its own; None for one that was not cut out."""
         run = self._run(element)
         if not run:
             return None

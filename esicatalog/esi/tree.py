@@ -63,12 +63,6 @@ class DocumentTree:
         family = self._families[inside, path] = (elements, list(accumulate(counts, initial=0)))
         return family
 
-    def whole(self) -> etree._Element:
-        """The root, with everything below it as the document has it."""
-        if self.cut is not None:
-            self.cut.unfold(self.root)
-        return self.root
-
 
 def _at(inside: etree._Element, path: str) -> Iterator[etree._Element]:
     return inside.iterfind(path) if "/" in path else inside.iterchildren(path)

@@ -17,6 +17,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.export.choice import DEFAULT_CYCLE_NS
 from esicatalog.identity import UINT32_MAX
 from esicatalog.model.sync import (
+    ASSIGN_ACTIVATE,
     SyncSignals,
     asked_op_modes,
     chosen_positions,
@@ -26,7 +27,6 @@ from esicatalog.model.sync import (
 )
 
 _INT32_MAX = 0x7FFF_FFFF
-_ASSIGN_ACTIVATE = range(0x1_0000)
 _TIME_LOOP_CONTROL_ONLY = (
     "Dc/TimeLoopControlOnly: the device uses the DC time and no SYNC or LATCH signal, so that a master writes none of "
     "the registers 0x0940 to 0x09FF, and AssignActivate 0x{:04X} of the OpMode is left out; the clocks of the bus have "
@@ -288,7 +288,7 @@ def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
     remarks: list[str] = []
     sync0 = _sync0_cycle(op_mode, signals, remarks) if signals.dc_active else Time()
     shift_ns = (op_mode.shift_time_sync0_ns or 0) if signals.dc_active else 0
-    period = _sync1_period(op_mode, sync0) if signals.sync1 else Time()
+    period = _sync1_period(op_mode, sync0, remarks) if signals.sync1 else Time()
     delay = _sync1_delay(op_mode, sync0, period, cycle_ns, remarks) if signals.sync1 else Time()
     for name, is_used, is_input, factor in (
         ("ShiftTimeSync0", signals.dc_active, op_mode.shift_time_sync0_input, op_mode.shift_time_sync0_factor),
@@ -320,12 +320,16 @@ def _sync0_cycle(op_mode: OpMode, signals: SyncSignals, remarks: list[str]) -> T
     return Time(Fraction(1))
 
 
-def _sync1_period(op_mode: OpMode, sync0: Time) -> Time:
+def _sync1_period(op_mode: OpMode, sync0: Time, remarks: list[str]) -> Time:
     if op_mode.cycle_time_sync1_ns:
         return Time(ns=op_mode.cycle_time_sync1_ns)
     factor = op_mode.cycle_time_sync1_factor or 0
     if factor:
         return sync0.times(factor) if factor > 0 else Time(Fraction(-factor))
+    if op_mode.shift_time_sync1_ns is None:
+        remarks.append(
+            "neither CycleTimeSync1 nor ShiftTimeSync1 gives a time: SYNC1 comes at the start of each SYNC0 cycle"
+        )
     return sync0
 
 
@@ -347,7 +351,7 @@ def _sync1_delay(op_mode: OpMode, sync0: Time, period: Time, cycle_ns: int, rema
 
 
 def _check_range(found: Clocks, name: str | None, cycle_ns: int) -> None:
-    if found.assign_activate not in _ASSIGN_ACTIVATE:
+    if found.assign_activate not in ASSIGN_ACTIVATE:
         raise InputError(
             f"OpMode {name!r} has AssignActivate {found.assign_activate:#x}, which does not fit the registers 0x0980 "
             "and 0x0981: correct it, or choose another OpMode"

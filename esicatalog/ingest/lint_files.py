@@ -8,6 +8,8 @@ from typing import TypeVar
 from esicatalog.catalog.digests import Digests
 from esicatalog.errors import BrokenDocument, DocumentError, InputError, NotAnEsiDocument, UnreadableDocument
 from esicatalog.esi.containers import Container, open_container, resolve_reference
+from esicatalog.esi.documents import parse_document
+from esicatalog.esi.lines import Lines
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.records.device import Device
@@ -102,7 +104,8 @@ class FilesRun:
             read, tree, lambda name: resolve_reference(container, found.name, name) is not None
         )
         if self._schema is not None and any(rule.id == SCHEMA_RULE for rule in self._rules):
-            violations = self._schema.violations(tree().whole())
+            content = _content(container, found.name)
+            violations = self._schema.violations(parse_document(content).root, Lines(content), findings)
             findings = sorted([*findings, *violations], key=lambda finding: finding.line)
         self._facts.extend(facts_of_document(read, shown, self._signature))
         return findings

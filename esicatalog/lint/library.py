@@ -40,6 +40,11 @@ class DeviceFact(NamedTuple):
     hides: tuple[Hidden, ...] = ()
 
     @property
+    def section(self) -> tuple[str, str]:
+        """Its vendor section: the document, and which EtherCATInfo of an EtherCATInfoList."""
+        return self.document, self.path.partition("/Descriptions/")[0]
+
+    @property
     def identity(self) -> tuple[int, int, int] | None:
         """Vendor, product and revision when all of them are given."""
         if self.vendor_id is None or self.product_code is None or self.revision_no is None:

@@ -15,6 +15,7 @@ _Pairs = Sequence[tuple[InfoSubItem, int | None]]
 
 _name = attrgetter("name")
 _values_of_sub_item = attrgetter("default_data", "default_value", "default_string", "min_value", "max_value")
+_BIT_0 = ("00", "01")
 _NO_VALUES = frozenset({(None, None, None, None, None), ("", None, None, None, None)})
 
 
@@ -114,16 +115,18 @@ def _fit(pairs: _Pairs) -> bool:
 
 def _is_harmless(values: DeclaredValues, bit_size: int | None) -> bool:
     """Whether there is no default, or one without limits that fits a known size: a number that is positive and needs
-    not the highest bit, or as many bytes.
+    not the highest bit, or as many bytes, of which all bits count or no more than the lowest is set.
     """
     data, number = values.default_data, values.default_value
     if not data:
         if number is None:
+            if values.spelling and "default_value" in values.spelling:
+                return False
             if values.default_string is None:
                 return True
         elif bit_size is None or number < 0 or number.bit_length() >= bit_size:
             return False
-    elif bit_size is None or len(data) != 2 * byte_length(bit_size):
+    elif bit_size is None or len(data) != 2 * byte_length(bit_size) or (bit_size % 8 and data not in _BIT_0):
         return False
     return (
         values.default_string is None

@@ -1,18 +1,22 @@
 """Validation against the ETG schema files of the user; none are shipped."""
 
 import re
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from lxml import etree
 
 from esicatalog.errors import InputError
 from esicatalog.esi.containers import Folder
+from esicatalog.esi.element_paths import ElementPaths
+from esicatalog.esi.lines import Lines
 from esicatalog.esi.notes import Finding
 from esicatalog.lint.registry import WARNING
 from esicatalog.lint.rules.reading import SCHEMA_RULE
 
 _LIST, _LISTED = "EtherCATInfoList", "EtherCATInfo"
-_POSITION = re.compile(r"\[(\d+)\]")
+_SUBJECT = re.compile(r"Element '(?P<tag>[^']+)'(?:, attribute '(?P<attribute>[^']+)')?: ")
+"""How libxml2 begins to tell what it is about."""
 
 
 class SchemaFolder:
@@ -26,21 +30,31 @@ class SchemaFolder:
         if self._schema(_LISTED) is None:
             raise InputError(f"{folder}: no EtherCATInfo.xsd there; name the folder with the schema files of the ETG")
 
-    def violations(self, root: etree._Element) -> list[Finding]:
-        """Every violation with its kind; none for a document whose schema the folder lacks."""
-        if root.tag == _LIST:
-            return [finding for child in root.iterchildren(_LISTED) for finding in self._validate(child, _LISTED)]
-        return self._validate(root, str(root.tag))
-
-    def _validate(self, element: etree._Element, name: str) -> list[Finding]:
-        schema = self._schema(name)
-        if schema is None or schema.validate(element):
-            return []
-        found = {
-            Finding(SCHEMA_RULE, WARNING, f"{error.message} ({error.type_name})", error.line, _element_path(error.path))
-            for error in schema.error_log
-        }
+    def violations(self, root: etree._Element, lines: Lines, told: Iterable[Finding] = ()) -> list[Finding]:
+        """Every violation with its kind, but of a value of which ``told`` has it; none for a document whose schema the
+        folder lacks. ``lines`` are those of the tree.
+        """
+        paths = ElementPaths()
+        values = {(item.path, item.message.partition(": ")[0]) for item in told if item.rule == SCHEMA_RULE}
+        found = set()
+        for part in root.iterchildren(_LISTED) if root.tag == _LIST else (root,):
+            for element, message, kind in self._errors(part):
+                path = paths.path(element)
+                if (path, _value(message)) not in values:
+                    found.add(Finding(SCHEMA_RULE, WARNING, f"{message} ({kind})", lines.of(element), path))
         return sorted(found, key=lambda finding: (finding.line, finding.path, finding.message))
+
+    def _errors(self, root: etree._Element) -> Iterator[tuple[etree._Element, str, str]]:
+        """What is wrong below an element: where, the message of libxml2, and its kind.
+
+        The path of an error begins with that element; its line is not always known to libxml2.
+        """
+        schema = self._schema(str(root.tag))
+        if schema is not None and not schema.validate(root):
+            for error in schema.error_log:
+                _, _, below = (error.path or "").lstrip("/").partition("/")
+                elements = root.xpath(below) if below else []
+                yield elements[0] if elements else root, error.message, error.type_name
 
     def _schema(self, name: str) -> etree.XMLSchema | None:
         if name not in self._compiled:
@@ -53,6 +67,7 @@ class SchemaFolder:
         return self._compiled[name]
 
 
-def _element_path(path: str | None) -> str:
-    """A path of libxml2 as findings have it: without leading slash, positions from 0."""
-    return _POSITION.sub(lambda match: f"[{int(match[1]) - 1}]", (path or "").lstrip("/"))
+def _value(message: str) -> str:
+    """The value that a violation is about, as the findings of the reader name it: ``Sm/@Enable``."""
+    found = _SUBJECT.match(message)
+    return "/@".join(filter(None, found.groups())) if found is not None else ""

@@ -37,6 +37,11 @@ def is_absent(record: Record, field: str) -> bool:
     return getattr(record, field) is None and field not in (record.spelling or {})
 
 
+def is_off(record: Record, field: str) -> bool:
+    """Whether a value is false, 0 or not given at all."""
+    return is_absent(record, field) if (value := getattr(record, field)) is None else not value
+
+
 class DeclaredPdo(NamedTuple):
     """A PDO of a device or module and where it stands there."""
 

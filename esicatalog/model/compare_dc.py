@@ -48,7 +48,7 @@ def _assign_activate(value: int | str | None) -> str | None:
         return value
     signals = sync_signals(value)
     words = [name for field, name in _SIGNALS.items() if getattr(signals, field)]
-    return f"{h4(value)} ({', '.join(words) or 'no DC'})"
+    return f"{h4(value)} ({', '.join(words) or ('no DC' if signals.dc_active is False else 'unknown')})"
 
 
 def _op_mode_pdo(pdo: OpModePdo) -> str:

@@ -42,6 +42,7 @@ from esicatalog.model.drive_parts import (
 )
 from esicatalog.model.profile_facts import has_profile_402
 from esicatalog.model.start_up import start_command, written_data
+from esicatalog.model.values import byte_length
 
 YES, NO = "yes", "no"
 _OPTIONS = "options"
@@ -181,8 +182,9 @@ def supported_modes(entry: ObjectEntry) -> SupportedModes | None:
     width = (entry.bit_size or 32) // 8
     if data is not None and len(data) < width:
         return SupportedModes(value, "A+ short", f" (only {len(data)} of {width} bytes are given)")
-    if data is not None and not value & STANDARD_BITS:
-        swapped = int.from_bytes(data, "big")
+    if not value & STANDARD_BITS:
+        given = data if data is not None else value.to_bytes(max(width, byte_length(value.bit_length())), "little")
+        swapped = int.from_bytes(given, "big")
         if not swapped or swapped & ~STANDARD_BITS:
             return None
         return SupportedModes(swapped, "A+ swapped", " (bytes look swapped)")

@@ -86,6 +86,8 @@ class SmImage(NamedTuple):
     """What a SyncManager has in place of PDOs whose exchange is not described, in words."""
     missing_modules: str | None = None
     """Which required slots are empty whose modules have PDOs of this direction; also among the remarks."""
+    excluded: tuple[tuple[AvailablePdo, int], ...] = ()
+    """PDOs that are left out, each with the one that excludes it; also among the remarks."""
 
     @property
     def left_open_words(self) -> str | None:
@@ -245,6 +247,7 @@ def _image(
         builder.overflow,
         builder.is_known and left_open is None,
         left_open,
+        excluded=tuple(builder.excluded),
     )
 
 
@@ -299,6 +302,7 @@ class _ImageBuilder:
         self.bit_size = 0
         self.is_known = True
         self.overflow: str | None = None
+        self.excluded: list[tuple[AvailablePdo, int]] = []
 
     def place(self, candidate: AvailablePdo) -> None:
         """Add a PDO unless it is excluded by one that came before or by a mandatory one that stays."""
@@ -306,6 +310,7 @@ class _ImageBuilder:
         rival = self._rivals.rival(pdo)
         if rival is not None:
             self._remarks.append(f"PDO {index_words(pdo.pdo_index)} is left out: {index_words(rival)} excludes it")
+            self.excluded.append((candidate, rival))
             return
         if self._listed is not None and pdo.pdo_index not in self._listed:
             self._remarks.append(f"PDO {index_words(pdo.pdo_index)} is mandatory: assigned too")

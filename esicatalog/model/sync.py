@@ -15,6 +15,9 @@ from esicatalog.esi.records.module import Module
 from esicatalog.model.twincat import is_superseded
 from esicatalog.sii.words import AssignActivate
 
+ASSIGN_ACTIVATE = range(0x1_0000)
+"""What the registers 0x0980 and 0x0981 can hold."""
+
 
 class SyncSignals(Record):
     """What AssignActivate of an OpMode asks for; :func:`generated_signals` are those that a device then generates."""
@@ -30,8 +33,8 @@ class SyncSignals(Record):
 
 @lru_cache(1_000)
 def sync_signals(assign_activate: int | None) -> SyncSignals:
-    """Decode AssignActivate; everything is None when the OpMode does not give it."""
-    if assign_activate is None:
+    """Decode AssignActivate; everything is None when it is not given, or is none that its registers can hold."""
+    if assign_activate is None or assign_activate not in ASSIGN_ACTIVATE:
         return SyncSignals()
     active = bool(assign_activate & AssignActivate.SYNC_UNIT)
     return SyncSignals(

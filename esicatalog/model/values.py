@@ -4,7 +4,7 @@ import functools
 import struct
 from typing import NamedTuple
 
-from esicatalog.esi.numbers import MAX_STORED, decode_hex_binary, parse_hex_dec, parse_real
+from esicatalog.esi.numbers import MAX_STORED, decode_hex_binary, parse_hex_dec, parse_real, parse_value
 from esicatalog.model.base_types import BaseType
 
 _HEX_PREFIXES = ("#x", "0x")
@@ -84,10 +84,19 @@ _decode_short = functools.lru_cache(16_384)(_decode_data)
 
 
 def decode_value(number: int | None, raw: str, base: BaseType | None) -> Value:
-    """A value given as HexDecValue; on a REAL it is the number itself, in hex on a signed type its bits."""
+    """A value given as HexDecValue; on a REAL it is the number itself, in hex on a signed type its bits.
+
+    ``number`` is None for a text of 64 bits that no database keeps as number; of a signed type it may be one that does.
+    """
     if base is not None and base.kind == "real" and number is not None:
         return Value(raw, "value", real=float(number))
-    return Value(raw, "value", number=_signed(number, raw, base))
+    meant = spelled_number(raw, base) if number is None else _signed(number, raw, base)
+    return Value(raw, "value", number=meant if meant is not None and abs(meant) <= MAX_STORED else None)
+
+
+def spelled_number(raw: str, base: BaseType | None) -> int | None:
+    """The number that a HexDecValue of up to 64 bits spells, stored or not; None where it spells none."""
+    return _signed(parse_value(raw), raw, base)
 
 
 def decode_string(raw: str, base: BaseType | None) -> Value:

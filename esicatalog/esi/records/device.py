@@ -173,6 +173,8 @@ class SyncUnit(Record):
 class EepromCategory(Record):
     """Eeprom/Category: data that goes into the image as it stands."""
 
+    CHOICES: ClassVar[tuple[tuple[str, ...], ...]] = (("data_string", "data_uint", "data_udint", "data"),)
+
     cat_no: Annotated[int | None, Xml("CatNo", INT, "Category number")] = None
     data: Annotated[str | None, Xml("Data", HEX_BINARY, "Data in hex")] = None
     data_string: Annotated[str | None, Xml("DataString", doc="Data as text")] = None
@@ -183,6 +185,8 @@ class EepromCategory(Record):
 
 class Eeprom(Record):
     """Eeprom element: what the SII image needs beyond the description."""
+
+    CHOICES: ClassVar[tuple[tuple[str, ...], ...]] = (("data", "config_data"),)
 
     assign_to_pdi: Annotated[bool | None, Xml("@AssignToPdi", BOOL, "EEPROM access is given to the PDI")] = None
     data: Annotated[str | None, Xml("Data", HEX_BINARY, "Whole image in hex")] = None

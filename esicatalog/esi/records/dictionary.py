@@ -3,7 +3,7 @@
 from typing import Annotated, ClassVar
 
 from esicatalog.esi.binding import RAW, Record, Xml
-from esicatalog.esi.numbers import BOOL, DEC, DEC8, HEX, HEX16, HEX_BINARY, INT, INTEGER
+from esicatalog.esi.numbers import BOOL, DEC, DEC8, DEC64, HEX, HEX16, HEX_BINARY, INT, INTEGER
 from esicatalog.esi.records.common import Name, Property
 
 
@@ -77,9 +77,9 @@ class SubItem(Record):
     bit_offset: Annotated[int | None, Xml("BitOffs", INT, "Offset in bits in the complete-access image")] = None
     default_string: Annotated[str | None, Xml("DefaultString", doc="Default as text (obsolete place)")] = None
     default_data: Annotated[str | None, Xml("DefaultData", HEX_BINARY, "Default bytes (obsolete place)")] = None
-    min_value: Annotated[int | None, Xml("MinValue", DEC, "Minimum (obsolete place)")] = None
-    max_value: Annotated[int | None, Xml("MaxValue", DEC, "Maximum (obsolete place)")] = None
-    default_value: Annotated[int | None, Xml("DefaultValue", DEC, "Default (obsolete place)")] = None
+    min_value: Annotated[int | None, Xml("MinValue", DEC64, "Minimum (obsolete place)")] = None
+    max_value: Annotated[int | None, Xml("MaxValue", DEC64, "Maximum (obsolete place)")] = None
+    default_value: Annotated[int | None, Xml("DefaultValue", DEC64, "Default (obsolete place)")] = None
     flags: Annotated[Flags | None, Xml("Flags")] = None
     properties: Annotated[tuple[Property, ...], Xml("Property", doc="Properties")] = ()
     xml: Annotated[str | None, Xml("Xml", RAW, "Free XML of the vendor")] = None
@@ -103,15 +103,21 @@ class DataType(Record):
 class DeclaredValues(Record):
     """Info element of an object or of one of its sub-items: default, minimum and maximum as declared."""
 
+    CHOICES: ClassVar[tuple[tuple[str, ...], ...]] = (
+        ("default_data", "default_value", "default_string"),
+        ("min_data", "min_value"),
+        ("max_data", "max_value"),
+    )
+
     default_string: Annotated[str | None, Xml("Info/DefaultString", doc="Default as text")] = None
     min_data: Annotated[str | None, Xml("Info/MinData", HEX_BINARY, "Minimum, bytes little-endian in hex")] = None
     max_data: Annotated[str | None, Xml("Info/MaxData", HEX_BINARY, "Maximum, bytes little-endian in hex")] = None
     default_data: Annotated[str | None, Xml("Info/DefaultData", HEX_BINARY, "Default, bytes little-endian in hex")] = (
         None
     )
-    min_value: Annotated[int | None, Xml("Info/MinValue", DEC, "Minimum as number")] = None
-    max_value: Annotated[int | None, Xml("Info/MaxValue", DEC, "Maximum as number")] = None
-    default_value: Annotated[int | None, Xml("Info/DefaultValue", DEC, "Default as number")] = None
+    min_value: Annotated[int | None, Xml("Info/MinValue", DEC64, "Minimum as number")] = None
+    max_value: Annotated[int | None, Xml("Info/MaxValue", DEC64, "Maximum as number")] = None
+    default_value: Annotated[int | None, Xml("Info/DefaultValue", DEC64, "Default as number")] = None
     info_sub_items: Annotated[
         tuple["InfoSubItem", ...], Xml("Info/SubItem", doc="Declared values of the sub-items, paired by name")
     ] = ()

@@ -1,7 +1,7 @@
 """Profile of a device or module: profile numbers, channels, dictionary, diagnosis texts."""
 
 from collections.abc import Iterable, Iterator
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from esicatalog.esi.binding import RAW, Record, Xml
 from esicatalog.esi.numbers import BOOL, INT, INTEGER
@@ -23,6 +23,11 @@ class ChannelInfo(Record):
 
 class Profile(Record):
     """Profile element. ``dictionary`` is the inline one or the one ``dictionary_file`` names, when it was found."""
+
+    CHOICES: ClassVar[tuple[tuple[str, ...], ...]] = (
+        ("dictionary", "dictionary_file"),
+        ("diag_messages", "diag_files"),
+    )
 
     channel: Annotated[int | None, Xml("@Channel", INT, "Channel (obsolete)")] = None
     profile_no: Annotated[int | None, Xml("ProfileNo", INT, "Profile number, e.g. 402 drives, 5001 modular")] = None

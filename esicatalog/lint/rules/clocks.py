@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from esicatalog.esi.records.dc import OpMode, OpModeSm
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
-from esicatalog.lint.subjects import DeclaredPdo, ModuleSubject, ProcessSubject, is_absent
+from esicatalog.lint.subjects import DeclaredPdo, ModuleSubject, ProcessSubject, is_absent, is_off
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import sync_signals
 from esicatalog.model.twincat import is_superseded
@@ -25,7 +25,7 @@ def assign_activate(subject: ProcessSubject) -> Iterator[Found]:
         if value is None:
             if is_absent(mode, "assign_activate"):
                 yield Found(f"{_words(number, mode)} has no AssignActivate: give it, #x0 for no clocks", _at(number))
-        elif value & (AssignActivate.SYNC0 | AssignActivate.SYNC1) and not sync_signals(value).dc_active:
+        elif value & (AssignActivate.SYNC0 | AssignActivate.SYNC1) and sync_signals(value).dc_active is False:
             yield Found(
                 f"{_words(number, mode)} has AssignActivate 0x{value:04X}: SYNC pulses without the sync unit (0x0100); "
                 "no pulse is made",
@@ -36,20 +36,24 @@ def assign_activate(subject: ProcessSubject) -> Iterator[Found]:
 
 @rule("L50", INFORMATION, "ESC registers 0x0980, 0x0981: bit 0x0400 of AssignActivate makes SYNC1, not its times")
 def sync1_times(subject: ProcessSubject) -> Iterator[Found]:
-    """Times of SYNC1 without the SYNC1 bit (the bit without times: W)."""
+    """Times of SYNC1 without the SYNC1 bit (the bit without times, or with a cycle below 0: W)."""
     for number, (mode, signals) in enumerate(zip(subject.data.op_modes, subject.data.signals, strict=True)):
         if mode.assign_activate is None:
             continue
         if signals.sync1:
-            if not (mode.cycle_time_sync1_ns or mode.cycle_time_sync1_factor or mode.shift_time_sync1_ns is not None):
+            if _has_no_time(mode, "cycle_time_sync1") and is_absent(mode, "shift_time_sync1_ns"):
                 yield Found(
                     f"{_words(number, mode)} makes SYNC1 (AssignActivate 0x{mode.assign_activate:04X}) "
                     f"{_without('CycleTimeSync1', mode.cycle_time_sync1_ns)}: its time is unknown; give it",
                     _at(number),
                     WARNING,
                 )
-        elif not mode.assign_activate & AssignActivate.SYNC1 and (
-            mode.cycle_time_sync1_ns or mode.cycle_time_sync1_factor
+            if (mode.cycle_time_sync1_ns or 0) < 0:
+                yield _negative(number, mode, "CycleTimeSync1", "cycle_time_sync1_ns")
+        elif (
+            signals.sync1 is False
+            and not mode.assign_activate & AssignActivate.SYNC1
+            and (mode.cycle_time_sync1_ns or mode.cycle_time_sync1_factor)
         ):
             yield Found(
                 f"{_words(number, mode)} has CycleTimeSync1, but AssignActivate 0x{mode.assign_activate:04X} "
@@ -60,15 +64,29 @@ def sync1_times(subject: ProcessSubject) -> Iterator[Found]:
 
 @rule("L51", WARNING, "ETG.2000 OpMode/CycleTimeSync0")
 def sync0_time_missing(subject: ProcessSubject) -> Iterator[Found]:
-    """SYNC pulses without CycleTimeSync0, or with 0 and no Factor; a device that makes them itself needs none."""
+    """SYNC pulses without CycleTimeSync0, with 0 and no Factor or with a time below 0; a device that makes them itself
+    needs none.
+    """
     for number, (mode, signals) in enumerate(zip(subject.data.op_modes, subject.data.signals, strict=True)):
         makes_pulses = (signals.sync0 or signals.sync1) and not signals.sync_unit_pdi
-        if makes_pulses and not (mode.cycle_time_sync0_ns or mode.cycle_time_sync0_factor):
+        if makes_pulses and _has_no_time(mode, "cycle_time_sync0"):
             yield Found(
                 f"{_words(number, mode)} makes SYNC pulses {_without('CycleTimeSync0', mode.cycle_time_sync0_ns)}: "
                 "give it, 0 with Factor 1 for the bus cycle",
                 _at(number),
             )
+        if signals.dc_active and (mode.cycle_time_sync0_ns or 0) < 0:
+            yield _negative(number, mode, "CycleTimeSync0", "cycle_time_sync0_ns")
+
+
+def _has_no_time(mode: OpMode, cycle_time: str) -> bool:
+    """Whether a cycle time is nowhere given, neither by itself nor by its factor."""
+    return is_off(mode, f"{cycle_time}_ns") and is_off(mode, f"{cycle_time}_factor")
+
+
+def _negative(number: int, mode: OpMode, element: str, field: str) -> Found:
+    words = f"{_words(number, mode)} has {element} {getattr(mode, field)}: no cycle takes less than nothing; correct it"
+    return Found(words, (*_at(number), field), WARNING)
 
 
 def _without(element: str, given_ns: int | None) -> str:
@@ -130,6 +148,11 @@ def _assignment(
         elif described and sm is not None and not any(may_transport(sm, placed.direction) for placed in described):
             kinds = " and ".join(sorted({placed.direction for placed in described}))
             yield Found(f"assigns the {kinds} 0x{index:04X} to SM {item.no}, which is {sm.usage}", ("pdos", nth))
+        elif described and all(item.no in placed.pdo.excluded_sms for placed in described):
+            yield Found(
+                f"assigns PDO 0x{index:04X} to SM {item.no}, which its ExcludedSm rules out: correct one of them",
+                ("pdos", nth),
+            )
         most = max((placed.pdo.os_max or 0 for placed in described), default=0)
         if most and pdo.os_fac is not None and pdo.os_fac > most:
             yield Found(f"samples PDO 0x{index:04X} {pdo.os_fac} times, its OSMax is {most}", ("pdos", nth))

@@ -20,7 +20,7 @@ from esicatalog.model.profile_facts import profile_numbers
 _DEVICE_TYPE = 0x1000
 _NEEDED = (CONTROLWORD, STATUSWORD, MODES_OF_OPERATION, SUPPORTED_DRIVE_MODES)
 _DOUBTS = {
-    "A+ swapped": "looks big-endian: DefaultData is little-endian",
+    "A+ swapped": "looks byte-swapped: DefaultData is little-endian, DefaultValue the number itself",
     "A+ short": "is shorter than its type",
 }
 _AGAINST_NAME = "C3"

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from esicatalog.identity import UINT32_MAX
 from esicatalog.lint.library import DeviceFact, Library
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
-from esicatalog.lint.subjects import DeviceSubject, InfoSubject, is_absent
+from esicatalog.lint.subjects import DeviceSubject, InfoSubject, is_absent, is_off
 from esicatalog.model.ports import port_kind
 from esicatalog.model.revisions import CHECK_REVISION_NO, is_known
 from esicatalog.model.vendor_names import may_be_same
@@ -64,19 +64,20 @@ def _names_of_one_vendor(library: Library) -> Iterator[Found]:
 
 @rule("L12", WARNING, "ETG.2000: masters and catalogs find a description by vendor, product and revision alone")
 def described_differently(library: Library) -> Iterator[Found]:
-    """Two documents describe one identity differently."""
+    """Two documents, or two EtherCATInfo of an EtherCATInfoList, describe one identity differently."""
     variants: dict[tuple[int, int, int], dict[bytes, DeviceFact]] = {}
     for number, fact in enumerate(library.facts):
         if fact.identity is None or fact.vendor_name is None:  # without vendor name: what a master printed
             continue
         known = variants.setdefault(fact.identity, {})
-        others = [other for other in known.values() if other.document != fact.document]
+        others = [other for other in known.values() if other.section != fact.section]
         if others and fact.signature not in known:
             other = others[0]
             what = "with other content" if other.type == fact.type else f"as {other.type!r}"
+            where = other.document if other.document != fact.document else f"line {other.line} of this document"
             yield Found(
                 f"{fact.type!r} (product 0x{fact.product_code:08X}, revision 0x{fact.revision_no:08X}) is also "
-                f"described {what} in {other.document}: a new content needs a new RevisionNo",
+                f"described {what} in {where}: a new content needs a new RevisionNo",
                 (number,),
             )
         known.setdefault(fact.signature, fact)
@@ -86,7 +87,7 @@ def described_differently(library: Library) -> Iterator[Found]:
 def code_missing(subject: DeviceSubject) -> Iterator[Found]:
     """ProductCode or RevisionNo is missing on a device that has a slave controller."""
     device = subject.device
-    if device.invisible:
+    if not is_off(device, "invisible"):
         return
     for field, name in (("product_code", "ProductCode"), ("revision_no", "RevisionNo")):
         if is_absent(device, field):
@@ -146,7 +147,7 @@ def physics(subject: DeviceSubject) -> Iterator[Found]:
     device = subject.device
     text = device.physics
     if not text:
-        if not device.invisible:
+        if is_off(device, "invisible"):
             words = "is missing" if text is None else "is empty"
             yield Found(f"Physics {words}: name each port, e.g. YY for two 100BASE-TX ports", ("physics",))
         return
@@ -169,7 +170,7 @@ def check_revision_no_unknown(subject: DeviceSubject) -> Iterator[Found]:
 
 @rule("L15", WARNING, "ETG.2000 GroupType names a Group/Type of the document; ParentGroup likewise, two levels")
 def group_unknown(section: InfoSubject) -> Iterator[Found]:
-    """A device or group names a group that the document does not define, or groups nest three levels deep."""
+    """A device or group names a group that the document does not define or itself, or groups nest three levels deep."""
     groups = {group.type: group for group in section.info.groups}
     for number, group in enumerate(section.info.groups):
         if group.parent_group is None:
@@ -178,6 +179,8 @@ def group_unknown(section: InfoSubject) -> Iterator[Found]:
         place: Place = ("groups", number, "parent_group")
         if parent is None:
             yield Found(f"ParentGroup {group.parent_group!r} is no Group of this document: define it", place)
+        elif parent is group:
+            yield Found(f"Group {group.type!r} is its own ParentGroup: name another, or none", place)
         elif parent.parent_group is not None:
             yield Found(f"Group {group.type!r} is nested three levels deep; two are allowed", place)
     for number, device in enumerate(section.info.devices):

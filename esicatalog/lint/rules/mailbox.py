@@ -5,7 +5,15 @@ from collections.abc import Iterator
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.lint.registry import WARNING, Found, Place, rule
-from esicatalog.lint.subjects import FIRST_OBJECT, DeviceSubject, Dictionaries, ModuleSubject, dictionaries_of
+from esicatalog.lint.subjects import (
+    FIRST_OBJECT,
+    DeviceSubject,
+    Dictionaries,
+    ModuleSubject,
+    dictionaries_of,
+    is_absent,
+    is_off,
+)
 from esicatalog.model.access import states_to_write
 from esicatalog.model.base_types import BASE_TYPES
 from esicatalog.model.start_up import SENT_IN, TRANSITIONS, transition_of, unusable_part
@@ -20,7 +28,7 @@ _LEAST_EEPROM_BYTES = 128
 @rule("L56", WARNING, "ETG.2000 CoE/InitCmd: the master writes Data to the object; a device refuses what does not fit")
 def init_cmd(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
     """An InitCmd writes an object that is unknown, read-only or not writable then, or data of another length; or it is
-    never sent: without Data or a Transition that is known.
+    never sent: without Index, Data or a Transition that is known.
     """
     yield from _never_sent(subject)
     if not subject.coe_init_cmds:
@@ -50,6 +58,8 @@ def _never_sent(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
             problem = f"has the Transition {', '.join(map(repr, unknown))}, which is none of {', '.join(TRANSITIONS)}"
         elif not command.data and "data" not in (command.spelling or {}):
             problem = "has no Data, so it is never sent: give them"
+        elif is_absent(command, "object_index"):
+            problem = "is never sent: give it"
         else:
             continue
         yield Found(f"{_words(command)} {problem}", ("mailbox", "coe_init_cmds", number))
@@ -96,7 +106,7 @@ def dictionary_without_coe(subject: DeviceSubject) -> Iterator[Found]:
     if mailbox is None or not mailbox.coe:
         if subject.own and not (mailbox is not None and mailbox.soe):
             yield Found("the device has a dictionary but no CoE: nothing can read its objects", _mailbox_place(subject))
-    elif not dictionaries and dictionaries.is_complete and not mailbox.coe_sdo_info:
+    elif not dictionaries and dictionaries.is_complete and is_off(mailbox, "coe_sdo_info"):
         yield Found(
             "CoE without dictionary and without SdoInfo: nothing tells which objects the device has",
             ("mailbox", "coe"),
@@ -115,15 +125,15 @@ def pdo_choice_without_service(subject: DeviceSubject) -> Iterator[Found]:
         return
     pdos = [pdo for pdo in (*subject.device.rx_pdos, *subject.device.tx_pdos) if not pdo.virtual]
     listed = listed_pdos(subject.device.op_modes)
-    optional = [pdo for pdo in pdos if pdo.sm is None and pdo.pdo_index not in listed]
-    if optional and not mailbox.coe_pdo_assign:
+    optional = [pdo for pdo in pdos if is_absent(pdo, "sm") and pdo.pdo_index not in listed]
+    if optional and is_off(mailbox, "coe_pdo_assign"):
         yield Found(
             f"{counted(len(optional), 'PDO is', 'PDOs are')} optional (no Sm, in no OpMode), but CoE has no PdoAssign: "
             "nobody can assign what is optional",
             ("mailbox", "coe"),
         )
-    free = [pdo for pdo in pdos if not pdo.fixed and pdo.entries]
-    if free and not mailbox.coe_pdo_config:
+    free = [pdo for pdo in pdos if is_off(pdo, "fixed") and pdo.entries]
+    if free and is_off(mailbox, "coe_pdo_config"):
         yield Found(
             f"{counted(len(free), 'PDO is', 'PDOs are')} not Fixed, but CoE has no PdoConfig: mark as Fixed what "
             "nobody can change",
@@ -131,9 +141,9 @@ def pdo_choice_without_service(subject: DeviceSubject) -> Iterator[Found]:
         )
 
 
-@rule("L63", WARNING, "ETG.2000 Eeprom, ETG.2010: ByteSize, ConfigData (words 0 to 6 of the image), CatNo in decimal")
+@rule("L63", WARNING, "ETG.2000 Eeprom, ETG.2010: ByteSize, ConfigData (words 0 to 6 of the image)")
 def eeprom(subject: DeviceSubject) -> Iterator[Found]:
-    """The EEPROM is smaller than its header, has no ConfigData, or a category number that is not decimal."""
+    """The EEPROM is smaller than its header or has no ConfigData."""
     held = subject.device.eeprom
     if held is None or held.data:
         return
@@ -144,9 +154,3 @@ def eeprom(subject: DeviceSubject) -> Iterator[Found]:
         )
     if not held.config_data:
         yield Found("Eeprom without ConfigData: the slave controller cannot be configured", ("eeprom", "config_data"))
-    elif len(held.config_data) % 2:
-        yield Found("Eeprom ConfigData has an odd number of digits", ("eeprom", "config_data"))
-    for number, category in enumerate(held.categories):
-        text = (category.spelling or {}).get("cat_no")
-        if text is not None and not text.isdecimal():
-            yield Found(f"Eeprom CatNo {text!r} is not decimal", ("eeprom", "categories", number, "cat_no"))

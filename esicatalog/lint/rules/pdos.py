@@ -132,6 +132,8 @@ def exclusion_one_sided(subject: ProcessSubject | ModuleSubject) -> Iterator[Fou
 @rule("L31", ERROR, "ETG.2000 Exclude: the PDOs may not be assigned at the same time")
 def exclusive_defaults(subject: ProcessSubject | ModuleSubject) -> Iterator[Found]:
     """Two PDOs that exclude each other are both assigned by default or by an OpMode, or a PDO excludes itself."""
+    if isinstance(subject, ProcessSubject) and subject.data.is_modular:
+        yield from _exclusive_across_slots(subject.data)
     if not _any_excludes(subject):
         return
     for placed in subject.pdos:
@@ -150,6 +152,17 @@ def exclusive_defaults(subject: ProcessSubject | ModuleSubject) -> Iterator[Foun
                 both = f"{_words(placed.direction, index)} and 0x{other:04X}"
                 words, field = _assigning(mode, (other, index))
                 yield Found(f"{both} exclude each other, but {words}", (*placed.place, *field))
+
+
+def _exclusive_across_slots(data: ProcessData) -> Iterator[Found]:
+    """PDOs of default modules and of the device, or of modules in several slots, that may not be assigned together."""
+    slots = {placed.pdo.pdo_index: placed.slot_number for image in data.images for placed in image.pdos}
+    for left_out, rival in [pair for image in data.images for pair in image.excluded]:
+        if rival in slots and slots[rival] != left_out.slot_number:
+            yield Found(
+                f"{_words(left_out.direction, left_out.pdo.pdo_index)} of {left_out.owner} and 0x{rival:04X} exclude "
+                "each other, but the default modules bring both: preset others, or one of the PDOs must lose its Sm",
+            )
 
 
 def _assigning(mode: OpMode | None, both: Sequence[int]) -> tuple[str, tuple[str, ...]]:
@@ -267,11 +280,19 @@ def exclusion_of_unknown(subject: ProcessSubject | ModuleSubject) -> Iterator[Fo
                 )
 
 
-@rule("L33", ERROR, "ETG.2000 Entry/BitLen: required")
-def entry_without_length(pdo: Pdo) -> Iterator[Found]:
-    """An entry has no BitLen, or one below 0 (objects in no bits: W)."""
+@rule("L33", ERROR, "ETG.2000 RxPdo/Index, TxPdo/Index, Entry/Index, Entry/BitLen: required")
+def incomplete(pdo: Pdo) -> Iterator[Found]:
+    """A PDO or an entry has no Index, or an entry no BitLen or one below 0 (objects in no bits: W)."""
+    if is_absent(pdo, "pdo_index") and pdo.ref is None:  # an old Ref names what is described elsewhere
+        yield Found("the PDO has no Index: no master can assign it; give it")
     empty = []
     for number, entry in enumerate(pdo.entries):
+        if is_absent(entry, "entry_index"):
+            yield Found(
+                f"entry {number + 1} of PDO {index_words(pdo.pdo_index)} has no Index: "
+                "nothing tells what it maps; give it, 0 for padding",
+                ("entries", number),
+            )
         length = entry.bit_length
         if is_absent(entry, "bit_length") if length is None else length < 0:
             words = "no BitLen" if length is None else f"BitLen {length}"
@@ -378,7 +399,7 @@ def _indices(indices: Iterable[int | None], in_order: bool) -> str:
 def mandatory_without_sync_manager(subject: ProcessSubject) -> Iterator[Found]:
     """A mandatory PDO has no Sm, or excludes optional ones, which can then never be assigned."""
     pdos = [placed.pdo for placed in subject.pdos if not placed.pdo.virtual]
-    assigned = {pdo.pdo_index for pdo in pdos if pdo.sm is not None}.union(listed_pdos(subject.data.op_modes))
+    assigned = {pdo.pdo_index for pdo in pdos if not is_absent(pdo, "sm")}.union(listed_pdos(subject.data.op_modes))
     optional = {pdo.pdo_index for pdo in pdos} - assigned
     exclusions = symmetric_exclusions(pdos) if _any_excludes(subject) else {}
     for placed in subject.pdos:

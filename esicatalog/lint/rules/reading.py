@@ -37,7 +37,7 @@ found_by_reader(
     "L05",
     WARNING,
     "Unknown or repeated element, attribute or text; its value is kept, but nothing reads it. What only holds others "
-    "(Devices, Objects, Dc) is read as one with the first.",
+    "(Devices, Objects, Dc) is read as one with the first. Or elements of which the schema has one or the other.",
     "ETG.2000 schemas 1.14 to 1.17 and the later additions seen in real files",
 )
 found_by_reader(

@@ -3,12 +3,17 @@
 from collections import defaultdict
 from collections.abc import Iterator
 
+from esicatalog.esi.records.dictionary import Object
+from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.pdo import Entry
 from esicatalog.esi.records.profile import declared_objects
 from esicatalog.lint.registry import ERROR, WARNING, Found, Place, listed, rule
-from esicatalog.lint.subjects import DeviceSubject, InfoSubject
-from esicatalog.model.pdo_facts import pdos_by_direction
+from esicatalog.lint.subjects import DeviceSubject, InfoSubject, ModuleSubject
+from esicatalog.model.pdo_facts import entry_words, pdos_by_direction
 from esicatalog.model.slots import accepts, default_modules, expand_module, leaving_indices, preset_ident, slot_runs
+from esicatalog.model.words import init_cmd_target
+from esicatalog.words import index_words
 
 
 @rule("L53", ERROR, "ETG.2000 Slot/ModuleIdent, @Default, @MinInstances, @MaxInstances")
@@ -36,7 +41,9 @@ def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
                 continue
             if not any(module.module_ident == ident and accepts(slot, module) for module in subject.module_records):
                 yield Found(f"{words} has {name} 0x{ident:X}, which is no module that fits it", place, WARNING)
-        preset = [item for item in slot.module_idents if item.is_default]
+        preset = [item.module_ident for item in slot.module_idents if item.is_default]
+        if preset and slot.default_ident is not None and slot.default_ident not in preset:
+            preset.append(slot.default_ident)
         if len(preset) > 1:
             yield Found(f"{words} presets {len(preset)} modules: only one can be plugged", place)
         elif preset_ident(slot) is None and len(slot.module_idents) > 1 and slot.min_instances:
@@ -72,11 +79,44 @@ def module_ident_twice(section: InfoSubject) -> Iterator[Found]:
 
 
 @rule("L55", WARNING, "ETG.2000 DependOnSlot: index + slot number x increment")
-def shifted_indices(subject: DeviceSubject) -> Iterator[Found]:
-    """An index that moves with the slot leaves 16 bits, or meets that of another slot or of the device."""
-    if subject.device.slots:
+def shifted_indices(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
+    """An index that moves with the slot leaves 16 bits, or meets that of another slot or of the device; an entry or
+    InitCmd of a module does not move as the object does.
+    """
+    if isinstance(subject, ModuleSubject):
+        yield from _moving_otherwise(subject)
+    elif subject.device.slots:
         yield from _overflows(subject)
         yield from _collisions(subject)
+
+
+def _moving_otherwise(subject: ModuleSubject) -> Iterator[Found]:
+    """What names an object of the module by an index that is another one in slots above 0."""
+    moves = {declared.object_index: _moves(declared) for declared in declared_objects(subject.module.profiles)}
+
+    def differs(item: Entry | InitCmd, index: int | None) -> bool:
+        return index in moves and moves[index] != _moves(item)
+
+    words = "which does not move with the slot as the object does: give it the DependOnSlot of the object"
+    for placed in subject.pdos:
+        found = [(n, entry) for n, entry in enumerate(placed.pdo.entries) if differs(entry, entry.entry_index)]
+        if found:
+            entries = listed([entry_words(entry) for _, entry in found])
+            yield Found(
+                f"{placed.direction} {index_words(placed.pdo.pdo_index)} maps {entries}, {words}",
+                (*placed.place, "entries", found[0][0]),
+            )
+    for number, command in enumerate(subject.coe_init_cmds):
+        if differs(command, command.object_index):
+            yield Found(
+                f"InitCmd for {init_cmd_target(command)}, {words}",
+                ("mailbox", "coe_init_cmds", number),
+            )
+
+
+def _moves(item: Object | Entry | InitCmd) -> tuple[bool, bool]:
+    """What an index follows."""
+    return bool(item.depend_on_slot), bool(item.depend_on_slot_group)
 
 
 def _overflows(subject: DeviceSubject) -> Iterator[Found]:

@@ -7,10 +7,12 @@ from esicatalog.lint.objects import ObjectValues
 from esicatalog.lint.registry import WARNING, Found, Place, listed, rule
 from esicatalog.model.base_types import BASE_TYPES, BaseType
 from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
-from esicatalog.model.values import byte_length, fills, number_size
+from esicatalog.model.values import byte_length, fills, number_size, spelled_number
 from esicatalog.words import counted, index_words
 
-_CHARACTER_BITS = {"string": 8, "unicode": 16}
+_TRUE_BYTE = ("bool", 0xFF)
+"""How a BOOL is true in all bits of its byte."""
+_CHARACTER_BITS = {"string": 8, "octets": 8, "unicode": 16}
 
 
 def _words(subject: ObjectValues, entry: ObjectEntry) -> str:
@@ -68,13 +70,17 @@ def _fit_problem(entry: ObjectEntry) -> str | None:
     if entry.bit_size is None or entry.base_type is None:
         return None
     base, number = BASE_TYPES[entry.base_type], entry.default_int
+    if number is None and entry.default_kind == "value":
+        number = spelled_number(entry.default_raw or "", base)
     if entry.default_kind == "string" and base.kind in _CHARACTER_BITS:
         room = entry.bit_size // _CHARACTER_BITS[base.kind]
         length = len(entry.default_raw or "")
         if not 0 < room < length:  # STRING(0) is of any length
             return None
         return f"has a DefaultString of {length} characters, {entry.data_type} has {room}"
-    if entry.default_kind == "data" or number is None or not base.integral:
+    if number is None or not base.integral:
+        return None
+    if entry.default_kind == "data" and (base.signed or (base.kind, number) == _TRUE_BYTE):
         return None
     needed = (number if number >= 0 else ~number).bit_length() + base.signed
     if needed <= entry.bit_size and (base.signed or number >= 0):
