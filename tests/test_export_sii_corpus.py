@@ -23,7 +23,7 @@ from esicatalog.export.sii_limits import SiiLimitError, check_image, fit_image
 from esicatalog.export.sii_merge import merge_image
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import encode_sii
-from esicatalog.sii.files import image_bytes
+from esicatalog.sii.files import image_of_file
 from esicatalog.sii.image import MAX_IMAGE_BYTES, Strings
 
 GERMAN = 1031
@@ -305,7 +305,7 @@ def dumped(corpus: Path, dump: Dump) -> bytes:
     path = corpus / "sii" / dump.eeprom
     if not path.is_file():
         pytest.skip(f"no EEPROM dump {path}")
-    return image_bytes(path.read_bytes())
+    return image_of_file(path.read_bytes()).data
 
 
 def described(descriptions: Any, dump: Dump, real: bytes) -> tuple[EsiInfo, Device]:

@@ -8,6 +8,7 @@ from sii import by_hand
 from snippets import device, esi, pdo, read
 from test_export_configuration import subject
 
+from esicatalog.errors import InputError
 from esicatalog.export.sii import sii_image
 from esicatalog.export.sii_changes import image_changes, stored_otherwise
 from esicatalog.export.sii_header import configuration_bytes
@@ -17,7 +18,7 @@ from esicatalog.export.sii_summary import image_text
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import encode_sii, string_table
 from esicatalog.sii.errors import SiiImageError
-from esicatalog.sii.image import Fmmus, General, RawCategory, SiiImage, Strings, SyncManagers
+from esicatalog.sii.image import ByteRange, Fmmus, General, RawCategory, SiiImage, Strings, SyncManagers
 from esicatalog.sii.records import Fmmu, Header, SiiString
 
 DUMP = decode_sii(by_hand.WHOLE)
@@ -514,3 +515,21 @@ def test_more_strings_than_a_table_holds_are_left_out_beside_bytes_behind():
     data = encode_sii(fit_image(merged.image, merged.byte_size, dump).image)
     assert data[-4:] == b"CALI"
     assert len(data) == len(encode_sii(dump))
+
+
+@pytest.mark.parametrize("lost", [ByteRange(0x40, 0x4F), ByteRange(len(by_hand.WHOLE) - 7, len(by_hand.WHOLE) - 1)])
+def test_a_dump_that_lacks_bytes_of_the_image_is_not_merged_into(lost):
+    """What an Intel HEX file leaves out reads 0xFF: it would be written over factory data. The end mark counts."""
+    dump = msgspec.structs.replace(DUMP, unread=(lost, ByteRange(0x300, 0x300)))
+    with pytest.raises(InputError, match=f"does not hold the bytes 0x{lost.first:X} to 0x{lost.last:X}, and"):
+        merge_image(computed(CONFIG), dump)
+
+
+def test_bytes_behind_the_end_mark_that_were_not_read_are_told():
+    whole = check_image(computed(CONFIG), 2048)
+    merged = merge_image(computed(CONFIG), msgspec.structs.replace(whole, unread=(ByteRange(0x400, 0x40F),)))
+    _, lines = told(merged)
+    assert lines[0].startswith(
+        "Writing this image overwrites the bytes 0x400 to 0x40F, which the dump does not hold, with 0xFF"
+    )
+    assert lines[1] == "What the dump holds would not change."

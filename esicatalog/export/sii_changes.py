@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 from esicatalog.export.sii import NOT_ASSIGNED
 from esicatalog.sii.encode import category_body
-from esicatalog.sii.files import FILLER
 from esicatalog.sii.image import (
+    FILLER,
     PADDING_BYTES,
     Category,
     DistributedClocks,

@@ -9,10 +9,10 @@ import msgspec
 from esicatalog.errors import InputError
 from esicatalog.export.sii import NOT_ASSIGNED
 from esicatalog.sii.encode import MAX_STRINGS, category_offsets, encode_sii, string_table
-from esicatalog.sii.files import FILLER
 from esicatalog.sii.findings import STRING_NUMBER
 from esicatalog.sii.image import (
     END_MARK,
+    FILLER,
     MAX_IMAGE_BYTES,
     DistributedClocks,
     Fmmus,

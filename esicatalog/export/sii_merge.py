@@ -6,11 +6,12 @@ from typing import NamedTuple
 
 import msgspec
 
+from esicatalog.errors import InputError
 from esicatalog.export.sii_changes import Change, image_changes
-from esicatalog.export.sii_limits import behind_end_mark
+from esicatalog.export.sii_limits import behind_end_mark, used_bytes
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
 from esicatalog.sii.encode import encode_sii
-from esicatalog.sii.image import Category, General, RawCategory, SiiImage
+from esicatalog.sii.image import Category, General, RawCategory, SiiImage, ranges_text
 from esicatalog.sii.records import HEADER, Header
 from esicatalog.sii.words import category_title
 from esicatalog.words import counted
@@ -80,7 +81,16 @@ def merge_image(computed: SiiImage, dump: SiiImage, config_bytes: int = CHECKSUM
     description declares one of the same number. PDI words and bootstrap mailbox stay as they are where the
     description says nothing: also behind the ``config_bytes`` bytes of a shorter ConfigData
     (:func:`esicatalog.export.sii_header.configuration_bytes`). The order is that of the dump.
+
+    Raises :class:`InputError` when bytes up to the end mark of the dump were not read: they would be taken for the
+    device's own.
     """
+    unread = [lost for lost in dump.unread if lost.first < used_bytes(dump)]
+    if unread:
+        raise InputError(
+            f"the dump does not hold the bytes {ranges_text(unread)}, and what was not read must not be written: read "
+            "the whole EEPROM and merge into that"
+        )
     header = merged_header(computed.header, dump.header, config_bytes)
     image = SiiImage(header=header, categories=_categories(computed, dump))
     return MergedImage(image, dump, tuple(_kept(computed, dump, config_bytes)))

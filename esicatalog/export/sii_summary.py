@@ -10,7 +10,7 @@ from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
 from esicatalog.sii.checksum import is_loaded
 from esicatalog.sii.encode import encode_sii
-from esicatalog.sii.image import SiiImage
+from esicatalog.sii.image import FILLER, SiiImage, ranges_text
 from esicatalog.words import counted
 
 WHY_MERGE = (
@@ -57,7 +57,8 @@ def _merge_lines(image: SiiImage, merged: MergedImage) -> Iterator[str]:
     changes = merged._replace(image=image).changes
     parts = {change.part for change in changes}
     if encode_sii(image) == encode_sii(merged.dump):
-        yield "The device's image would not change."
+        what = "What the dump holds" if merged.dump.unread else "The device's image"
+        yield f"{what} would not change."
     elif not changes:
         yield f"No value would change, only how it is stored: {', '.join(stored_otherwise(merged.dump, image))}."
     if not is_loaded(merged.dump.header):
@@ -79,6 +80,11 @@ _BEHIND = (
 def _unread_lines(size: int, merged: MergedImage) -> Iterator[str]:
     """What of the EEPROM the dump does not hold, and what becomes of it when ``size`` bytes are written."""
     unread = merged.byte_size - merged.dump_bytes
+    if merged.dump.unread:
+        yield (
+            f"Writing this image overwrites the bytes {ranges_text(merged.dump.unread)}, which the dump does not hold, "
+            f"with 0x{FILLER:X}, whatever they hold: better read the whole EEPROM and merge into that."
+        )
     if unread <= 0:
         return
     yield f"The dump holds {merged.dump_bytes} of the EEPROM's {merged.byte_size} bytes; {unread} were not in it."
