@@ -48,7 +48,7 @@ def _lines(subject: Subject, image: SiiImage, merged: MergedImage | None, droppe
         yield WHY_MERGE
     else:
         yield from _merge_lines(image, merged)
-    yield from _listed("Left out to fit the EEPROM:", dropped)
+    yield from _listed("Left out to fit the format or the EEPROM:", dropped)
     yield from _listed("About this image:", eeprom_remarks(subject))
 
 
