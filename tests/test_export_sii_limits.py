@@ -210,6 +210,38 @@ def test_the_text_says_what_was_left_out_and_why_to_merge():
     ("content", "words"),
     [
         ("<Eeprom><ByteSize>256</ByteSize><BootStrap>0011</BootStrap></Eeprom>", "BootStrap 0011 is not 8 bytes"),
+        (
+            "<Eeprom><BootStrap>001000010011000199</BootStrap></Eeprom>",
+            "BootStrap 001000010011000199 is longer than 8 bytes",
+        ),
+        (
+            "<Eeprom><ConfigData>0000000000000000</ConfigData></Eeprom>",
+            "The description gives no usable ConfigData: the PDI words are zero. Do not write this image unmerged",
+        ),
+        (
+            "<Mailbox><CoE/></Mailbox><Sm>Outputs</Sm>",
+            "do not write this image, no master reaches them: no receive mailbox, no send mailbox.",
+        ),
+        (
+            '<Sm ControlByte="#x26" DefaultSize="128">Mine</Sm>',
+            "do not write this image, no master reaches them: no receive mailbox, no send mailbox, no protocols.",
+        ),
+        (
+            '<Sm ControlByte="#x26" StartAddress="#x1000" DefaultSize="128" Enable="1"/>'
+            '<Sm ControlByte="#x22" StartAddress="#x1080" DefaultSize="128" Enable="1"/>',
+            "do not write this image, no master reaches them: no protocols.",
+        ),
+        (
+            '<Sm ControlByte="#x26" StartAddress="#x1000"/><Mailbox><CoE/></Mailbox>',
+            "Mailboxes without a usable attribute, stored as 0; do not write this image, no master reaches them: "
+            "Enable of SM0, DefaultSize of SM0.",
+        ),
+        (
+            '<Sm ControlByte="#x26"/><Sm ControlByte="#x22"/><Sm/><Sm/>'
+            + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"'),
+            "stored as their mode, direction and PDOs tell: SM0 MBoxOut, SM1 MBoxIn, SM2 Outputs.",
+        ),
+        ("<Sm/>", "SyncManagers without a code for their use, stored as unused: (empty)."),
         ("<Eeprom><ConfigData>" + "00" * 16 + "</ConfigData></Eeprom>", "ConfigData is 2 bytes longer"),
         (
             "<Eeprom><ConfigData>0421004401000E</ConfigData></Eeprom>",

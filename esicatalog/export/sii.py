@@ -20,6 +20,7 @@ from esicatalog.export.subject import Subject
 from esicatalog.model.base_types import BASE_TYPES, base_type
 from esicatalog.model.pdo_facts import entry_facts
 from esicatalog.model.ports import port_kind
+from esicatalog.model.sm_facts import sm_usages
 from esicatalog.model.twincat import is_superseded
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
@@ -109,7 +110,7 @@ def sii_image(vendor_id: int | None, group: Group | None, device: Device, *, lan
     if device.fmmus:
         computed.append(Fmmus(fmmus=tuple(_fmmus(device))))
     if device.sync_managers:
-        computed.append(SyncManagers(sync_managers=tuple(map(_sync_manager, device.sync_managers))))
+        computed.append(SyncManagers(sync_managers=tuple(map(_sync_manager, device.sync_managers, sm_usages(device)))))
     computed += [pdos for pdos in (tx_pdos, rx_pdos) if pdos.pdos]
     if clocks.modes:
         computed.append(clocks)
@@ -175,13 +176,13 @@ def _fmmus(device: Device) -> Iterator[Fmmu]:
         yield Fmmu(usage_code=_UNUSED_FMMU)
 
 
-def _sync_manager(sm: EsiSyncManager) -> SyncManager:
+def _sync_manager(sm: EsiSyncManager, usage: str | None) -> SyncManager:
     return SyncManager(
         start_address=sm.start_address or 0,
         length_bytes=sm.default_size or 0,
         control_byte=sm.control_byte or 0,
         enable=flags_of(SmEnable(sm.enable or 0), _SM_ENABLE, sm),
-        usage_code=SM_USAGE_CODES.get(sm.usage or "", 0),
+        usage_code=SM_USAGE_CODES.get(usage or "", 0),
     )
 
 
