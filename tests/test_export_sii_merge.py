@@ -54,8 +54,8 @@ def test_what_only_the_device_has_is_kept():
         "station alias 1234",
         "serial number 0x0000002A",
         "words 0x1D to 0x3D",
-        "word 5, which the description does not give",
-        "bootstrap mailbox, which the description does not give",
+        "word 5, not given in the description or zero there",
+        "bootstrap mailbox, not given in the description or zero there",
         "category 3 (device specific), 12 bytes",
         "category 43 (SyncUnit), 2 bytes",
     )
@@ -125,7 +125,7 @@ def test_factory_categories_of_the_device_win_over_declared_ones():
 def test_without_config_data_the_pdi_words_stay(content):
     merged = merge_image(computed(content), DUMP)
     assert encode_sii(merged.image)[:16] == by_hand.WHOLE[:16]
-    assert "PDI words, which the description does not give" in merged.kept
+    assert "PDI words, not given in the description or zero there" in merged.kept
     assert "PDI words" not in parts(merged)
 
 
@@ -533,3 +533,28 @@ def test_bytes_behind_the_end_mark_that_were_not_read_are_told():
         "Writing this image overwrites the bytes 0x400 to 0x40F, which the dump does not hold, with 0xFF"
     )
     assert lines[1] == "What the dump holds would not change."
+
+
+def test_what_is_replaced_is_not_called_kept():
+    """A General of 16 bytes is kept raw when it is read, and a computed one takes its place."""
+    broken = RawCategory(category_type=30, data=b"BootCfg\0")
+    merged = merge_image(computed(CONFIG), msgspec.structs.replace(DUMP, categories=(broken, DUMP.categories[0])))
+    kept = [line for line in merged.kept if line.startswith("category")]
+    assert kept == ["category 3 (device specific), 12 bytes"]
+
+
+def test_a_whole_image_that_repeats_a_category_is_merged_whole():
+    """Two TxPDO categories with a PDO each, which the dump has as one, or as two."""
+    twice = tuple((50, index + bytes(1) + b"\xff\0\0\0\0") for index in (b"\0\x1a", b"\1\x1a"))
+    whole = decode_sii(by_hand.image(*by_hand.CATEGORIES[:6], *twice))
+    merged = merge_image(whole, DUMP)
+    assert [item.pdo_index for item in merged.image.tx_pdos] == [0x1A00, 0x1A01]
+    merged = merge_image(whole, whole)
+    assert encode_sii(merged.image) == encode_sii(whole)
+
+
+def test_what_is_odd_about_the_dump_is_told():
+    dump = decode_sii(by_hand.image(*by_hand.CATEGORIES, end=b""))
+    _, lines = told(merge_image(computed(CONFIG), dump))
+    assert f"  no end mark after the last category: the image ends at byte 0x{len(encode_sii(dump)):X}." in lines
+    assert "About the dump:" in lines

@@ -69,6 +69,7 @@ def _merge_lines(image: SiiImage, merged: MergedImage) -> Iterator[str]:
         yield _CHECK_IDENTITY
     yield from _listed("Writing it would change, worst first:", (f"{item.part}: {item.text}" for item in changes))
     yield from _listed("Kept as the device has it:", merged.kept)
+    yield from _listed("About the dump:", (f"{finding}." for finding in merged.dump.findings))
 
 
 _BEHIND = (
@@ -79,12 +80,12 @@ _BEHIND = (
 
 def _unread_lines(size: int, merged: MergedImage) -> Iterator[str]:
     """What of the EEPROM the dump does not hold, and what becomes of it when ``size`` bytes are written."""
-    unread = merged.byte_size - merged.dump_bytes
     if merged.dump.unread:
         yield (
             f"Writing this image overwrites the bytes {ranges_text(merged.dump.unread)}, which the dump does not hold, "
             f"with 0x{FILLER:X}, whatever they hold: better read the whole EEPROM and merge into that."
         )
+    unread = merged.byte_size - merged.dump_bytes
     if unread <= 0:
         return
     yield f"The dump holds {merged.dump_bytes} of the EEPROM's {merged.byte_size} bytes; {unread} were not in it."
