@@ -242,6 +242,10 @@ def test_the_text_says_what_was_left_out_and_why_to_merge():
             "stored as their mode, direction and PDOs tell: SM0 MBoxOut, SM1 MBoxIn, SM2 Outputs.",
         ),
         ("<Sm/>", "SyncManagers without a code for their use, stored as unused: (empty)."),
+        (
+            "<Dc><OpMode><Name>a</Name><Desc>with SYNC0</Desc></OpMode></Dc>",
+            "stored only in an image for a device whose own has some, as TwinCAT stores none: with SYNC0.",
+        ),
         ("<Eeprom><ConfigData>" + "00" * 16 + "</ConfigData></Eeprom>", "ConfigData is 2 bytes longer"),
         (
             "<Eeprom><ConfigData>0421004401000E</ConfigData></Eeprom>",

@@ -9,6 +9,7 @@ from snippets import device, esi, pdo, read
 from test_export_configuration import subject
 
 from esicatalog.errors import InputError
+from esicatalog.export.eeprom import eeprom_image
 from esicatalog.export.sii import sii_image
 from esicatalog.export.sii_changes import image_changes, stored_otherwise
 from esicatalog.export.sii_header import configuration_bytes
@@ -558,3 +559,15 @@ def test_what_is_odd_about_the_dump_is_told():
     _, lines = told(merge_image(computed(CONFIG), dump))
     assert f"  no end mark after the last category: the image ends at byte 0x{len(encode_sii(dump)):X}." in lines
     assert "About the dump:" in lines
+
+
+def test_the_device_keeps_descriptions_of_op_modes_that_are_described():
+    mode = "<Dc><OpMode><Name>DC</Name>{}<AssignActivate>#x300</AssignActivate></OpMode></Dc>"
+    described = subject(mode.format("<Desc>with SYNC0</Desc>") + CONFIG)
+    plain = eeprom_image(described).image
+    assert plain.text(plain.dc_modes[0].description_string_number) is None
+    assert b"with SYNC0" not in encode_sii(plain)
+    own = sii_image(0xE5C, described.group, described.device, descriptions=True)
+    assert own.text(own.dc_modes[0].description_string_number) == "with SYNC0"
+    made = eeprom_image(described, dump=check_image(own, 2048))
+    assert (made.image, made.merged.changes) == (check_image(own, 2048), ())

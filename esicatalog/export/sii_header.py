@@ -1,7 +1,7 @@
 """Header and declared categories of an SII image: what the elements Eeprom, Type, Sm and Mailbox say."""
 
 import struct
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import reduce
 from operator import or_
 from typing import TypeVar
@@ -109,6 +109,14 @@ def computed_header(vendor_id: int | None, device: Device) -> Header:
     )
 
 
+def words_not_given(device: Device) -> Iterator[str]:
+    """The words of the mailboxes, by field, that the description says nothing of; a computed header has 0 there."""
+    boot_strap = device.eeprom.boot_strap if device.eeprom is not None else None
+    if len(decode_hex_binary(boot_strap) or b"") < BOOTSTRAP_BYTES:
+        yield from _BOOTSTRAP_WORDS
+    yield from (word for word, value in _standard_mailbox(device).items() if value is None)
+
+
 def _standard_mailbox(device: Device) -> dict[str, int | None]:
     """The words of the standard mailbox by field, from the first SyncManagers of that use; None for one not given."""
     usages = sm_usages(device)
@@ -118,6 +126,13 @@ def _standard_mailbox(device: Device) -> dict[str, int | None]:
         found[f"standard_{side}_mailbox_offset"] = sm.start_address
         found[f"standard_{side}_mailbox_size"] = sm.default_size
     return found
+
+
+NOT_COMPUTED: Mapping[int, tuple[str, Callable[[Device], bool]]] = {
+    43: ("sync units", lambda device: bool(device.sync_units)),
+    42: ("SyncManagers of FMMUs", lambda device: any(fmmu.sm is not None for fmmu in device.fmmus)),
+}
+"""Categories whose layout is not published: what a description says of them, and whether it does."""
 
 
 def declared_categories(device: Device) -> Iterator[RawCategory]:

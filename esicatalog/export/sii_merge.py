@@ -1,6 +1,6 @@
 """A computed SII image merged into the image of a device: what only that device has is kept."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain
 from typing import NamedTuple
 
@@ -93,15 +93,15 @@ def merge_image(computed: SiiImage, dump: SiiImage, config_bytes: int = CHECKSUM
             "the whole EEPROM and merge into that"
         )
     unsaid = _unsaid(computed.header)
-    header = merged_header(computed.header, dump.header, config_bytes)
+    header = merged_header(computed.header, dump.header, config_bytes, chain.from_iterable(unsaid.values()))
     image = SiiImage(header=header, categories=_categories(computed, dump))
     words = _kept_words(computed.header, dump.header, config_bytes, unsaid)
     return MergedImage(image, dump, (*words, *_kept_categories(computed, dump, image)))
 
 
-def merged_header(computed: Header, dump: Header, config_bytes: int) -> Header:
-    """The computed header with the words of the device's own that no description, or not this one, says."""
-    fields = (*_DEVICE_WORDS, *chain.from_iterable(_unsaid(computed).values()))
+def merged_header(computed: Header, dump: Header, config_bytes: int, unsaid: Iterable[str]) -> Header:
+    """The computed header with the words of the device's own that no description says, and the ``unsaid`` ones."""
+    fields = (*_DEVICE_WORDS, *unsaid)
     said, own = HEADER.write(computed), HEADER.write(dump)
     header = HEADER.read(said[:config_bytes] + own[config_bytes:CHECKSUM_OFFSET] + said[CHECKSUM_OFFSET:])
     return with_checksum(msgspec.structs.replace(header, **{field: getattr(dump, field) for field in fields}))

@@ -14,6 +14,7 @@ from esicatalog.export.sii import FMMU_USAGE_CODES, SM_USAGE_CODES, data_type_co
 from esicatalog.export.sii_header import (
     ASSUMED_BYTE_SIZE,
     BOOTSTRAP_BYTES,
+    NOT_COMPUTED,
     byte_size_in_units,
     category_data,
     computed_header,
@@ -230,7 +231,6 @@ def _elsewhere(device: Device) -> list[str]:
         ),
         "CycleTimeSync1 in ns": any(mode.cycle_time_sync1_ns for mode in device.op_modes),
         "SYNC2 and SYNC3": any(mode.activate_additional is not None for mode in device.op_modes),
-        "descriptions of OpModes": any(mode.description for mode in device.op_modes),
         "ConfigData2": _eeprom(device).config_data2,
         "InitCmds": device.mailbox is not None and device.mailbox.coe_init_cmds,
         "object dictionary": any(profile.dictionary for profile in device.profiles),
@@ -239,11 +239,11 @@ def _elsewhere(device: Device) -> list[str]:
 
 
 def _not_computed(device: Device) -> list[str]:
-    said = {
-        "sync units (category 43)": device.sync_units,
-        "SyncManagers of FMMUs (category 42)": any(fmmu.sm is not None for fmmu in device.fmmus),
-    }
-    return [what for what, there in said.items() if there]
+    return [f"{what} (category {number})" for number, (what, is_said) in NOT_COMPUTED.items() if is_said(device)]
+
+
+def _op_mode_descriptions(device: Device) -> list[str]:
+    return [mode.description for mode in op_modes_of_image(device) if mode.description]
 
 
 _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
@@ -326,6 +326,10 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
     (
         _categories_unusable,
         "Eeprom/Category whose data cannot be read or do not fit into their type, left out; correct the file: {}.",
+    ),
+    (
+        _op_mode_descriptions,
+        "Descriptions of OpModes, stored only in an image for a device whose own has some, as TwinCAT stores none: {}.",
     ),
     (_not_computed, "Not computed, because the layout is not published: {}."),
     (_elsewhere, "An image has no place for: {}."),
