@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from esicatalog.errors import EsiCatalogError
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import encode_sii
-from esicatalog.sii.files import image_bytes
+from esicatalog.sii.files import image_of_file
 from esicatalog.sii.text import sheet_lines
 from esicatalog.sii.view import sii_json
 from fuzz.mutations import mutated_bytes
@@ -22,8 +22,8 @@ _CLOCK = bytes.fromhex("3c000c00") + bytes(24)
 def check(data: bytes) -> None:
     """Decode an image; what was decoded says all its bytes."""
     try:
-        raw = image_bytes(data)
-        image = decode_sii(raw)
+        raw, unread = image_of_file(data)
+        image = decode_sii(raw, unread)
     except EsiCatalogError as error:
         assert "\n" not in str(error)
         return

@@ -9,6 +9,7 @@ from snippets import device, esi, only_device, pdo
 from test_cli import one_line_error, run
 from test_identify import SLAVES
 from test_search import catalog_of
+from test_sii_files import without_lines
 
 from esicatalog import Catalog
 from esicatalog.export.sii import sii_image
@@ -40,6 +41,20 @@ def test_a_text_is_no_image(tmp_path, encoding):
         begins = f"esicatalog: {tmp_path / 'slaves.txt'}: a text, no SII image; it begins with "
         assert line.startswith(begins), line
         assert "=== Master 0, Slave 0 ===" in line
+
+
+def test_what_an_intel_hex_file_leaves_out_is_told_everywhere(tmp_path):
+    """It would be taken for the device's own by a merge, which is refused."""
+    db = catalog_of(tmp_path, esi(device(DEVICE)))
+    data = dump_of(tmp_path, DEVICE).read_bytes()
+    (tmp_path / "lost.hex").write_bytes(without_lines(data, 0x40))
+    told = "the file does not hold the bytes 0x40 to 0x4F: 0xFF stands in their place"
+    for command in (("sii", "decode"), ("sii", "verify"), ("identify", "--sii")):
+        assert told in run(*command, tmp_path / "lost.hex", db=None if "decode" in command else db).stdout
+    assert told in run("export", "cstruct", "--sii", tmp_path / "lost.hex").stderr
+    refused = run("export", "sii", "0xe5c:1:1", "--merge", tmp_path / "lost.hex", "-o", tmp_path / "made.bin", db=db)
+    assert "the dump does not hold the bytes 0x40 to 0x4F" in one_line_error(refused)
+    assert not (tmp_path / "made.bin").exists()
 
 
 DEVICE = (

@@ -13,8 +13,7 @@ from esicatalog.export.cstruct import cstruct_of_configuration, cstruct_of_image
 from esicatalog.export.sii import described_image
 from esicatalog.export.subject import Subject, subjects_of_document
 from esicatalog.identity import Identity
-from esicatalog.sii.decode import decode_sii
-from esicatalog.sii.files import image_bytes
+from esicatalog.sii.files import read_sii
 from esicatalog.sii.image import General, RxPdos, SiiImage, Strings, SyncManagers
 from esicatalog.sii.records import Pdo, PdoEntry, SiiString, SyncManager
 
@@ -37,7 +36,7 @@ def dumps(corpus: Path) -> list[tuple[Path, Path]]:
 
 def test_every_real_image_prints_as_igh_prints_it(dumps):
     for dump, printed in dumps:
-        text = cstruct_of_image(decode_sii(image_bytes(dump.read_bytes())))
+        text = cstruct_of_image(read_sii(dump.read_bytes()))
         assert text.encode("utf-8", "surrogateescape") == printed.read_bytes(), dump.name
     assert len(dumps) == DUMPS_WITH_OUTPUT
 
@@ -55,7 +54,7 @@ def test_descriptions_print_what_igh_printed_for_the_devices(corpus, dumps):
             described[identity] = Subject(identity.vendor_id, None, found, tuple(modules))
     seen = set()
     for dump, printed in dumps:
-        header = decode_sii(image_bytes(dump.read_bytes())).header
+        header = read_sii(dump.read_bytes()).header
         name = next((name for name in SAME_DEVICE if name in dump.name), None)
         if name is not None:
             subject = described[Identity(header.vendor_id, header.product_code, header.revision_no)]

@@ -153,6 +153,32 @@ def test_mailbox_words_come_from_the_mailbox_sync_managers():
     assert words(image("<Sm StartAddress='#x1000' DefaultSize='8'>Outputs</Sm>"), 0x18, 4) == (0, 0, 0, 0)
 
 
+@pytest.mark.parametrize(
+    ("sync_managers", "usages", "mailbox"),
+    [
+        (("#x26", "#x22", "#x64", "#x20"), [1, 2, 3, 4], (0x1000, 64, 0x1100, 64)),
+        (("#x22", "#x26", "#x64", "#x20"), [2, 1, 3, 4], (0x1100, 64, 0x1000, 64)),
+        (("#x2A", "#x22", "#x26", "#x20"), [0, 2, 3, 4], (0, 0, 0x1100, 64)),
+    ],
+)
+def test_sync_managers_without_a_role_are_known_by_mode_direction_and_pdos(sync_managers, usages, mailbox):
+    """As ``ethercat xml`` writes them. A PDO tells what a SyncManager is for, also in mailbox mode."""
+    content = "".join(
+        f'<Sm StartAddress="#x1{n}00" DefaultSize="64" ControlByte="{control}" Enable="1"/>'
+        for n, control in enumerate(sync_managers)
+    )
+    pdos = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"')
+    found = image(content + pdos)
+    assert [sm.usage_code for sm in found.sync_managers] == usages
+    assert words(found, 0x18, 4) == mailbox
+
+
+def test_a_word_of_the_vendor_is_no_mailbox():
+    found = image('<Sm StartAddress="#x1000" DefaultSize="64" ControlByte="#x26" Enable="1">Mine</Sm>')
+    assert [sm.usage_code for sm in found.sync_managers] == [0]
+    assert words(found, 0x18, 4) == (0, 0, 0, 0)
+
+
 @pytest.mark.parametrize("boot_strap", ["00108000", ""])
 def test_an_incomplete_boot_strap_is_none(boot_strap):
     found = image(f"<Eeprom><ByteSize>2048</ByteSize><BootStrap>{boot_strap}</BootStrap></Eeprom>")

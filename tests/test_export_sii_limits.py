@@ -106,11 +106,14 @@ def test_what_no_image_can_hold_is_left_out_with_its_pdo():
     kept = pdo("RxPdo", "#x1600", 8, attributes='Sm="0"') + pdo("TxPdo", "#x1A00", 8)
     found, dropped = fit_image(image(kept + long.format("")), 2048)
     assert [item.pdo_index for item in (*found.rx_pdos, *found.tx_pdos)] == [0x1600, 0x1A00]
-    assert dropped == ("PDOs that no SyncManager is assigned: 0x1601",)
+    words = (
+        "PDOs that no image can hold, with all of the same SyncManager, which a master then has to know from elsewhere"
+    )
+    assert dropped == (f"{words}: 0x1601",)
     assert found.text(found.rx_pdos[0].entries[0].name_string_number) == "e1"
     found, dropped = fit_image(image(kept + long.format('Sm="0"')), 2048)
-    assert (found.rx_pdos, found.tx_pdos) == ((), ())
-    assert dropped == ("all PDOs, which a master then has to know from elsewhere: 0x1600, 0x1601, 0x1A00",)
+    assert [item.pdo_index for item in (*found.rx_pdos, *found.tx_pdos)] == [0x1A00]
+    assert dropped == (f"{words}: 0x1600, 0x1601",)
     assert found.text(found.general.group_string_number) == "G"
 
 
@@ -195,7 +198,10 @@ def test_the_text_says_what_was_left_out_and_why_to_merge():
     assert "--merge DUMP" in text
     assert "unreachable" in text
     assert "lost" in text
-    assert "Left out to fit the EEPROM:\n  names of entries of PDOs that no SyncManager is assigned: 2\n" in text
+    assert (
+        "Left out to fit the format or the EEPROM:\n  names of entries of PDOs that no SyncManager is assigned: 2\n"
+        in text
+    )
     assert "gives no ConfigData" in text
     assert "2048 bytes are assumed" in text
 
@@ -204,6 +210,42 @@ def test_the_text_says_what_was_left_out_and_why_to_merge():
     ("content", "words"),
     [
         ("<Eeprom><ByteSize>256</ByteSize><BootStrap>0011</BootStrap></Eeprom>", "BootStrap 0011 is not 8 bytes"),
+        (
+            "<Eeprom><BootStrap>001000010011000199</BootStrap></Eeprom>",
+            "BootStrap 001000010011000199 is longer than 8 bytes",
+        ),
+        (
+            "<Eeprom><ConfigData>0000000000000000</ConfigData></Eeprom>",
+            "The description gives no usable ConfigData: the PDI words are zero. Do not write this image unmerged",
+        ),
+        (
+            "<Mailbox><CoE/></Mailbox><Sm>Outputs</Sm>",
+            "do not write this image, no master reaches them: no receive mailbox, no send mailbox.",
+        ),
+        (
+            '<Sm ControlByte="#x26" DefaultSize="128">Mine</Sm>',
+            "do not write this image, no master reaches them: no receive mailbox, no send mailbox, no protocols.",
+        ),
+        (
+            '<Sm ControlByte="#x26" StartAddress="#x1000" DefaultSize="128" Enable="1"/>'
+            '<Sm ControlByte="#x22" StartAddress="#x1080" DefaultSize="128" Enable="1"/>',
+            "do not write this image, no master reaches them: no protocols.",
+        ),
+        (
+            '<Sm ControlByte="#x26" StartAddress="#x1000"/><Mailbox><CoE/></Mailbox>',
+            "Mailboxes without a usable attribute, stored as 0; do not write this image, no master reaches them: "
+            "Enable of SM0, DefaultSize of SM0.",
+        ),
+        (
+            '<Sm ControlByte="#x26"/><Sm ControlByte="#x22"/><Sm/><Sm/>'
+            + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"'),
+            "stored as their mode, direction and PDOs tell: SM0 MBoxOut, SM1 MBoxIn, SM2 Outputs.",
+        ),
+        ("<Sm/>", "SyncManagers without a code for their use, stored as unused: (empty)."),
+        (
+            "<Dc><OpMode><Name>a</Name><Desc>with SYNC0</Desc></OpMode></Dc>",
+            "stored only in an image for a device whose own has some, as TwinCAT stores none: with SYNC0.",
+        ),
         ("<Eeprom><ConfigData>" + "00" * 16 + "</ConfigData></Eeprom>", "ConfigData is 2 bytes longer"),
         (
             "<Eeprom><ConfigData>0421004401000E</ConfigData></Eeprom>",

@@ -8,6 +8,8 @@ from sii import by_hand
 from snippets import device, esi, pdo, read
 from test_export_configuration import subject
 
+from esicatalog.errors import InputError
+from esicatalog.export.eeprom import eeprom_image
 from esicatalog.export.sii import sii_image
 from esicatalog.export.sii_changes import image_changes, stored_otherwise
 from esicatalog.export.sii_header import configuration_bytes
@@ -17,7 +19,7 @@ from esicatalog.export.sii_summary import image_text
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import encode_sii, string_table
 from esicatalog.sii.errors import SiiImageError
-from esicatalog.sii.image import Fmmus, General, RawCategory, SiiImage, Strings, SyncManagers
+from esicatalog.sii.image import ByteRange, Fmmus, General, RawCategory, SiiImage, Strings, SyncManagers
 from esicatalog.sii.records import Fmmu, Header, SiiString
 
 DUMP = decode_sii(by_hand.WHOLE)
@@ -53,8 +55,8 @@ def test_what_only_the_device_has_is_kept():
         "station alias 1234",
         "serial number 0x0000002A",
         "words 0x1D to 0x3D",
-        "word 5, which the description does not give",
-        "bootstrap mailbox, which the description does not give",
+        "word 5, not given in the description or zero there",
+        "bootstrap mailbox, not given in the description or zero there",
         "category 3 (device specific), 12 bytes",
         "category 43 (SyncUnit), 2 bytes",
     )
@@ -124,7 +126,7 @@ def test_factory_categories_of_the_device_win_over_declared_ones():
 def test_without_config_data_the_pdi_words_stay(content):
     merged = merge_image(computed(content), DUMP)
     assert encode_sii(merged.image)[:16] == by_hand.WHOLE[:16]
-    assert "PDI words, which the description does not give" in merged.kept
+    assert "PDI words, not given in the description or zero there" in merged.kept
     assert "PDI words" not in parts(merged)
 
 
@@ -514,3 +516,58 @@ def test_more_strings_than_a_table_holds_are_left_out_beside_bytes_behind():
     data = encode_sii(fit_image(merged.image, merged.byte_size, dump).image)
     assert data[-4:] == b"CALI"
     assert len(data) == len(encode_sii(dump))
+
+
+@pytest.mark.parametrize("lost", [ByteRange(0x40, 0x4F), ByteRange(len(by_hand.WHOLE) - 7, len(by_hand.WHOLE) - 1)])
+def test_a_dump_that_lacks_bytes_of_the_image_is_not_merged_into(lost):
+    """What an Intel HEX file leaves out reads 0xFF: it would be written over factory data. The end mark counts."""
+    dump = msgspec.structs.replace(DUMP, unread=(lost, ByteRange(0x300, 0x300)))
+    with pytest.raises(InputError, match=f"does not hold the bytes 0x{lost.first:X} to 0x{lost.last:X}, and"):
+        merge_image(computed(CONFIG), dump)
+
+
+def test_bytes_behind_the_end_mark_that_were_not_read_are_told():
+    whole = check_image(computed(CONFIG), 2048)
+    merged = merge_image(computed(CONFIG), msgspec.structs.replace(whole, unread=(ByteRange(0x400, 0x40F),)))
+    _, lines = told(merged)
+    assert lines[0].startswith(
+        "Writing this image overwrites the bytes 0x400 to 0x40F, which the dump does not hold, with 0xFF"
+    )
+    assert lines[1] == "What the dump holds would not change."
+
+
+def test_what_is_replaced_is_not_called_kept():
+    """A General of 16 bytes is kept raw when it is read, and a computed one takes its place."""
+    broken = RawCategory(category_type=30, data=b"BootCfg\0")
+    merged = merge_image(computed(CONFIG), msgspec.structs.replace(DUMP, categories=(broken, DUMP.categories[0])))
+    kept = [line for line in merged.kept if line.startswith("category")]
+    assert kept == ["category 3 (device specific), 12 bytes"]
+
+
+def test_a_whole_image_that_repeats_a_category_is_merged_whole():
+    """Two TxPDO categories with a PDO each, which the dump has as one, or as two."""
+    twice = tuple((50, index + bytes(1) + b"\xff\0\0\0\0") for index in (b"\0\x1a", b"\1\x1a"))
+    whole = decode_sii(by_hand.image(*by_hand.CATEGORIES[:6], *twice))
+    merged = merge_image(whole, DUMP)
+    assert [item.pdo_index for item in merged.image.tx_pdos] == [0x1A00, 0x1A01]
+    merged = merge_image(whole, whole)
+    assert encode_sii(merged.image) == encode_sii(whole)
+
+
+def test_what_is_odd_about_the_dump_is_told():
+    dump = decode_sii(by_hand.image(*by_hand.CATEGORIES, end=b""))
+    _, lines = told(merge_image(computed(CONFIG), dump))
+    assert f"  no end mark after the last category: the image ends at byte 0x{len(encode_sii(dump)):X}." in lines
+    assert "About the dump:" in lines
+
+
+def test_the_device_keeps_descriptions_of_op_modes_that_are_described():
+    mode = "<Dc><OpMode><Name>DC</Name>{}<AssignActivate>#x300</AssignActivate></OpMode></Dc>"
+    described = subject(mode.format("<Desc>with SYNC0</Desc>") + CONFIG)
+    plain = eeprom_image(described).image
+    assert plain.text(plain.dc_modes[0].description_string_number) is None
+    assert b"with SYNC0" not in encode_sii(plain)
+    own = sii_image(0xE5C, described.group, described.device, descriptions=True)
+    assert own.text(own.dc_modes[0].description_string_number) == "with SYNC0"
+    made = eeprom_image(described, dump=check_image(own, 2048))
+    assert (made.image, made.merged.changes) == (check_image(own, 2048), ())

@@ -6,9 +6,8 @@ from pathlib import Path
 import pytest
 
 from esicatalog.sii.checksum import header_checksum
-from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import encode_sii
-from esicatalog.sii.files import image_bytes
+from esicatalog.sii.files import image_of_file, read_sii
 from esicatalog.sii.image import RawCategory, SiiImage
 from esicatalog.sii.records import Pdo, SyncManager
 from esicatalog.sii.text import sheet_lines
@@ -29,16 +28,16 @@ def dumps(corpus: Path) -> list[tuple[dict[str, str], bytes]]:
 
 @pytest.fixture(scope="module")
 def images(dumps: list[tuple[dict[str, str], bytes]]) -> dict[str, SiiImage]:
-    return {row["file"]: decode_sii(image_bytes(data)) for row, data in dumps}
+    return {row["file"]: read_sii(data) for row, data in dumps}
 
 
 def test_the_container_is_recognised(dumps):
     for row, data in dumps:
-        assert (image_bytes(data) is data) == (row["format"] == "raw"), row["file"]
+        assert (image_of_file(data).data is data) == (row["format"] == "raw"), row["file"]
 
 
 def test_the_same_image_as_intel_hex_and_raw(dumps):
-    contents = [image_bytes(data) for row, data in dumps if "EaserCAT-2000" in row["file"]]
+    contents = [image_of_file(data).data for row, data in dumps if "EaserCAT-2000" in row["file"]]
     assert len(contents) == 2
     assert contents[0] == contents[1]
 
@@ -57,7 +56,7 @@ def test_identities_check_sums_and_categories_are_those_of_the_list(dumps, image
 
 def test_every_dump_is_encoded_byte_for_byte(dumps, images):
     for row, data in dumps:
-        assert encode_sii(images[row["file"]]) == image_bytes(data), row["file"]
+        assert encode_sii(images[row["file"]]) == image_of_file(data).data, row["file"]
 
 
 def test_every_category_with_a_known_layout_fits_it(images):

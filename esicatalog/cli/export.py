@@ -185,6 +185,7 @@ def cstruct(inputs: Inputs, sii: Path | None) -> bytes:
     if inputs.choice != Choice(position=inputs.choice.position):
         raise InputError("--sii prints what the image holds: no PDOs, modules or OpMode can be chosen")
     image = read_as(sii, read_sii)
+    inputs.notes.extend(f"{sii}: {finding}" for finding in image.findings)
     return cstruct_of_image(image, inputs.choice.position).encode("utf-8", "surrogateescape")
 
 

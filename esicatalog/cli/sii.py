@@ -45,7 +45,7 @@ def verify(file: Path, db: str, output_format: str) -> None:
     Exit code 1 when they differ in what a master uses (identity, mailboxes, sync managers, FMMUs, PDOs, clocks, flags
     and CoE details of General, and what of these categories cannot be read), when the check sum over the configuration
     words is wrong, which the device does not start with, and when the identity is not described exactly. What the
-    description does not say is no difference.
+    description does not say is no difference, and its texts may be in any language that it has.
     """
     from esicatalog.api import Catalog
     from esicatalog.sii.files import read_sii

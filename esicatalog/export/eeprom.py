@@ -29,7 +29,7 @@ def eeprom_image(
     image, and for what is too much for the EEPROM.
     """
     subject.required_codes()
-    image, merged = described_image(subject, language=language), None
+    image, merged = described_image(subject, language=language, like=dump), None
     byte_size = eeprom_bytes(image.header, subject.device)
     if dump is not None:
         merged = merge_image(image, dump, configuration_bytes(subject.device))

@@ -20,6 +20,7 @@ from esicatalog.export.subject import Subject
 from esicatalog.model.base_types import BASE_TYPES, base_type
 from esicatalog.model.pdo_facts import entry_facts
 from esicatalog.model.ports import port_kind
+from esicatalog.model.sm_facts import sm_usages
 from esicatalog.model.twincat import is_superseded
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
@@ -75,24 +76,35 @@ _WRITTEN_AS = {"BYTE": "USINT", "WORD": "UINT", "DWORD": "UDINT"}
 """Bit strings of PDO entries, which vendor tools store under the codes of the integers."""
 
 
-def described_image(subject: Subject, *, language: int | None = None) -> SiiImage:
+def described_image(subject: Subject, *, language: int | None = None, like: SiiImage | None = None) -> SiiImage:
     """The image of a description, as :func:`sii_image` makes it; an Eeprom/Data that is none is named with its file.
+
+    Descriptions of OpModes are stored when ``like``, an image of the device, has some.
 
     Raises :class:`SiiImageError`.
     """
     try:
-        return sii_image(subject.vendor_id, subject.group, subject.device, language=language)
+        descriptions = like is not None and any(mode.description_string_number for mode in like.dc_modes)
+        return sii_image(subject.vendor_id, subject.group, subject.device, language=language, descriptions=descriptions)
     except SiiImageError as error:
         where = ", ".join(subject.origin) or subject.identity_text
         raise SiiImageError(f"Eeprom/Data of {subject.device.type or 'the device'} ({where}): {error}") from error
 
 
-def sii_image(vendor_id: int | None, group: Group | None, device: Device, *, language: int | None = None) -> SiiImage:
+def sii_image(
+    vendor_id: int | None,
+    group: Group | None,
+    device: Device,
+    *,
+    language: int | None = None,
+    descriptions: bool = False,
+) -> SiiImage:
     """The image that the description implies, of any size; the bytes end with the end mark.
 
     ``group`` is what the description's GroupType names. ``language`` is the LcId of the texts, English when not given;
     a text that the description does not have in it is taken as :func:`display_text` says. Texts longer than 255 bytes
-    are cut. Words that nothing is declared for are zero, an Eeprom/Data is the image as it stands.
+    are cut. ``descriptions`` says whether those of OpModes are stored: TwinCAT does not, other tools do. Words that
+    nothing is declared for are zero, an Eeprom/Data is the image as it stands.
     :func:`esicatalog.export.sii_limits.check_image` finds what is too much for an EEPROM.
 
     Raises :class:`SiiImageError` when Eeprom/Data is no image.
@@ -102,14 +114,14 @@ def sii_image(vendor_id: int | None, group: Group | None, device: Device, *, lan
         return decode_sii(whole)
     texts = Texts(language)
     general = _general(group, device, texts)
-    clocks = DistributedClocks(modes=tuple(_dc_mode(op_mode, texts) for op_mode in op_modes_of_image(device)))
+    clocks = DistributedClocks(modes=tuple(_dc_mode(mode, texts, descriptions) for mode in op_modes_of_image(device)))
     tx_pdos = TxPdos(pdos=tuple(_pdos(device.tx_pdos, texts)))
     rx_pdos = RxPdos(pdos=tuple(_pdos(device.rx_pdos, texts)))
     computed: list[Category] = [texts.table(), general]
     if device.fmmus:
         computed.append(Fmmus(fmmus=tuple(_fmmus(device))))
     if device.sync_managers:
-        computed.append(SyncManagers(sync_managers=tuple(map(_sync_manager, device.sync_managers))))
+        computed.append(SyncManagers(sync_managers=tuple(map(_sync_manager, device.sync_managers, sm_usages(device)))))
     computed += [pdos for pdos in (tx_pdos, rx_pdos) if pdos.pdos]
     if clocks.modes:
         computed.append(clocks)
@@ -175,28 +187,30 @@ def _fmmus(device: Device) -> Iterator[Fmmu]:
         yield Fmmu(usage_code=_UNUSED_FMMU)
 
 
-def _sync_manager(sm: EsiSyncManager) -> SyncManager:
+def _sync_manager(sm: EsiSyncManager, usage: str | None) -> SyncManager:
     return SyncManager(
         start_address=sm.start_address or 0,
         length_bytes=sm.default_size or 0,
         control_byte=sm.control_byte or 0,
         enable=flags_of(SmEnable(sm.enable or 0), _SM_ENABLE, sm),
-        usage_code=SM_USAGE_CODES.get(sm.usage or "", 0),
+        usage_code=SM_USAGE_CODES.get(usage or "", 0),
     )
 
 
 def _pdos(pdos: Iterable[EsiPdo], texts: Texts) -> Iterator[Pdo]:
-    for pdo in pdos:
-        # Without an index (a reference of files before schema 1.2) nothing can be assigned.
-        if pdo.pdo_index is None:
-            continue
+    for pdo in stored_pdos(pdos):
         yield Pdo(
-            pdo_index=pdo.pdo_index,
+            pdo_index=pdo.pdo_index or 0,
             name_string_number=texts.number_of(pdo.names),
             entries=tuple(_entry(entry, texts) for entry in pdo.entries),
             sm=NOT_ASSIGNED if pdo.sm is None else pdo.sm,
             flags=flags_of(PdoFlags(0), _PDO_FLAGS, pdo),
         )
+
+
+def stored_pdos(pdos: Iterable[EsiPdo]) -> Iterator[EsiPdo]:
+    """Those that an image holds: without an index, a reference of files before schema 1.2, nothing can be assigned."""
+    return (pdo for pdo in pdos if pdo.pdo_index is not None)
 
 
 def _entry(entry: Entry, texts: Texts) -> PdoEntry:
@@ -212,7 +226,7 @@ def _entry(entry: Entry, texts: Texts) -> PdoEntry:
     )
 
 
-def _dc_mode(op_mode: OpMode, texts: Texts) -> DcMode:
+def _dc_mode(op_mode: OpMode, texts: Texts, descriptions: bool) -> DcMode:
     factor = op_mode.cycle_time_sync0_factor
     if factor is None:
         # Without the element SYNC0 follows the bus cycle; a time alone is not multiplied by anything.
@@ -225,6 +239,7 @@ def _dc_mode(op_mode: OpMode, texts: Texts) -> DcMode:
         assign_activate=op_mode.assign_activate or 0,
         cycle_time_sync0_factor=factor,
         name_string_number=texts.number(op_mode.name),
+        description_string_number=texts.number(op_mode.description) if descriptions else 0,
     )
 
 

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 from esicatalog.export.sii import NOT_ASSIGNED
 from esicatalog.sii.encode import category_body
-from esicatalog.sii.files import FILLER
 from esicatalog.sii.image import (
+    FILLER,
     PADDING_BYTES,
     Category,
     DistributedClocks,
@@ -229,7 +229,7 @@ def _fmmus(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
 
 def _pdos(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
     for kind, pdos_of in _DIRECTIONS:
-        before, after = _numbered(pdos_of(old)), _numbered(pdos_of(new))
+        before, after = numbered_pdos(pdos_of(old)), numbered_pdos(pdos_of(new))
         for key in (*before, *(key for key in after if key not in before)):
             label, pair = f"{kind} 0x{key[0]:04X}", (before.get(key), after.get(key))
             yield from _differing(label, *map(_pdo, pair))
@@ -242,7 +242,7 @@ def _pdos(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
         )
 
 
-def _numbered(pdos: Iterable[Pdo]) -> dict[tuple[int, int], Pdo]:
+def numbered_pdos(pdos: Iterable[Pdo]) -> dict[tuple[int, int], Pdo]:
     """PDOs by index and by how many of that index came before: a few devices repeat an index."""
     found: dict[tuple[int, int], Pdo] = {}
     for pdo in pdos:
@@ -355,7 +355,7 @@ def _all_texts(image: SiiImage) -> dict[str, str | None]:
     general = _general_of(image)
     found = {label: _text(image, getattr(general, field)) for field, (label, _) in _NAMES.items()}
     for kind, pdos_of in _DIRECTIONS:
-        for (index, repeat), pdo in _numbered(pdos_of(image)).items():
+        for (index, repeat), pdo in numbered_pdos(pdos_of(image)).items():
             label = f"name of {kind} 0x{index:04X}" + f", repeat {repeat}" * bool(repeat)
             found[label] = _text(image, pdo.name_string_number)
             for number, entry in enumerate(pdo.entries, start=1):

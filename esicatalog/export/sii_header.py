@@ -1,7 +1,7 @@
 """Header and declared categories of an SII image: what the elements Eeprom, Type, Sm and Mailbox say."""
 
 import struct
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import reduce
 from operator import or_
 from typing import TypeVar
@@ -11,6 +11,7 @@ from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device, Eeprom, EepromCategory, SyncManager
 from esicatalog.esi.records.mailbox import Mailbox
 from esicatalog.esi.unreadable import unreadable
+from esicatalog.model.sm_facts import sm_usages
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
 from esicatalog.sii.image import (
     END_TYPE,
@@ -48,6 +49,7 @@ _BOOTSTRAP_WORDS = (
     "bootstrap_send_mailbox_offset",
     "bootstrap_send_mailbox_size",
 )
+_MAILBOX_SIDES = {"receive": "MBoxOut", "send": "MBoxIn"}
 _NUMBER_BYTES = {"data_uint": 2, "data_udint": 4}
 BOOTSTRAP_BYTES = 2 * len(_BOOTSTRAP_WORDS)
 _PROTOCOLS = {protocol.name.lower(): protocol for protocol in MailboxProtocols if protocol.name}
@@ -93,7 +95,7 @@ def computed_header(vendor_id: int | None, device: Device) -> Header:
     boot_strap = decode_hex_binary(eeprom.boot_strap) or b""
     if len(boot_strap) >= BOOTSTRAP_BYTES:
         words |= zip(_BOOTSTRAP_WORDS, struct.unpack_from("<4H", boot_strap), strict=True)
-    receive, send = (_mailbox_area(device, usage) for usage in ("MBoxOut", "MBoxIn"))
+    words |= {word: value or 0 for word, value in _standard_mailbox(device).items()}
     return with_checksum(
         Header(
             **words,
@@ -101,18 +103,36 @@ def computed_header(vendor_id: int | None, device: Device) -> Header:
             product_code=device.product_code or 0,
             revision_no=device.revision_no or 0,
             serial_no=device.serial_no or 0,
-            standard_receive_mailbox_offset=receive.start_address or 0,
-            standard_receive_mailbox_size=receive.default_size or 0,
-            standard_send_mailbox_offset=send.start_address or 0,
-            standard_send_mailbox_size=send.default_size or 0,
             mailbox_protocols=flags_of(MailboxProtocols(0), _PROTOCOLS, device.mailbox or Mailbox()),
             size_word=min(byte_size_in_units(eeprom) // SIZE_UNIT_BYTES - 1, _MAX_SIZE_WORD),
         )
     )
 
 
-def _mailbox_area(device: Device, usage: str) -> SyncManager:
-    return next((sm for sm in device.sync_managers if sm.usage == usage), SyncManager())
+def words_not_given(device: Device) -> Iterator[str]:
+    """The words of the mailboxes, by field, that the description says nothing of; a computed header has 0 there."""
+    boot_strap = device.eeprom.boot_strap if device.eeprom is not None else None
+    if len(decode_hex_binary(boot_strap) or b"") < BOOTSTRAP_BYTES:
+        yield from _BOOTSTRAP_WORDS
+    yield from (word for word, value in _standard_mailbox(device).items() if value is None)
+
+
+def _standard_mailbox(device: Device) -> dict[str, int | None]:
+    """The words of the standard mailbox by field, from the first SyncManagers of that use; None for one not given."""
+    usages = sm_usages(device)
+    found: dict[str, int | None] = {}
+    for side, usage in _MAILBOX_SIDES.items():
+        sm = device.sync_managers[usages.index(usage)] if usage in usages else SyncManager()
+        found[f"standard_{side}_mailbox_offset"] = sm.start_address
+        found[f"standard_{side}_mailbox_size"] = sm.default_size
+    return found
+
+
+NOT_COMPUTED: Mapping[int, tuple[str, Callable[[Device], bool]]] = {
+    43: ("sync units", lambda device: bool(device.sync_units)),
+    42: ("SyncManagers of FMMUs", lambda device: any(fmmu.sm is not None for fmmu in device.fmmus)),
+}
+"""Categories whose layout is not published: what a description says of them, and whether it does."""
 
 
 def declared_categories(device: Device) -> Iterator[RawCategory]:

@@ -1,6 +1,6 @@
 """What an EEPROM holds of an SII image: the limits of the format, the size, and what can be left out to fit."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from typing import Any, NamedTuple, TypeVar
 
@@ -9,10 +9,10 @@ import msgspec
 from esicatalog.errors import InputError
 from esicatalog.export.sii import NOT_ASSIGNED
 from esicatalog.sii.encode import MAX_STRINGS, category_offsets, encode_sii, string_table
-from esicatalog.sii.files import FILLER
 from esicatalog.sii.findings import STRING_NUMBER
 from esicatalog.sii.image import (
     END_MARK,
+    FILLER,
     MAX_IMAGE_BYTES,
     DistributedClocks,
     Fmmus,
@@ -71,7 +71,7 @@ def check_image(image: SiiImage, byte_size: int, dump: SiiImage | None = None) -
 def fit_image(image: SiiImage, byte_size: int, dump: SiiImage | None = None) -> FittedImage:
     """The image with as little left out as an EEPROM of ``byte_size`` bytes and the format's limits demand.
 
-    A PDO that no image can hold is left out, and where a SyncManager is assigned it all PDOs, because the others alone
+    A PDO that no image can hold is left out, and where it has a SyncManager all PDOs of that, because the others alone
     would make it too short. Then, step by step until the rest fits: names of the entries of PDOs that no SyncManager is
     assigned, of all entries, of PDOs, of OpModes, of the group and image; these PDOs themselves, all PDOs, the OpModes,
     and at last every computed category, which leaves the header as devices with an EEPROM of 128 bytes have it. Other
@@ -222,11 +222,19 @@ def _without_group(record: SiiRecord) -> SiiRecord:
     return msgspec.structs.replace(record, group_string_number=0, group_name_string_number=0, image_string_number=0)
 
 
-def _without_optional_pdos(is_dropped: Callable[[Pdo], bool]) -> Reduction:
+def _possible(pdos: Iterable[Pdo]) -> Iterator[Pdo]:
+    incomplete = {pdo.sm for pdo in pdos if _is_impossible(pdo)} - {NOT_ASSIGNED}
+    return (pdo for pdo in pdos if pdo.sm not in incomplete and not _is_impossible(pdo))
+
+
+def _assigned(pdos: Iterable[Pdo]) -> Iterator[Pdo]:
+    return (pdo for pdo in pdos if pdo.sm != NOT_ASSIGNED)
+
+
+def _with_pdos(kept: Callable[[Iterable[Pdo]], Iterable[Pdo]]) -> Reduction:
     def reduce(record: SiiRecord) -> SiiRecord:
         if isinstance(record, TxPdos | RxPdos):
-            kept = (pdo for pdo in record.pdos if pdo.sm != NOT_ASSIGNED or not is_dropped(pdo))
-            return msgspec.structs.replace(record, pdos=tuple(kept))
+            return msgspec.structs.replace(record, pdos=tuple(kept(record.pdos)))
         if isinstance(record, SiiImage):
             filled = (item for item in record.categories if not isinstance(item, TxPdos | RxPdos) or item.pdos)
             return msgspec.structs.replace(record, categories=tuple(filled))
@@ -246,17 +254,19 @@ def _without_categories(*kinds: type[SiiRecord]) -> Reduction:
 
 
 _OPTIONAL_PDOS = "PDOs that no SyncManager is assigned"
-_ALL_PDOS = "all PDOs, which a master then has to know from elsewhere"
 _STEPS: tuple[tuple[str, Reduction, Callable[[SiiImage, Write], bool]], ...] = (
-    (_OPTIONAL_PDOS, _without_optional_pdos(_is_impossible), _has_impossible_pdos),
-    (_ALL_PDOS, _without_categories(TxPdos, RxPdos), _has_impossible_pdos),
+    (
+        "PDOs that no image can hold, with all of the same SyncManager, which a master then has to know from elsewhere",
+        _with_pdos(_possible),
+        _has_impossible_pdos,
+    ),
     (f"names of entries of {_OPTIONAL_PDOS}", _without_optional_entry_names, _holds_too_much),
     ("names of entries", _without_names_of(PdoEntry), _holds_too_much),
     ("names of PDOs", _without_names_of(Pdo), _holds_too_much),
     ("names of OpModes", _without_names_of(DcMode), _holds_too_much),
     ("names of group and image", _without_group, _holds_too_much),
-    (_OPTIONAL_PDOS, _without_optional_pdos(lambda pdo: True), _holds_too_much),
-    (_ALL_PDOS, _without_categories(TxPdos, RxPdos), _holds_too_much),
+    (_OPTIONAL_PDOS, _with_pdos(_assigned), _holds_too_much),
+    ("all PDOs, which a master then has to know from elsewhere", _without_categories(TxPdos, RxPdos), _holds_too_much),
     ("all OpModes", _without_categories(DistributedClocks), _holds_too_much),
     ("everything else that is computed", _without_categories(Strings, General, Fmmus, SyncManagers), _holds_too_much),
 )

@@ -1,16 +1,17 @@
 """A computed SII image merged into the image of a device: what only that device has is kept."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain
 from typing import NamedTuple
 
 import msgspec
 
+from esicatalog.errors import InputError
 from esicatalog.export.sii_changes import Change, image_changes
-from esicatalog.export.sii_limits import behind_end_mark
+from esicatalog.export.sii_limits import behind_end_mark, used_bytes
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
 from esicatalog.sii.encode import encode_sii
-from esicatalog.sii.image import Category, General, RawCategory, SiiImage
+from esicatalog.sii.image import Category, General, RawCategory, SiiImage, ranges_text
 from esicatalog.sii.records import HEADER, Header
 from esicatalog.sii.words import category_title
 from esicatalog.words import counted
@@ -39,7 +40,8 @@ _SAID_TOGETHER = {
         "bootstrap_send_mailbox_size",
     ),
 }
-"""Words that a description says together or not at all: all zero means that it says nothing."""
+"""Words that a description says together. All zero they mean that it says nothing, also where it writes the zeros: what
+a device needs to be reached is not overwritten with them."""
 PDI_BYTES = 8
 """Bytes of the PDI words: 0 to 3."""
 _RESERVED_IN_GENERAL = ("legacy_ports", "sysman_class", "reserved_15", "reserved_20", "rest")
@@ -80,15 +82,26 @@ def merge_image(computed: SiiImage, dump: SiiImage, config_bytes: int = CHECKSUM
     description declares one of the same number. PDI words and bootstrap mailbox stay as they are where the
     description says nothing: also behind the ``config_bytes`` bytes of a shorter ConfigData
     (:func:`esicatalog.export.sii_header.configuration_bytes`). The order is that of the dump.
+
+    Raises :class:`InputError` when bytes up to the end mark of the dump were not read: they would be taken for the
+    device's own.
     """
-    header = merged_header(computed.header, dump.header, config_bytes)
+    unread = [lost for lost in dump.unread if lost.first < used_bytes(dump)]
+    if unread:
+        raise InputError(
+            f"the dump does not hold the bytes {ranges_text(unread)}, and what was not read must not be written: read "
+            "the whole EEPROM and merge into that"
+        )
+    unsaid = _unsaid(computed.header)
+    header = merged_header(computed.header, dump.header, config_bytes, chain.from_iterable(unsaid.values()))
     image = SiiImage(header=header, categories=_categories(computed, dump))
-    return MergedImage(image, dump, tuple(_kept(computed, dump, config_bytes)))
+    words = _kept_words(computed.header, dump.header, config_bytes, unsaid)
+    return MergedImage(image, dump, (*words, *_kept_categories(computed, dump, image)))
 
 
-def merged_header(computed: Header, dump: Header, config_bytes: int) -> Header:
-    """The computed header with the words of the device's own that no description, or not this one, says."""
-    fields = (*_DEVICE_WORDS, *chain.from_iterable(_unsaid(computed).values()))
+def merged_header(computed: Header, dump: Header, config_bytes: int, unsaid: Iterable[str]) -> Header:
+    """The computed header with the words of the device's own that no description says, and the ``unsaid`` ones."""
+    fields = (*_DEVICE_WORDS, *unsaid)
     said, own = HEADER.write(computed), HEADER.write(dump)
     header = HEADER.read(said[:config_bytes] + own[config_bytes:CHECKSUM_OFFSET] + said[CHECKSUM_OFFSET:])
     return with_checksum(msgspec.structs.replace(header, **{field: getattr(dump, field) for field in fields}))
@@ -101,20 +114,21 @@ def _unsaid(computed: Header) -> dict[str, tuple[str, ...]]:
 
 
 def _categories(computed: SiiImage, dump: SiiImage) -> tuple[Category, ...]:
-    """The categories of the dump in their order, the computed ones in the place of the first of their type."""
-    waiting = {item.category_type: item for item in computed.categories if not isinstance(item, RawCategory)}
+    """The categories of the dump in their order, the computed ones in the places of the first of their type."""
+    waiting = [item for item in computed.categories if not isinstance(item, RawCategory)]
     merged: list[Category] = []
     for own in dump.categories:
-        replacement = waiting.pop(own.category_type, None)
-        if isinstance(replacement, General) and isinstance(own, General):
-            replacement = merged_general(replacement, own)
+        replacement = next((item for item in waiting if item.category_type == own.category_type), None)
         if replacement is not None:
+            waiting.remove(replacement)
+            if isinstance(replacement, General) and isinstance(own, General):
+                replacement = merged_general(replacement, own)
             merged.append(replacement)
         elif isinstance(own, RawCategory):
             merged.append(own)
     taken = {item.category_type for item in merged}
     declared = [item for item in computed.of_type(RawCategory) if item.category_type not in taken]
-    return (*merged, *waiting.values(), *declared)
+    return (*merged, *waiting, *declared)
 
 
 def merged_general(computed: General, own: General) -> General:
@@ -122,8 +136,9 @@ def merged_general(computed: General, own: General) -> General:
     return msgspec.structs.replace(computed, **{field: getattr(own, field) for field in _RESERVED_IN_GENERAL})
 
 
-def _kept(computed: SiiImage, dump: SiiImage, config_bytes: int) -> Iterator[str]:
-    header, unsaid = dump.header, _unsaid(computed.header)
+def _kept_words(
+    computed: Header, header: Header, config_bytes: int, unsaid: Mapping[str, tuple[str, ...]]
+) -> Iterator[str]:
     if header.station_alias:
         yield f"station alias {header.station_alias}"
     if header.serial_no:
@@ -136,11 +151,16 @@ def _kept(computed: SiiImage, dump: SiiImage, config_bytes: int) -> Iterator[str
         yield f"{_PDI_WORDS} from byte {config_bytes}, where ConfigData ends"
     for what, fields in unsaid.items():
         if any(getattr(header, field) for field in fields):
-            yield f"{what}, which the description does not give"
-    if header.size_word != computed.header.size_word:
-        yield f"size of the EEPROM, {header.byte_size} bytes; the description says {computed.header.byte_size}"
+            yield f"{what}, not given in the description or zero there"
+    if header.size_word != computed.size_word:
+        yield f"size of the EEPROM, {header.byte_size} bytes; the description says {computed.byte_size}"
+
+
+def _kept_categories(computed: SiiImage, dump: SiiImage, image: SiiImage) -> Iterator[str]:
     declared = {item.category_type: item.data for item in computed.of_type(RawCategory)}
     for category in dump.of_type(RawCategory):
+        if category not in image.categories:
+            continue
         other = declared.get(category.category_type, category.data) != category.data
         differs = "; the description declares other data" if other else ""
         yield f"{category_title(category.category_type)}, {counted(len(category.data), 'byte')}{differs}"

@@ -14,8 +14,10 @@ from esicatalog.export.sii import FMMU_USAGE_CODES, SM_USAGE_CODES, data_type_co
 from esicatalog.export.sii_header import (
     ASSUMED_BYTE_SIZE,
     BOOTSTRAP_BYTES,
+    NOT_COMPUTED,
     byte_size_in_units,
     category_data,
+    computed_header,
     has_category_number,
     whole_image,
 )
@@ -25,7 +27,7 @@ from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
 from esicatalog.model.pdo_facts import entry_facts, entry_words, has_length, has_object
 from esicatalog.model.ports import port_kind
-from esicatalog.model.sm_facts import is_mailbox, sm_facts
+from esicatalog.model.sm_facts import SM_ROLES, mailbox_sync_managers, sm_facts, sm_usages
 from esicatalog.sii.checksum import CHECKSUM_OFFSET
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
@@ -80,28 +82,33 @@ def _eeprom(device: Device) -> Eeprom:
     return device.eeprom or Eeprom()
 
 
-def _bytes_of(text: str | None) -> int:
-    return len(decode_hex_binary(text) or b"")
+def _bytes_of(text: str | None) -> bytes:
+    return decode_hex_binary(text) or b""
 
 
 def _config_data_missing(device: Device) -> list[str]:
     text = _eeprom(device).config_data
-    return [] if _bytes_of(text) else ["usable ConfigData" if text else "ConfigData"]
+    return [] if any(_bytes_of(text)[:PDI_BYTES]) else ["usable ConfigData" if text else "ConfigData"]
 
 
 def _config_data_too_short(device: Device) -> list[int]:
-    size = _bytes_of(_eeprom(device).config_data)
+    size = len(_bytes_of(_eeprom(device).config_data))
     return [size] if 0 < size < PDI_BYTES else []
 
 
 def _config_data_too_long(device: Device) -> list[str]:
-    size = _bytes_of(_eeprom(device).config_data)
-    return [counted(size - CHECKSUM_OFFSET, "byte")] if size > CHECKSUM_OFFSET else []
+    excess = len(_bytes_of(_eeprom(device).config_data)) - CHECKSUM_OFFSET
+    return [counted(excess, "byte")] if excess > 0 else []
 
 
 def _boot_strap_broken(device: Device) -> list[str]:
     text = _eeprom(device).boot_strap
-    return [text] if text and 0 < _bytes_of(text) < BOOTSTRAP_BYTES else []
+    return [text] if text and 0 < len(_bytes_of(text)) < BOOTSTRAP_BYTES else []
+
+
+def _boot_strap_too_long(device: Device) -> list[str]:
+    text = _eeprom(device).boot_strap
+    return [text] if text and len(_bytes_of(text)) > BOOTSTRAP_BYTES else []
 
 
 def _byte_size_missing(device: Device) -> list[int]:
@@ -156,14 +163,43 @@ def _unread(device: Device) -> list[str]:
     return [" ".join(item) for item in unreadable_values(device, lambda part: isinstance(part, _STORED))]
 
 
+def _mailboxes(device: Device) -> list[int]:
+    """The SyncManagers that the image has as those of mailboxes."""
+    roles = (SM_ROLES.get(usage or "") for usage in sm_usages(device))
+    return [number for number, role in enumerate(roles) if role is not None and role.is_mailbox]
+
+
+def _mailboxes_incomplete(device: Device) -> list[str]:
+    """What a master would lack to use the mailboxes of a description that has protocols or SyncManagers for them."""
+    header = computed_header(None, device)
+    needed = {
+        "receive mailbox": header.standard_receive_mailbox_size,
+        "send mailbox": header.standard_send_mailbox_size,
+        "protocols": header.mailbox_protocols,
+    }
+    has_mailboxes = header.mailbox_protocols or mailbox_sync_managers(device)
+    return [f"no {what}" for what, there in needed.items() if has_mailboxes and not there]
+
+
+def _usages_taken(device: Device) -> list[str]:
+    usages = zip(device.sync_managers, sm_usages(device), strict=True)
+    return [f"SM{number} {usage}" for number, (sm, usage) in enumerate(usages) if usage and not sm.usage]
+
+
+def _usages_without_code(device: Device) -> list[str]:
+    usages = zip(device.sync_managers, sm_usages(device), strict=True)
+    return [usage or "(empty)" for sm, usage in usages if usage not in SM_USAGE_CODES and (usage or not sm.virtual)]
+
+
 def _sync_managers_without(
-    attributes: Mapping[str, str], is_meant: Callable[[SyncManager], bool]
+    attributes: Mapping[str, str], is_meant: Callable[[SyncManager, bool], bool]
 ) -> Callable[[Device], list[str]]:
     def look(device: Device) -> list[str]:
+        mailboxes = _mailboxes(device)
         return [
             f"{name} of SM{number}"
             for number, sm in enumerate(device.sync_managers)
-            if is_meant(sm)
+            if is_meant(sm, number in mailboxes)
             for field, name in attributes.items()
             if getattr(sm, field) is None
         ]
@@ -195,7 +231,6 @@ def _elsewhere(device: Device) -> list[str]:
         ),
         "CycleTimeSync1 in ns": any(mode.cycle_time_sync1_ns for mode in device.op_modes),
         "SYNC2 and SYNC3": any(mode.activate_additional is not None for mode in device.op_modes),
-        "descriptions of OpModes": any(mode.description for mode in device.op_modes),
         "ConfigData2": _eeprom(device).config_data2,
         "InitCmds": device.mailbox is not None and device.mailbox.coe_init_cmds,
         "object dictionary": any(profile.dictionary for profile in device.profiles),
@@ -204,11 +239,11 @@ def _elsewhere(device: Device) -> list[str]:
 
 
 def _not_computed(device: Device) -> list[str]:
-    said = {
-        "sync units (category 43)": device.sync_units,
-        "SyncManagers of FMMUs (category 42)": any(fmmu.sm is not None for fmmu in device.fmmus),
-    }
-    return [what for what, there in said.items() if there]
+    return [f"{what} (category {number})" for number, (what, is_said) in NOT_COMPUTED.items() if is_said(device)]
+
+
+def _op_mode_descriptions(device: Device) -> list[str]:
+    return [mode.description for mode in op_modes_of_image(device) if mode.description]
 
 
 _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
@@ -220,11 +255,15 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
     (_codes_missing, "Not given, so 0: {}."),
     (_unread, "Values that cannot be read, stored as if they were absent; correct the file: {}."),
     (
-        _sync_managers_without(_MAILBOX_ATTRIBUTES, is_mailbox),
+        _sync_managers_without(_MAILBOX_ATTRIBUTES, lambda sm, is_mailbox: is_mailbox),
         "Mailboxes without a usable attribute, stored as 0; do not write this image, no master reaches them: {}.",
     ),
     (
-        _sync_managers_without(_SM_ATTRIBUTES, lambda sm: not sm.virtual and not is_mailbox(sm)),
+        _mailboxes_incomplete,
+        "Mailboxes that are not described whole; do not write this image, no master reaches them: {}.",
+    ),
+    (
+        _sync_managers_without(_SM_ATTRIBUTES, lambda sm, is_mailbox: not (sm.virtual or is_mailbox)),
         "SyncManagers of process data without a usable attribute, stored as 0; do not write this image before you know "
         "better: without Enable they are disabled, without ControlByte inputs: {}.",
     ),
@@ -238,15 +277,19 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
     (_config_data_too_long, "ConfigData is {} longer than the words 0 to 6; the check sum is computed."),
     (_boot_strap_broken, "BootStrap {} is not 8 bytes; the bootstrap mailbox is zero."),
     (
+        _boot_strap_too_long,
+        f"BootStrap {{}} is longer than {BOOTSTRAP_BYTES} bytes; the first ones are taken. Correct the file.",
+    ),
+    (
         lambda device: [fmmu.usage for fmmu in device.fmmus if fmmu.usage and fmmu.usage not in FMMU_USAGE_CODES],
         "FMMUs without a code for their use, stored as unused: {}.",
     ),
     (
-        lambda device: [
-            sm.usage or "(empty)"
-            for sm in device.sync_managers
-            if sm.usage not in SM_USAGE_CODES and not (sm.virtual and not sm.usage)
-        ],
+        _usages_taken,
+        "SyncManagers without a role, stored as their mode, direction and PDOs tell: {}.",
+    ),
+    (
+        _usages_without_code,
         "SyncManagers without a code for their use, stored as unused: {}.",
     ),
     (
@@ -283,6 +326,10 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
     (
         _categories_unusable,
         "Eeprom/Category whose data cannot be read or do not fit into their type, left out; correct the file: {}.",
+    ),
+    (
+        _op_mode_descriptions,
+        "Descriptions of OpModes, stored only in an image for a device whose own has some, as TwinCAT stores none: {}.",
     ),
     (_not_computed, "Not computed, because the layout is not published: {}."),
     (_elsewhere, "An image has no place for: {}."),

@@ -10,7 +10,7 @@ from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
 from esicatalog.sii.checksum import is_loaded
 from esicatalog.sii.encode import encode_sii
-from esicatalog.sii.image import SiiImage
+from esicatalog.sii.image import FILLER, SiiImage, ranges_text
 from esicatalog.words import counted
 
 WHY_MERGE = (
@@ -48,7 +48,7 @@ def _lines(subject: Subject, image: SiiImage, merged: MergedImage | None, droppe
         yield WHY_MERGE
     else:
         yield from _merge_lines(image, merged)
-    yield from _listed("Left out to fit the EEPROM:", dropped)
+    yield from _listed("Left out to fit the format or the EEPROM:", dropped)
     yield from _listed("About this image:", eeprom_remarks(subject))
 
 
@@ -57,7 +57,8 @@ def _merge_lines(image: SiiImage, merged: MergedImage) -> Iterator[str]:
     changes = merged._replace(image=image).changes
     parts = {change.part for change in changes}
     if encode_sii(image) == encode_sii(merged.dump):
-        yield "The device's image would not change."
+        what = "What the dump holds" if merged.dump.unread else "The device's image"
+        yield f"{what} would not change."
     elif not changes:
         yield f"No value would change, only how it is stored: {', '.join(stored_otherwise(merged.dump, image))}."
     if not is_loaded(merged.dump.header):
@@ -68,6 +69,7 @@ def _merge_lines(image: SiiImage, merged: MergedImage) -> Iterator[str]:
         yield _CHECK_IDENTITY
     yield from _listed("Writing it would change, worst first:", (f"{item.part}: {item.text}" for item in changes))
     yield from _listed("Kept as the device has it:", merged.kept)
+    yield from _listed("About the dump:", (f"{finding}." for finding in merged.dump.findings))
 
 
 _BEHIND = (
@@ -78,6 +80,11 @@ _BEHIND = (
 
 def _unread_lines(size: int, merged: MergedImage) -> Iterator[str]:
     """What of the EEPROM the dump does not hold, and what becomes of it when ``size`` bytes are written."""
+    if merged.dump.unread:
+        yield (
+            f"Writing this image overwrites the bytes {ranges_text(merged.dump.unread)}, which the dump does not hold, "
+            f"with 0x{FILLER:X}, whatever they hold: better read the whole EEPROM and merge into that."
+        )
     unread = merged.byte_size - merged.dump_bytes
     if unread <= 0:
         return

@@ -1,26 +1,17 @@
 """An image read from a device against the description of its identity."""
 
 from collections.abc import Iterable, Iterator
-from itertools import chain, repeat
-from typing import Any, NamedTuple, TypeVar
-
-import msgspec
+from typing import Any, NamedTuple
 
 from esicatalog.catalog.results import FoundDevice, Identification
-from esicatalog.esi.records.dc import OpMode
-from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.device import SyncManager as EsiSyncManager
-from esicatalog.export.sii import described_image, op_modes_of_image
 from esicatalog.export.sii_changes import CHECK_SUM, NOT_CONFIGURED, UNREADABLE, Change, image_changes
-from esicatalog.export.sii_header import configuration_bytes, whole_image
-from esicatalog.export.sii_merge import merged_general, merged_header
+from esicatalog.export.sii_completed import described_images
+from esicatalog.export.sii_header import NOT_COMPUTED
 from esicatalog.export.subject import Subject
 from esicatalog.sii.checksum import is_loaded
 from esicatalog.sii.errors import SiiImageError
-from esicatalog.sii.image import Category, DistributedClocks, General, SiiImage, SyncManagers
-from esicatalog.sii.layout import SiiRecord
-from esicatalog.sii.records import DcMode, SyncManager
-from esicatalog.sii.words import AssignActivate, SmEnable
+from esicatalog.sii.image import SiiImage
+from esicatalog.sii.words import category_title
 from esicatalog.words import counted
 
 _OWN = {"serial number", "station alias", CHECK_SUM}
@@ -28,10 +19,6 @@ _OWN = {"serial number", "station alias", CHECK_SUM}
 _REFUSED = "wrong: a slave controller refuses the configuration words"
 _USED_PARTS = {"identity", "mailboxes", "SyncManagers", "FMMUs", "PDOs", "OpModes", UNREADABLE}
 _USED_OF_GENERAL = {"flags", "CoE"}
-_STORED_AS = {"start_address": "start_address", "default_size": "length_bytes", "control_byte": "control_byte"}
-"""Attributes of Sm whose value an image stores, by the field that it has there; Enable is one bit of its field."""
-
-R = TypeVar("R", bound=SiiRecord)
 
 
 class ImageDifference(NamedTuple):
@@ -47,13 +34,16 @@ class ImageDifference(NamedTuple):
 def verify_image(image: SiiImage, subject: Subject) -> tuple[ImageDifference, ...]:
     """How an image differs from its description, in the order of importance.
 
-    What the description does not say is no difference, whatever an image that is made of it has there. Raises
-    :class:`SiiImageError` when the description holds a whole image (Eeprom/Data) that is none.
+    What the description does not say is no difference, whatever an image that is made of it has there. Texts may be in
+    any of its languages: the one counts that the image fits best. Raises :class:`SiiImageError` when the description
+    holds a whole image (Eeprom/Data) that is none.
     """
     refused = () if is_loaded(image.header) else (ImageDifference(CHECK_SUM, _REFUSED, True),)
+    uncomputed = {category_title(number) for number, (_, is_said) in NOT_COMPUTED.items() if is_said(subject.device)}
+    changes = min((image_changes(described, image) for described in described_images(subject, image)), key=len)
     return refused + tuple(
-        ImageDifference(change.part, _words(change), _is_used(change))
-        for change in image_changes(_described(subject, image), image)
+        ImageDifference(change.part, _words(change, uncomputed), _is_used(change))
+        for change in changes
         if change.label not in _OWN
     )
 
@@ -137,55 +127,9 @@ def _weight(differences: tuple[ImageDifference, ...]) -> tuple[int, int]:
     return sum(item.used_by_master for item in differences), len(differences)
 
 
-def _described(subject: Subject, image: SiiImage) -> SiiImage:
-    """The image of the description, with what it does not say taken from ``image``."""
-    computed, device = described_image(subject), subject.device
-    if whole_image(device) is not None:
-        return computed
-    header = merged_header(computed.header, image.header, configuration_bytes(device))
-    if device.eeprom is not None and device.eeprom.byte_size is not None:
-        header = msgspec.structs.replace(header, size_word=computed.header.size_word)
-    categories = tuple(_category(category, device, image) for category in computed.categories)
-    return msgspec.structs.replace(computed, header=header, categories=categories)
-
-
-def _category(category: Category, device: Device, image: SiiImage) -> Category:
-    match category:
-        case General() if image.general is not None:
-            return msgspec.structs.replace(merged_general(category, image.general), rest=category.rest)
-        case SyncManagers():
-            said = zip(category.sync_managers, device.sync_managers, strict=True)
-            stored = (_sync_manager(*item, own) for item, own in zip(said, _padded(image.sync_managers), strict=False))
-            return msgspec.structs.replace(category, sync_managers=tuple(stored))
-        case DistributedClocks():
-            modes = zip(category.modes, op_modes_of_image(device), strict=True)
-            clocks = (_dc_mode(*item, own) for item, own in zip(modes, _padded(image.dc_modes), strict=False))
-            return msgspec.structs.replace(category, modes=tuple(clocks))
-        case _:
-            return category
-
-
-def _padded(records: Iterable[R]) -> Iterator[R | None]:
-    return chain(records, repeat(None))
-
-
-def _sync_manager(computed: SyncManager, said: EsiSyncManager, own: SyncManager | None) -> SyncManager:
-    if own is None:
-        return computed
-    unsaid = {stored: getattr(own, stored) for field, stored in _STORED_AS.items() if getattr(said, field) is None}
-    if said.enable is None:
-        unsaid["enable"] = computed.enable | own.enable & SmEnable.ENABLE
-    return msgspec.structs.replace(computed, **unsaid)
-
-
-def _dc_mode(computed: DcMode, said: OpMode, own: DcMode | None) -> DcMode:
-    is_said = said.cycle_time_sync0_ns is not None or said.cycle_time_sync0_factor is not None
-    if own is None or (is_said and computed.assign_activate & (AssignActivate.SYNC0 | AssignActivate.SYNC1)):
-        return computed
-    return msgspec.structs.replace(computed, cycle_time_sync0_factor=own.cycle_time_sync0_factor)
-
-
-def _words(change: Change) -> str:
+def _words(change: Change, uncomputed: set[str]) -> str:
+    if change.label in uncomputed and change.before is None:
+        return f"{change.label}: the image has {change.after}; described, not computed here"
     if change.before is None:
         return f"{change.label}: the image has {change.after}; not described"
     if change.after is None:

@@ -42,6 +42,7 @@ SM_ROLES = {
     "DynamicInputs": SmRole(INPUT, TX_PDO, is_dynamic=True),
 }
 """The roles that tools know; others are words of the vendor's and say nothing."""
+_USAGES = {role: usage for usage, role in SM_ROLES.items()}
 
 
 def sm_role(sync_manager: SyncManager) -> SmRole | None:
@@ -67,6 +68,26 @@ def mailbox_sync_managers(device: Device) -> list[int]:
         if is_mailbox(sm) or (sm_role(sm) is None and in_mailbox_mode):
             found.append(number)
     return found
+
+
+def sm_usages(device: Device) -> list[str | None]:
+    """The text of each Sm element; where it is empty, what it would have to be, None where nothing tells.
+
+    ``ethercat xml`` writes none: a mailbox (:func:`mailbox_sync_managers`) is then known by the direction of its
+    ControlByte, one for process data by the PDOs that name it. A word of the vendor's stays as it is.
+    """
+    mailboxes = mailbox_sync_managers(device)
+    named = {RX_PDO: {pdo.sm for pdo in device.rx_pdos}, TX_PDO: {pdo.sm for pdo in device.tx_pdos}}
+    usages = []
+    for number, sm in enumerate(device.sync_managers):
+        directions = [direction for direction, numbers in named.items() if number in numbers]
+        role = None
+        if number in mailboxes:
+            role = SmRole(sm_facts(sm).transfer_direction or "", None)
+        elif len(directions) == 1:
+            role = SmRole(TRANSFER_DIRECTIONS[directions[0]], directions[0])
+        usages.append(sm.usage or (_USAGES.get(role) if role is not None else None))
+    return usages
 
 
 def may_transport(sync_manager: SyncManager, direction: str) -> bool:

@@ -12,6 +12,7 @@ from esicatalog.sii.image import (
     GENERAL,
     HEAD,
     MAX_IMAGE_BYTES,
+    ByteRange,
     Category,
     DistributedClocks,
     Fmmus,
@@ -33,8 +34,10 @@ _TEXT = re.compile(r"[^\x00-\x08\x0b\x0c\x0e-\x1f\x7f]+")
 """No control characters but those between lines; every image has many others."""
 
 
-def decode_sii(data: bytes) -> SiiImage:
-    """The records of a raw image (:func:`esicatalog.sii.files.image_bytes` gives the one in a file).
+def decode_sii(data: bytes, unread: tuple[ByteRange, ...] = ()) -> SiiImage:
+    """The records of a raw image (:func:`esicatalog.sii.files.image_of_file` gives the one in a file).
+
+    ``unread`` are the bytes of it that were not read, but filled.
 
     Kept in full: reserved and private words, unknown categories, padding, and the bytes after the end mark, so that
     ``encode_sii(decode_sii(data)) == data``. What is odd but readable is told in ``findings``, with byte offsets.
@@ -64,6 +67,7 @@ def decode_sii(data: bytes) -> SiiImage:
         categories=tuple(categories),
         end_mark=end_mark,
         trailing=data[offset + len(END_MARK) * end_mark :],
+        unread=unread,
     )
     return msgspec.structs.replace(image, findings=(*misfits, *findings_of(image)))
 

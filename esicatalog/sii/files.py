@@ -1,21 +1,20 @@
 """Files that hold an SII image: raw, or Intel HEX whatever the file is called."""
 
 import re
+from typing import NamedTuple
 
 from esicatalog.scan.text import decode_text, quoted
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
-from esicatalog.sii.image import MAX_IMAGE_BYTES, SiiImage
+from esicatalog.sii.image import FILLER, MAX_IMAGE_BYTES, ByteRange, SiiImage, ranges_text
 from esicatalog.words import counted
-
-FILLER = 0xFF
-"""What an erased EEPROM reads, for addresses that an Intel HEX file leaves out."""
 
 _NOT_DECODED = "\ufffd"
 _MARKS = "\ufeff\x1b"
 """The mark of an encoding, and what begins the colours of a terminal."""
 # A raw image starts with the PDI control word, and there is no PDI type 0x3A (":").
 _INTEL_HEX = re.compile(rb":|(?:\xef\xbb\xbf)?\s*:[0-9A-Fa-f]{8}")
+_LEFT_OUT = re.compile(rb"\0+")
 _RECORD = re.compile(r":((?:[0-9A-Fa-f]{2}){5,})")
 _DATA, _END, _SEGMENT, _START_SEGMENT, _LINEAR, _START_LINEAR = range(6)
 _PAYLOAD_BYTES = {_END: 0, _SEGMENT: 2, _START_SEGMENT: 4, _LINEAR: 2, _START_LINEAR: 4}
@@ -23,16 +22,31 @@ _BASE_SHIFT = {_SEGMENT: 4, _LINEAR: 16}
 """By how many bits the payload of an address record is shifted to give the base of the following data."""
 
 
+class FileImage(NamedTuple):
+    """The image in a file."""
+
+    data: bytes
+    unread: tuple[ByteRange, ...] = ()
+    """Where an Intel HEX file has no data, and ``data`` therefore :data:`~esicatalog.sii.image.FILLER`."""
+
+
 def read_sii(data: bytes) -> SiiImage:
     """The records of an EEPROM image from the bytes of a file, raw or Intel HEX by content.
 
-    What is odd but readable, a wrong check sum for instance, is told in ``findings``. Raises :class:`SiiImageError`,
-    a :class:`~esicatalog.errors.DocumentError`, as :func:`image_bytes` and :func:`~esicatalog.sii.decode.decode_sii`.
+    What is odd but readable, a wrong check sum or bytes that an Intel HEX file leaves out for instance, is told in
+    ``findings``. Raises :class:`SiiImageError`, a :class:`~esicatalog.errors.DocumentError`, as :func:`image_of_file`
+    and :func:`~esicatalog.sii.decode.decode_sii`.
     """
-    return decode_sii(image_bytes(data))
+    image, unread = image_of_file(data)
+    try:
+        return decode_sii(image, unread)
+    except SiiImageError as error:
+        if not unread:
+            raise
+        raise SiiImageError(f"{error}; the file does not hold the bytes {ranges_text(unread)}") from error
 
 
-def image_bytes(data: bytes) -> bytes:
+def image_of_file(data: bytes) -> FileImage:
     """The image in the bytes of a file, raw or Intel HEX by content.
 
     Raises :class:`SiiImageError` for a broken Intel HEX file, with its line, and for any other text.
@@ -40,7 +54,7 @@ def image_bytes(data: bytes) -> bytes:
     if is_intel_hex(data):
         return _intel_hex(data)
     _check_is_no_text(data)
-    return data
+    return FileImage(data)
 
 
 def is_intel_hex(data: bytes) -> bool:
@@ -59,7 +73,7 @@ def _is_of_text(character: str) -> bool:
     return character.isprintable() or character.isspace() or character in _MARKS
 
 
-def _intel_hex(data: bytes) -> bytes:
+def _intel_hex(data: bytes) -> FileImage:
     image = bytearray()
     given = bytearray()
     base = 0
@@ -77,7 +91,8 @@ def _intel_hex(data: bytes) -> bytes:
         ended = kind == _END
     if not ended:
         raise SiiImageError("Intel HEX: no end record; the file is cut")
-    return bytes(image)
+    unread = (ByteRange(match.start(), match.end() - 1) for match in _LEFT_OUT.finditer(given))
+    return FileImage(bytes(image), tuple(unread))
 
 
 def _record(line: str, number: int) -> tuple[int, int, bytes]:

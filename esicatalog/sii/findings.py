@@ -5,7 +5,7 @@ from itertools import pairwise
 
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, NOT_TESTED, header_checksum, is_loaded
 from esicatalog.sii.encode import category_offsets
-from esicatalog.sii.image import END_MARK, PADDING_BYTES, Fmmus, RawCategory, SiiImage, Strings
+from esicatalog.sii.image import END_MARK, FILLER, PADDING_BYTES, Fmmus, RawCategory, SiiImage, Strings, ranges_text
 from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.words import category_title
 
@@ -19,12 +19,18 @@ def findings_of(image: SiiImage) -> tuple[str, ...]:
     offsets = category_offsets(image)
     end = offsets[-1]
     return (
+        *_unread(image),
         *_checksum(image),
         *_size(image, end + len(END_MARK) * image.end_mark + len(image.trailing)),
         *_contents(image, offsets),
         *_repeated(image, offsets),
         *_ending(image, end),
     )
+
+
+def _unread(image: SiiImage) -> Iterator[str]:
+    if image.unread:
+        yield f"the file does not hold the bytes {ranges_text(image.unread)}: 0x{FILLER:X} stands in their place"
 
 
 def _checksum(image: SiiImage) -> Iterator[str]:

@@ -1,11 +1,13 @@
 """An SII image as a whole: the header and the categories in stored order, with every byte accounted for."""
 
 import struct
-from typing import Annotated, ClassVar, TypeVar
+from collections.abc import Iterable
+from typing import Annotated, ClassVar, NamedTuple, TypeVar
 
 from esicatalog.sii.layout import Layout, Part, SiiRecord
 from esicatalog.sii.records import DcMode, Fmmu, Header, Pdo, SiiString, SyncManager
 from esicatalog.sii.words import PORT_TYPES, CoeDetails, Enabled, GeneralFlags
+from esicatalog.words import counted
 
 HEAD = struct.Struct("<HH")
 """What precedes the data of every category: type, and length in words."""
@@ -17,6 +19,23 @@ MAX_IMAGE_BYTES = 512 * 1024
 PADDING_BYTES = 1
 """What the strings of a table need at most behind them to fill a whole word."""
 _NO_RESERVED_BYTES = bytes(12)
+_MOST_RANGES = 8
+FILLER = 0xFF
+"""What an erased EEPROM reads; it stands for bytes that an Intel HEX file leaves out."""
+
+
+class ByteRange(NamedTuple):
+    """Consecutive bytes of an image."""
+
+    first: int
+    last: int
+
+
+def ranges_text(ranges: Iterable[ByteRange]) -> str:
+    """Where bytes are, by their offsets, in words."""
+    texts = [f"0x{first:X} to 0x{last:X}" if last > first else f"0x{first:X}" for first, last in ranges]
+    further = len(texts) - _MOST_RANGES
+    return ", ".join(texts[:_MOST_RANGES]) + f" and {counted(further, 'further range')}" * (further > 0)
 
 
 class Strings(SiiRecord):
@@ -116,6 +135,8 @@ class SiiImage(SiiRecord):
     """Whether the categories end with 0xFFFF, as they should."""
     trailing: bytes = b""
     """What follows the end mark, usually 0xFF; without an end mark, zeros only."""
+    unread: tuple[ByteRange, ...] = ()
+    """Bytes that the file did not hold: :data:`FILLER` stands in their place, whatever the device has there."""
     findings: tuple[str, ...] = ()
 
     def of_type(self, category_type: type[C]) -> tuple[C, ...]:

@@ -188,7 +188,7 @@ class DcMode(SiiRecord):
     assign_activate: Annotated[int, Part("H", "AssignActivate")] = 0
     cycle_time_sync0_factor: Annotated[int, Part("h", "SYNC0 cycle as a factor of the bus cycle")] = 0
     name_string_number: Annotated[int, Part("B", "String number of the name")] = 0
-    description_string_number: Annotated[int, Part("B", "String number of the description, 0 in real images")] = 0
+    description_string_number: Annotated[int, Part("B", "String number of the description, 0 in images of TwinCAT")] = 0
     reserved_20: Annotated[int, Part("I", "Bytes 20 to 23")] = 0
 
     @property

@@ -9,10 +9,9 @@ from esicatalog.errors import EsiCatalogError, InputError
 from esicatalog.parameters import check_names
 from esicatalog.scan.text import decode_text, is_utf16
 from esicatalog.sii.checksum import is_loaded
-from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
-from esicatalog.sii.files import FILLER, image_bytes, is_intel_hex
-from esicatalog.sii.image import SiiImage
+from esicatalog.sii.files import is_intel_hex, read_sii
+from esicatalog.sii.image import FILLER, SiiImage
 from esicatalog.sii.records import HEADER
 from esicatalog.sii.text import sheet_lines
 from esicatalog.web.http import Page, body_of
@@ -64,10 +63,9 @@ def _read_image(content: bytes) -> SiiImage:
 
     Raises :class:`InputError` for other bytes, and :class:`SiiImageError`.
     """
-    data = image_bytes(content)
-    is_image = is_intel_hex(content) or (len(data) >= HEADER.size and is_loaded(HEADER.read(data)))
+    is_image = is_intel_hex(content) or (len(content) >= HEADER.size and is_loaded(HEADER.read(content)))
     try:
-        image = decode_sii(data)
+        image = read_sii(content)
     except SiiImageError as error:
         if is_image:
             raise
