@@ -430,7 +430,9 @@ def test_check_looks_at_the_search(postgres, tmp_path):
                 connection.exec_driver_sql(statement)
             return catalog.check().problems
 
-        unknown = "devices that the full-text search does not know, or not as they are"
+        unknown = (
+            "devices that the full-text search does not know, or not as they are: delete the catalog and ingest again"
+        )
         assert problems("UPDATE device_search SET words = '' WHERE device_id = 1") == [f"1 {unknown}"]
         assert problems("DELETE FROM device_search") == [f"2 {unknown}"]
         assert problems("DROP TABLE device_search") == [
