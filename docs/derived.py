@@ -76,9 +76,10 @@ def _lines() -> Iterator[tuple[str, str]]:
         yield f"view {sqlite.name}", _digest([sqlite.select.encode(), postgresql.select.encode()])
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "catalog.db"
-        with Catalog.open(file, create=True) as catalog:
+        engine = database.make_engine(database.catalog_url(file))
+        database.upgrade(engine)  # What new catalogs are made of is written beside this, and may be that of before.
+        with Catalog.open(file) as catalog:
             catalog.ingest(documents, jobs=1)
-        engine = database.open_catalog(file)
         with engine.connect() as connection:
             for name, query in _QUERIES.items():
                 yield f"rows of {name}", _rows_digest(connection.execute(query))
