@@ -120,7 +120,7 @@ class SmImage(NamedTuple):
         )
 
 
-def default_process_image(device: Device, modules: Sequence[Module] = ()) -> list[SmImage]:
+def default_process_image(device: Device, modules: Sequence[Module]) -> list[SmImage]:
     """The process image without any choice: default OpMode, default modules."""
     return whole_process_image(device, modules, default_modules(device, modules))
 
@@ -181,8 +181,8 @@ def plugged_process_image(device: Device, plugged: Sequence[PluggedModule]) -> l
 
 def process_image(
     device: Device,
-    plugged: Sequence[PluggedModule] = (),
-    op_mode: OpMode | None = None,
+    plugged: Sequence[PluggedModule],
+    op_mode: OpMode | None,
     assignment: Assignment | None = None,
 ) -> list[SmImage]:
     """The process image for chosen modules, OpMode and PDO assignment; SyncManagers in ascending order.
