@@ -12,7 +12,7 @@ CORPUS ?= $(or $(ESICATALOG_CORPUS),../shared/corpus)
 # Every command and every test starts many processes: what they load is compiled once.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: install serve test test-datasette-1 lint test-corpus fuzz faults bench bench-scale docs screenshots clean
+.PHONY: install serve test test-datasette-1 lint test-corpus fuzz faults bench bench-scale docs dump screenshots clean
 
 install: $(VENV)/installed
 
@@ -66,6 +66,10 @@ bench-scale: install
 
 docs: install
 	$(BIN)/python docs/generate.py
+
+# Before the schema changes: what the upgrade tests have of the version that was released.
+dump: install
+	$(BIN)/python migrations/dump.py
 
 screenshots: install
 	$(BIN)/python docs/screenshots.py

@@ -1,5 +1,7 @@
 """Write what follows from the code: datasette-metadata.yml, docs/schema.md, docs/cli.md, migrations/new_catalog.sql.
 
+And tests/catalogs/derived.txt, but for what has to have a new schema version: that it names, with exit code 1.
+
 python docs/generate.py            writes the files
 python docs/generate.py --check    names the files that are not up to date; exit code 1 when there are any
 """
@@ -13,6 +15,7 @@ import click
 import sqlalchemy as sa
 import yaml
 from canned_queries import CANNED_QUERIES
+from derived import DERIVED, derived, forgotten_version
 
 from esicatalog.catalog import database
 from esicatalog.catalog.schema import metadata
@@ -375,6 +378,7 @@ FILES = {
     "docs/schema.md": schema_reference,
     "docs/cli.md": cli_reference,
     f"migrations/{database.NEW_CATALOG}": new_catalog,
+    DERIVED: derived,
 }
 
 
@@ -389,6 +393,12 @@ def stale_files() -> dict[Path, str]:
 def main() -> int:
     """Write or check; returns the exit code."""
     stale = stale_files()
+    held = ROOT / DERIVED
+    if held in stale and held.exists():
+        forgotten = forgotten_version(held.read_text(encoding="utf-8"), stale[held])
+        if forgotten is not None:
+            print(forgotten, file=sys.stderr)
+            return 1
     if sys.argv[1:] == ["--check"]:
         for path in stale:
             print(f"{path.relative_to(ROOT)} is not up to date; run: python docs/generate.py", file=sys.stderr)

@@ -1,4 +1,4 @@
-"""Write a migration for what changed in the schema: ``python migrations/new.py "add the column x"``.
+"""Write a migration for what changed in the schema: ``.venv/bin/python migrations/new.py "add the column x"``.
 
 Read the result before you commit it, and raise SCHEMA_VERSION in esicatalog/catalog/schema.py.
 """
@@ -72,9 +72,15 @@ def main(message: str) -> None:
     for command in (["check", "--fix"], ["format"]):  # an empty migration needs no imports, texts other quotes
         subprocess.run([sys.executable, "-m", "ruff", *command, "--quiet", str(path)], check=True)
     print(path)
+    if operations.upgrade_ops.is_empty():
+        print(
+            "It is empty, for no table differs on SQLite. Right where views changed or what is derived. Comments, which "
+            "SQLite has none of, are altered by hand for PostgreSQL, as 0011 does it.",
+            file=sys.stderr,
+        )
 
 
 if __name__ == "__main__":
     if len(sys.argv) != 2:
-        sys.exit('say what changes: python migrations/new.py "add the column x"')
+        sys.exit('say what changes: .venv/bin/python migrations/new.py "add the column x"')
     main(sys.argv[1])

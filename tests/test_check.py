@@ -134,20 +134,20 @@ DAMAGES = {
     "a lost view": (["DROP VIEW device_overview"], "the view device_overview is missing"),
     "a device that search does not find": (
         ["DELETE FROM device_search WHERE rowid = 1"],
-        "1 devices that the full-text search does not know, or not as they are",
+        "1 devices that the full-text search does not know, or not as they are: delete the catalog and ingest again",
     ),
     "a device that search finds under another name": (
         ["UPDATE devices SET type = 'another' WHERE id = 1"],
-        "1 devices that the full-text search does not know, or not as they are",
+        "1 devices that the full-text search does not know, or not as they are: delete the catalog and ingest again",
     ),
     "a device that search finds by another name": (
         ["UPDATE device_names SET text = 'another' WHERE kind = 'name' AND device_id = 1"],
-        "1 devices that the full-text search does not know, or not as they are",
+        "1 devices that the full-text search does not know, or not as they are: delete the catalog and ingest again",
     ),
     "no search": (["DROP TABLE device_search"], "the table device_search is missing"),
     "a device that only search knows": (
         ["INSERT INTO device_search (rowid, type) VALUES (99999, 'ghost')"],
-        "1 devices in the full-text search that are not there",
+        "1 devices in the full-text search that are not there: delete the catalog and ingest again",
     ),
     "another content": (
         ["UPDATE devices SET content_hash = '0' WHERE id = 1"],

@@ -75,7 +75,7 @@ def test_every_module_in_every_kind_of_slot(corpus, capsys):
                 assert len(pdos) == len(module.rx_pdos) + len(module.tx_pdos)
                 assert all(pdo.pdo_index is None or pdo.pdo_index <= MAX_INDEX for pdo in pdos)
                 assert all((entry.entry_index or 0) <= MAX_INDEX for pdo in pdos for entry in pdo.entries)
-                for image in process_image(device, [PluggedModule(number, slot, module)]):
+                for image in process_image(device, [PluggedModule(number, slot, module)], None):
                     placed = [entry for pdo in image.pdos for entry in pdo.entries]
                     assert image.bit_size == sum(max(item.entry.bit_length or 0, 0) for item in placed)
     with capsys.disabled():

@@ -21,7 +21,7 @@ OUTPUTS = "<Sm>Outputs</Sm>"
 
 
 def facts(content: str):
-    return derive(only_device(esi(device(content)))).facts
+    return derive(only_device(esi(device(content))), ()).facts
 
 
 def op_modes(*words: str) -> str:
@@ -212,7 +212,7 @@ def test_a_sample_interval_is_no_cycle_without_the_number_of_samples(attributes,
 @pytest.mark.parametrize("fault", [UNDECLARED_PREFIX, REPEATED_ATTRIBUTE])
 def test_a_fault_in_the_text_of_a_vendor_hides_nothing_beside_it(fault):
     found = only_device(esi(device(faulty_vendor_texts(fault))))
-    assert derive(found).facts.min_cycle_ns == 5_000
+    assert derive(found, ()).facts.min_cycle_ns == 5_000
     assert default_position(found.op_modes) == 1
     assert predefined_assignments(found) == [PredefinedAssignment("A", False, {0: (0x1600,)})]
 

@@ -5,8 +5,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from snippets import rows
 
+from docs.derived import forgotten_version
+from esicatalog import Catalog
 from esicatalog.model.cia402 import DRIVE_MODES
 
 ROOT = Path(__file__).parent.parent
@@ -53,3 +56,48 @@ def test_the_modes_in_the_esi_facts_are_those_of_the_program():
         for name, code, *cells in table
     ]
     assert told == [(mode.name, mode.code, mode.setpoints, mode.companions) for mode in DRIVE_MODES.values()]
+
+
+DERIVED = "schema 0011\ndocuments 1\nview device_overview 2\nrows of device_search, FTS5 3\n"
+
+
+@pytest.mark.parametrize(
+    ("now", "named"),
+    [
+        (DERIVED.replace(" 2", " 4"), "view device_overview"),
+        (DERIVED.replace(" 2", " 4").replace(" 3", " 5"), "rows of device_search, FTS5, view device_overview"),
+        (DERIVED + "view new 6\n", "view new"),
+        (DERIVED.replace("view device_overview 2\n", ""), "view device_overview"),
+    ],
+)
+def test_what_is_derived_changes_with_the_version_of_the_schema(now, named):
+    message = forgotten_version(DERIVED, now)
+    assert message is not None
+    assert f"changed under schema 0011: {named}. " in message
+    assert forgotten_version(DERIVED, now.replace("0011", "0012")) is None
+
+
+def test_of_other_documents_other_things_are_derived():
+    assert forgotten_version(DERIVED, DERIVED) is None
+    assert forgotten_version(DERIVED, DERIVED.replace("documents 1", "documents 2").replace(" 3", " 4")) is None
+
+
+def test_the_documents_of_that_have_what_versions_have_changed(tmp_path):
+    """Makers that share a vendor id, hidden revisions, variants, FSoE by names, sizes that are not known."""
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([ROOT / "tests" / "derived"], jobs=1)
+    query = (
+        "SELECT d.product_code, d.revision_no, d.variant, d.hidden, d.own_vendor_name, f.output_bytes, f.fsoe "
+        "FROM devices d JOIN device_facts f ON f.device_id = d.id ORDER BY 1, 2, 3"
+    )
+    assert rows(tmp_path / "c.db", query) == [
+        (0x10, 1, 1, 1, None, None, None),
+        (0x10, 2, 1, 0, None, None, "medium"),
+        (0x11, 1, 1, 1, None, None, None),
+        (0x12, 1, 1, 0, None, 4, None),
+        (0x12, 1, 2, 0, None, 4, None),
+        (0x20, 1, 1, 0, "Unrelated Robots", 0, None),
+    ]
+    searched = "SELECT vendor FROM device_search WHERE type = ?"
+    assert rows(tmp_path / "c.db", searched, "ED12")[0] == ("Beispielantriebe Example Drives",)
+    assert rows(tmp_path / "c.db", searched, "UR20") == [("Unrelated Robots",)]

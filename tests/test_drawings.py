@@ -174,7 +174,7 @@ def test_what_has_no_known_place_is_not_drawn():
         (second + first, 1, "Not drawn: what follows, whose place is not known."),
     ):
         owner = read(esi(device(SMS + content))).document.infos[0].devices[0]
-        found = next(image for image in default_process_image(owner) if image.sm == 2)
+        found = next(image for image in default_process_image(owner, ()) if image.sm == 2)
         root = drawn(process_image_svg(found))
         assert (len(groups(root, "entry")), said in words(root)) == (drawn_entries, True)
         assert root.get("aria-label") == "Outputs, SM2: at least 2 bytes, 1 entry"

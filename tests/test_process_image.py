@@ -213,11 +213,11 @@ def test_a_pdo_of_the_direction_of_the_control_byte_is_exchanged_whatever_the_ro
     """SMC EX250-SEN1 calls both SyncManagers Outputs; bits 3:2 of the second one's ControlByte say input."""
     sms = '<Sm ControlByte="#x46">Outputs</Sm><Sm ControlByte="#x0">Outputs</Sm>'
     content = pdo("RxPdo", "#x1600", 16, attributes='Sm="0"') + pdo("TxPdo", "#x1A00", 32, attributes='Sm="1"')
-    outputs, inputs = process_image(only_device(esi(device(sms + content))))
+    outputs, inputs = process_image(only_device(esi(device(sms + content))), (), None)
     assert (indices(outputs), outputs.transfer_direction, outputs.remarks) == ([0x1600], "output", ())
     assert (indices(inputs), inputs.transfer_direction, inputs.remarks) == ([0x1A00], "input", ())
     mailbox = '<Sm ControlByte="#x22">MBoxOut</Sm>' + pdo("TxPdo", "#x1A00", 32, attributes='Sm="0"')
-    assert indices(process_image(only_device(esi(device(mailbox))))[0]) == []
+    assert indices(process_image(only_device(esi(device(mailbox))), (), None)[0]) == []
 
 
 def test_a_mailbox_exchanges_no_pdos():
@@ -238,7 +238,7 @@ def test_defaults_of_two_sync_managers_may_exclude_each_other():
     first = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"', extra="<Exclude>#x1601</Exclude>")
     second = pdo("RxPdo", "#x1601", 16, attributes='Sm="4"')
     info = read(esi(device(sms + first + second))).document.infos[0]
-    found = {image.sm: image for image in default_process_image(info.devices[0])}
+    found = {image.sm: image for image in default_process_image(info.devices[0], ())}
     assert (indices(found[2]), indices(found[4])) == ([0x1600], [])
     assert found[4].remarks == ("PDO 0x1601 is left out: 0x1600 excludes it",)
 
@@ -379,7 +379,7 @@ def test_an_alignment_that_no_sync_manager_holds_is_left_out():
     group = GROUP.format('<ModulePdoGroup Alignment="65536" RxPdo="#x16FF">g</ModulePdoGroup>')
     text = device(SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + group)
     info = read(esi(text.replace("<Type ", '<Type ModulePdoGroup="0" '))).document.infos[0]
-    image = default_process_image(info.devices[0])[0]
+    image = default_process_image(info.devices[0], ())[0]
     assert (indices(image), image.bit_size) == ([0x1600], 16)
     assert image.overflow is not None and "PDO 0x16FF" in image.overflow
 
@@ -401,7 +401,7 @@ def test_a_group_is_filled_up_by_a_pdo_of_its_own_alone(tx_pdo, byte_size, remar
     pdos = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"') + pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"')
     group = GROUP.format(f"<ModulePdoGroup Alignment='2' RxPdo='#x17F1' {tx_pdo}>g</ModulePdoGroup>")
     text = device(SMS + pdos + group).replace("<Type ", '<Type ModulePdoGroup="0" ')
-    outputs, inputs = default_process_image(read(esi(text)).document.infos[0].devices[0])
+    outputs, inputs = default_process_image(read(esi(text)).document.infos[0].devices[0], ())
     assert (indices(outputs), outputs.byte_size, outputs.remarks) == ([0x1600, 0x17F1], 2, ())
     assert (inputs.byte_size, inputs.remarks) == (byte_size, (remark,) if remark is not None else ())
 
@@ -410,7 +410,7 @@ def test_a_virtual_sync_manager_transports_nothing():
     virtual = SMS + '<Sm Virtual="1">Outputs</Sm>'
     content = pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')
     info = read(esi(device(virtual + content))).document.infos[0]
-    found = {image.sm: image for image in default_process_image(info.devices[0])}
+    found = {image.sm: image for image in default_process_image(info.devices[0], ())}
     assert (indices(found[2]), found[2].bit_size) == ([0x1600], 16)
     assert (indices(found[4]), found[4].bit_size) == ([], 0)
     assert found[4].remarks == ("PDO 0x1610 is described, not transported: SM4 is virtual",)
@@ -419,7 +419,7 @@ def test_a_virtual_sync_manager_transports_nothing():
 def test_the_order_of_entries_in_the_io_terminal(data):
     """data/io_terminal_8di_8do.xml: eight bits each way in SM0 and SM1, no mailbox."""
     first = read_esi(data / "io_terminal_8di_8do.xml").document.infos[0].devices[0]
-    assert [(image.bit_size, image.byte_size) for image in default_process_image(first)] == [(8, 1), (8, 1)]
+    assert [(image.bit_size, image.byte_size) for image in default_process_image(first, ())] == [(8, 1), (8, 1)]
 
 
 def modular(data):
@@ -555,7 +555,7 @@ def moved(own: str, listed: str):
     sms = SMS + "<Sm>Inputs</Sm>"
     pdos = pdo("TxPdo", "#x1A00", 16, attributes=f'Sm="3" {own}') + pdo("TxPdo", "#x1A01", 32, attributes='Sm="3"')
     info = read(esi(device(f"{sms}{pdos}<Dc>{op_mode(listed)}</Dc>"))).document.infos[0]
-    return {image.sm: image for image in default_process_image(info.devices[0])}
+    return {image.sm: image for image in default_process_image(info.devices[0], ())}
 
 
 @pytest.mark.parametrize(
@@ -592,7 +592,7 @@ def test_what_a_virtual_sync_manager_has_excludes_nothing_of_others():
         "RxPdo", "#x1601", 32, attributes='Sm="4" Mandatory="1"', extra="<Exclude>#x1600</Exclude>"
     )
     info = read(esi(device(virtual + content))).document.infos[0]
-    found = {image.sm: image for image in default_process_image(info.devices[0])}
+    found = {image.sm: image for image in default_process_image(info.devices[0], ())}
     assert (indices(found[2]), found[2].byte_size, found[2].remarks) == ([0x1600], 6, ())
     assert found[4].remarks == ("PDO 0x1601 is described, not transported: SM4 is virtual",)
 
@@ -660,10 +660,10 @@ def test_no_place_is_known_behind_what_no_sync_manager_holds():
 def test_a_sync_manager_with_a_size_and_no_pdo_exchanges_what_nothing_describes(sm, size):
     """ESI-FACTS section 18: without PDOs nothing is exchanged, unless there is a DefaultSize."""
     owner = read(esi(device(sm))).document.infos[0].devices[0]
-    (image,) = default_process_image(owner)
+    (image,) = default_process_image(owner, ())
     words = "SM0 has DefaultSize 16 and no PDO: what it exchanges is not described"
     assert (image.byte_size, image.remarks) == (size, (words,) if size is None else ())
-    (image,) = process_image(owner, assignment={0: []})
+    (image,) = process_image(owner, (), None, {0: []})
     assert (image.byte_size, image.remarks) == (0, ()), "whoever assigns nothing knows it"
 
 
@@ -698,8 +698,10 @@ def test_pdos_of_plugged_modules_are_what_all_sync_managers_exchange(pdos, size)
     module = f'<Module><Type ModuleIdent="1">M</Type><Name>m</Name>{pdos}</Module>'
     content = '<Sm DefaultSize="2">Outputs</Sm><Sm DefaultSize="2">Inputs</Sm>' + slots
     (info,) = read(esi(device(content), module)).document.infos
-    assert [image.byte_size for image in process_image(info.devices[0])] == [None, None]
-    outputs, inputs = process_image(info.devices[0], [PluggedModule(0, info.devices[0].slots[0], info.modules[0])])
+    assert [image.byte_size for image in process_image(info.devices[0], (), None)] == [None, None]
+    outputs, inputs = process_image(
+        info.devices[0], [PluggedModule(0, info.devices[0].slots[0], info.modules[0])], None
+    )
     assert (outputs.byte_size, outputs.remarks == ()) == (size, size is not None)
     assert inputs.byte_size == (1 if pdos else None)
 

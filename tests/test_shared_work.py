@@ -88,7 +88,7 @@ def test_devices_with_the_same_process_data_share_what_follows_from_it():
     content = esi(device(OUTPUTS) + "\n" + device(OUTPUTS, revision="#x2") + "\n" + device(revision="#x3"))
     document = read(content)
     deriver = Deriver()
-    first, second, other = (deriver.derive(item) for item in document.document.infos[0].devices)
+    first, second, other = (deriver.derive(item, ()) for item in document.document.infos[0].devices)
     assert first.process_data is second.process_data is not other.process_data
     assert first.facts == second.facts and first.facts.output_bytes == 2 and other.facts.output_bytes == 0
 
@@ -111,14 +111,14 @@ def test_what_a_rule_finds_in_shared_process_data_is_told_of_each_device():
 def test_what_process_data_depend_on_is_not_shared(more):
     devices = read(esi(device(OUTPUTS) + device(more + OUTPUTS))).document.infos[0].devices
     deriver = Deriver()
-    first, second = (deriver.derive(item).process_data for item in devices)
+    first, second = (deriver.derive(item, ()).process_data for item in devices)
     assert first is not second
 
 
 def test_a_derivation_is_the_same_for_all_who_ask():
     (found,) = read(esi(device(OUTPUTS))).document.infos[0].devices
     deriver = Deriver()
-    assert deriver.derive(found) is deriver.derive(found, [])
+    assert deriver.derive(found, ()) is deriver.derive(found, [])
 
 
 def test_equal_dictionaries_have_one_view():

@@ -102,7 +102,7 @@ def test_the_default_op_mode_is_the_first_valid_one(modes, default):
     )
     op_modes = only_device(esi(device(f"<Dc>{xml}</Dc>"))).op_modes
     assert default_position(op_modes) == default
-    assert default_op_mode(op_modes) is (op_modes[default] if default is not None else None)
+    assert default_op_mode(op_modes, ()) is (op_modes[default] if default is not None else None)
 
 
 NAMED = ("DC", 'IgnoreFromBuildNo="100"'), ("SM", ""), ("DC", ""), ("", "")

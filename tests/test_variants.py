@@ -6,13 +6,15 @@ from itertools import permutations
 from pathlib import Path
 
 import pytest
-from snippets import device, esi, pdo, rows, write
+from snippets import device, esi, pdo, read, rows, write
 from web_client import client
 
 from esicatalog import Catalog, NotFound
 from esicatalog.catalog.database import catalog_url, make_engine
 from esicatalog.catalog.rederive import derive_again
 from esicatalog.catalog.state import CONTENT_HASH, content_hash, write_state
+from esicatalog.export.subject import choose_subject, subjects_of_document
+from esicatalog.identity import Identity
 from esicatalog.web.links import device_path
 
 PLAIN = device(name="plain")
@@ -259,3 +261,39 @@ def test_without_revision_the_latest_visible_one(tmp_path):
         catalog.ingest([tmp_path / "in"], jobs=1)
         assert catalog.device("0xe5c:5").found.revision_no == 0x20
         assert catalog.device("0xe5c:5:0x30").found.revision_no == 0x30
+
+
+REVISION_30 = device(product="#x5", revision="#x30")
+
+
+@pytest.mark.parametrize(
+    ("others", "hides"),
+    [
+        (device("<HideType RevisionNo='#x30'/>", product="#x5", revision="#x20"), True),
+        (device("<HideType ProductCode='#x5' RevisionNo='#x30'/>", product="#x5", revision="#x20"), True),
+        (device("<HideType ProductCode='#x5' RevisionNo='#x30'/>", product="#x6", revision="#x30"), True),
+        (device("<HideType ProductCode='#x5' RevisionNo='#x30'/>", product="", type_text="no codes"), True),
+        (device("<HideType RevisionNo='#x30'/>", product="#x6", revision="#x20"), False),
+        (device("<HideType ProductCode='#x6' RevisionNo='#x30'/>", product="#x5", revision="#x20"), False),
+        (device("<HideType ProductCode='#x5'/>", product="#x5", revision="#x20"), False),
+        (device("<HideType RevisionNo='#x30'/>", product="", type_text="no codes"), False),
+        (device("<HideType RevisionNo='#x30'/>", product="#x5", revision="#x30", name="variant"), False),
+    ],
+)
+def test_a_file_and_the_catalog_agree_on_what_is_hidden(tmp_path, others, hides):
+    """Of revision 0x30 and 0x10, which no HideType names, the latest is meant that none hides."""
+    text = esi(device(product="#x5", revision="#x10") + REVISION_30 + others)
+    other_vendor = esi(
+        device("<HideType ProductCode='#x5' RevisionNo='#x10'/>", product="#x9"), vendor="<Id>7</Id><Name>V</Name>"
+    )
+    write(tmp_path / "in", {"a.xml": text, "b.xml": other_vendor})
+    with Catalog.open(tmp_path / "c.db", create=True) as catalog:
+        catalog.ingest([tmp_path / "in"], jobs=1)
+    hidden = rows(tmp_path / "c.db", "SELECT DISTINCT product_code, revision_no FROM devices WHERE hidden")
+    assert hidden == ([(5, 0x30)] if hides else [])
+    described = subjects_of_document(read(text).document, "a.xml") + subjects_of_document(
+        read(other_vendor).document, "b.xml"
+    )
+    wanted = sorted({item.revision_no for item in described if item.product_code == 5} - ({0x30} if hides else set()))
+    chosen = choose_subject(described, Identity(0xE5C, 5, variant=1), "a.xml")
+    assert chosen.revision_no == wanted[-1]

@@ -18,6 +18,8 @@ CUT_SHORT = "an ingest was cut short: run it again"
 """All that there is to say of a catalog whose ingest was killed."""
 KEYS_MISSING = "foreign keys are missing: the next ingest of who owns the tables puts them back"
 """Of a complete catalog: whoever loads it need not be the owner, and running again does not help then."""
+_INGEST_AGAIN = "delete the catalog and ingest again"
+"""What the next ingest does not put right: it leaves documents alone that are unchanged."""
 
 
 class CheckResult(NamedTuple):
@@ -76,9 +78,9 @@ def _load_problems(connection: sa.Connection, recomputed: str) -> Iterator[str]:
     if stored is None:  # nothing was ingested yet
         return
     if stored != recomputed:
-        yield f"the stored content hash {stored} is not that of the rows: delete the catalog and ingest again"
+        yield f"the stored content hash {stored} is not that of the rows: {_INGEST_AGAIN}"
     elif (state := read_state(connection, STATE_HASH)) not in (None, state_hash(connection)):
-        yield f"the stored state hash {state} is not that of the sources: delete the catalog and ingest again"
+        yield f"the stored state hash {state} is not that of the sources: {_INGEST_AGAIN}"
 
 
 def _missing_parts(connection: sa.Connection) -> Iterator[str]:
@@ -102,10 +104,10 @@ def _search_problems(connection: sa.Connection) -> Iterator[str]:
         return
     outdated = len(outdated_devices(connection))
     if outdated:
-        yield f"{outdated} devices that the full-text search does not know, or not as they are"
+        yield f"{outdated} devices that the full-text search does not know, or not as they are: {_INGEST_AGAIN}"
     table = search_table(connection)
     number = next(iter(table.columns))
     gone = sa.select(sa.func.count()).select_from(table).where(number.not_in(sa.select(devices.c.id)))
     left = connection.execute(gone).scalar_one()
     if left:
-        yield f"{left} devices in the full-text search that are not there"
+        yield f"{left} devices in the full-text search that are not there: {_INGEST_AGAIN}"

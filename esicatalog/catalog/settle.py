@@ -230,9 +230,9 @@ _HIDING = devices.alias("hiding")
 
 
 def superseded_devices() -> sa.Select[tuple[int]]:
-    """Numbers of the descriptions that some other description of the same vendor supersedes (HideType).
+    """Numbers of the descriptions that some other description of the same vendor supersedes.
 
-    A HideType without ProductCode means its own product; one without RevisionNo names nothing.
+    The rule is :func:`~esicatalog.model.revisions.hidden_by`.
     """
     hiding, columns, named = _HIDING, devices.c, schema.hidden_revisions.c
     return (

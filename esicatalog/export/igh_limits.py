@@ -9,6 +9,7 @@ from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.init_cmds import StartCommand
+from esicatalog.model.assignable_pdos import declares_pdo_config
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS
 
 MAX_SYNC_MANAGERS = 16
@@ -52,9 +53,11 @@ def lrw_remarks(device: Device, advice: str) -> Iterator[str]:
 
 
 def check_limits(configuration: Configuration) -> None:
-    """Raise :class:`InputError` for what the master's structures cannot hold."""
-    mailbox = configuration.subject.device.mailbox
-    writes_mapping = mailbox is not None and bool(mailbox.coe_pdo_config)
+    """Raise :class:`InputError` for what the master's structures cannot hold.
+
+    Whether a PDO is Fixed does not count: the master does not know it, and writes whatever mapping differs.
+    """
+    writes_mapping = declares_pdo_config(configuration.subject.device)
     for sm in configuration.sync_managers:
         if sm.pdos and not 0 <= sm.number < MAX_SYNC_MANAGERS:
             raise InputError(f"PDOs are assigned to SM{sm.number}; IgH knows SM0 to SM{MAX_SYNC_MANAGERS - 1}")

@@ -124,7 +124,7 @@ def _check_exclusions(
 
 def _chosen_entries(device: Device, found: AvailablePdo, wanted: PdoChoice, objects: ObjectTable) -> tuple[Entry, ...]:
     """The chosen entries in their order: those of the PDO, and objects that the dictionary lets into it."""
-    if (obstacle := mapping_obstacle(device.mailbox, found.pdo)) is not None:
+    if (obstacle := mapping_obstacle(device, found.pdo)) is not None:
         raise InputError(f"entries of PDO 0x{wanted.pdo_index:04X} cannot be chosen: its mapping {obstacle}")
     declared = objects.highest_subindex(wanted.pdo_index)
     room = max(declared, len(found.pdo.entries)) if declared else None

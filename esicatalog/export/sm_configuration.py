@@ -13,7 +13,7 @@ from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.naming import EntryNames
 from esicatalog.export.pdo_objects import PdoObject
 from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX
-from esicatalog.model.assignable_pdos import declares_pdo_assign
+from esicatalog.model.assignable_pdos import declares_pdo_assign, declares_pdo_config
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, carries_value, entry_words, has_length, has_object, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, is_mailbox, sm_role, transfer_direction
@@ -158,11 +158,10 @@ def pdo_objects(sync_managers: Iterable[SmConfiguration]) -> Iterator[PdoObject]
 
 def rewritten_objects(device: Device, sync_managers: Iterable[SmConfiguration]) -> Iterator[int]:
     """Assignments with PdoAssign, mappings with PdoConfig unless they are Fixed (ESI-FACTS section 10)."""
-    has_mappings = device.mailbox is not None and bool(device.mailbox.coe_pdo_config)
     for sm in sync_managers:
         if sm.assignment is not None and declares_pdo_assign(device):
             yield sm.assignment.object_index
-        if has_mappings:
+        if declares_pdo_config(device):
             yield from (pdo.pdo_index for pdo in sm.pdos if pdo.mapping is not None and not pdo.fixed)
 
 

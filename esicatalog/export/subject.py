@@ -11,7 +11,7 @@ from esicatalog.esi.records.document import Document, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import Identity, identity_text
 from esicatalog.model.module_offer import offered_devices
-from esicatalog.model.revisions import latest_revision
+from esicatalog.model.revisions import hidden_by, latest_revision
 from esicatalog.words import one_line
 
 
@@ -43,6 +43,11 @@ class Subject(NamedTuple):
     def revision_no(self) -> int | None:
         """See :attr:`product_code`."""
         return self.device.revision_no
+
+    @property
+    def codes(self) -> tuple[int | None, int | None]:
+        """Product code and revision, see :attr:`product_code`."""
+        return self.product_code, self.revision_no
 
     @property
     def identity_text(self) -> str:
@@ -111,9 +116,9 @@ def subjects_of_document(document: Document, file_name: str) -> list[Subject]:
 def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_name: str) -> Subject:
     """The device that ``identity`` names, or the only one; those without codes count where no other is described.
 
-    Without a revision the latest is meant that no other one of the document hides; a variant counts the descriptions
-    of the same identity in document order. Raises :class:`NotFound` when the document does not describe it, and
-    :class:`InputError` when several fit, each with the list of the devices.
+    Without a revision the latest is meant that no other device of its vendor in the document hides; a variant counts
+    the descriptions of the same identity in document order. Raises :class:`NotFound` when the document does not
+    describe it, and :class:`InputError` when several fit, each with the list of the devices.
     """
     if not subjects:
         raise InputError(f"{file_name}: no device of a vendor with an id is described")
@@ -122,8 +127,9 @@ def choose_subject(subjects: Sequence[Subject], identity: Identity | None, file_
     else:
         fitting = [subject for subject in subjects if _fits(subject, identity)]
     if identity is not None and identity.revision_no is None and fitting:
-        hidden = _hidden_revisions(fitting)
-        latest = latest_revision((subject.revision_no, subject.revision_no in hidden) for subject in fitting)
+        of_vendor = [subject for subject in subjects if subject.vendor_id == identity.vendor_id]
+        hidden = {codes for item in of_vendor for codes in hidden_by(*item.codes, item.device.hide_types)}
+        latest = latest_revision((subject.revision_no, subject.codes in hidden) for subject in fitting)
         fitting = [subject for subject in fitting if subject.revision_no == latest]
     if identity is not None and identity.variant is not None:
         with_slots = tuple(number for number, subject in enumerate(fitting, 1) if subject.device.slots)
@@ -148,13 +154,3 @@ def _fits(subject: Subject, identity: Identity) -> bool:
         and identity.revision_no in (None, subject.revision_no)
         and (subject.revision_no is None or not identity.without_revision)
     )
-
-
-def _hidden_revisions(subjects: Sequence[Subject]) -> set[int | None]:
-    """The revisions of one product that another one of it hides (HideType)."""
-    return {
-        item.revision_no
-        for subject in subjects
-        for item in subject.device.hide_types
-        if item.product_code in (None, subject.product_code) and item.revision_no != subject.revision_no
-    }

@@ -172,6 +172,11 @@ def declares_pdo_assign(device: Device) -> bool:
     return device.mailbox is not None and bool(device.mailbox.coe_pdo_assign)
 
 
+def declares_pdo_config(device: Device) -> bool:
+    """Whether a master may write mappings (CoE/@PdoConfig, ESI-FACTS section 10), but for PDOs that are Fixed."""
+    return device.mailbox is not None and bool(device.mailbox.coe_pdo_config)
+
+
 def declares_pdo_upload(device: Device) -> bool:
     """Whether a master reads the PDOs from the device at start (CoE/@PdoUpload, ESI-FACTS section 10)."""
     return device.mailbox is not None and bool(device.mailbox.coe_pdo_upload)

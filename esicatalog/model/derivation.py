@@ -28,7 +28,7 @@ class Deriver:
         self._fsoe = FsoeSigns(self.views)
         self._derivations: IdentityMemo[Derivation] = IdentityMemo(_MAX_DERIVATIONS)
 
-    def derive(self, device: Device, modules: Sequence[Module] = ()) -> "Derivation":
+    def derive(self, device: Device, modules: Sequence[Module]) -> "Derivation":
         """What follows from a device with the modules its slots can reach."""
         key = (id(device), identities(modules))
         return self._derivations.get(key, (device, modules), self._derivation, device, modules)
@@ -79,6 +79,6 @@ class Derivation:
         return device_facts(self._device, self.process_data, self.modes, fsoe, self._views)
 
 
-def derive(device: Device, modules: Sequence[Module] = ()) -> Derivation:
+def derive(device: Device, modules: Sequence[Module]) -> Derivation:
     """Derive what the catalog stores beside a single description."""
     return Deriver().derive(device, modules)

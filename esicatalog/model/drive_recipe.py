@@ -112,7 +112,7 @@ def _mapping_problem(mode: DriveMode, parts: Sequence[Part], setup: DriveSetup) 
     objects = setpoint_words(part, mode)
     if not rx_pdos:
         return f"no setpoint: the file describes no RxPDO to map {objects} into"
-    obstacles = dict.fromkeys(mapping_obstacle(setup.device.mailbox, pdo) for pdo in rx_pdos)
+    obstacles = dict.fromkeys(mapping_obstacle(setup.device, pdo) for pdo in rx_pdos)
     if None not in obstacles:
         why = " or ".join(f"its mapping {obstacle}" for obstacle in obstacles)
         return f"no setpoint: no RxPDO has {objects}, and none can be given it: {why}"

@@ -28,8 +28,8 @@ class SmAssignment(NamedTuple):
     number: int
     sync_manager: SyncManager | None
     """None when PDOs name a SyncManager that the device does not describe."""
-    pdos: list[AvailablePdo]
-    remarks: list[str]
+    pdos: tuple[AvailablePdo, ...]
+    remarks: tuple[str, ...]
     listed: Collection[int] | None
     """Indices that the OpMode or the user lists for it, None without a list; others stay because they are mandatory."""
 
@@ -65,8 +65,8 @@ def assigned_pdos(
             meant = list(_by_index(device, sm, candidates, indices, remarks))
         else:
             meant = [[candidate] for candidate in unlisted if candidate.pdo.sm == number]
-        pdos = list(_transported(number, sm, _fitting(number, sm, meant, remarks), remarks))
-        found.append(SmAssignment(number, sm, pdos, remarks, wanted.get(number)))
+        pdos = tuple(_transported(number, sm, _fitting(number, sm, meant, remarks), remarks))
+        found.append(SmAssignment(number, sm, pdos, tuple(remarks), wanted.get(number)))
     return PdoAssignment(found, {index: factor for items in lists.values() for index, factor in items.items()})
 
 

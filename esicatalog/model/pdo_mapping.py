@@ -2,22 +2,23 @@
 
 from collections.abc import Mapping
 
-from esicatalog.esi.records.mailbox import Mailbox
+from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Pdo
+from esicatalog.model.assignable_pdos import declares_pdo_config
 from esicatalog.model.dictionary import ObjectEntry
 
 MAPPABLE_IN = {RX_PDO: "R", TX_PDO: "T"}
 """What PdoMapping calls the direction of a PDO."""
 
 
-def mapping_obstacle(mailbox: Mailbox | None, pdo: Pdo) -> str | None:
-    """Why a master may not choose the entries of a PDO of a device with this mailbox, None when it may.
+def mapping_obstacle(device: Device, pdo: Pdo) -> str | None:
+    """Why a master may not choose the entries of a PDO of a device or its modules, None when it may.
 
     Pdo/@Fixed forbids it for one PDO; CoE/@PdoConfig allows it for a device (ESI-FACTS sections 9 and 10).
     """
     if pdo.fixed:
         return "is Fixed"
-    if mailbox is None or not mailbox.coe_pdo_config:
+    if not declares_pdo_config(device):
         return "cannot be changed: the device does not declare PdoConfig"
     return None
 

@@ -122,7 +122,7 @@ class SmImage(NamedTuple):
         )
 
 
-def default_process_image(device: Device, modules: Sequence[Module] = ()) -> list[SmImage]:
+def default_process_image(device: Device, modules: Sequence[Module]) -> list[SmImage]:
     """The process image without any choice: default OpMode, default modules."""
     return whole_process_image(device, modules, default_modules(device, modules))
 
@@ -183,8 +183,8 @@ def plugged_process_image(device: Device, plugged: Sequence[PluggedModule]) -> l
 
 def process_image(
     device: Device,
-    plugged: Sequence[PluggedModule] = (),
-    op_mode: OpMode | None = None,
+    plugged: Sequence[PluggedModule],
+    op_mode: OpMode | None,
     assignment: Assignment | None = None,
 ) -> list[SmImage]:
     """The process image for chosen modules, OpMode and PDO assignment; SyncManagers in ascending order.
@@ -228,22 +228,22 @@ def _image(
     rivals: _Rivals,
     has_module_pdos: bool,
 ) -> SmImage:
-    number, sm, remarks = assigned.number, assigned.sync_manager, assigned.remarks
+    number, sm = assigned.number, assigned.sync_manager
     builder = _ImageBuilder(device, factors, rivals, assigned)
     for pdo in assigned.pdos:
         builder.place(pdo)
     builder.align(None)
-    remarks += _unknown_words(number, builder.placed)
+    builder.remarks += _unknown_words(number, builder.placed)
     left_open = None if has_module_pdos else _left_open(device, assigned)
     if left_open is not None:
-        remarks.append(_left_open_words(number, left_open))
+        builder.remarks.append(_left_open_words(number, left_open))
     return SmImage(
         number,
         sm.usage if sm is not None else None,
         transfer_direction(sm, [placed.direction for placed in builder.placed]),
         tuple(builder.placed),
         builder.bit_size,
-        tuple(remarks),
+        tuple(builder.remarks),
         builder.overflow,
         builder.is_known and left_open is None,
         left_open,
@@ -294,11 +294,11 @@ class _ImageBuilder:
         self._factors = factors
         self._groups = device.module_pdo_groups
         self._rivals = rivals
-        self._remarks = assigned.remarks
         self._listed = assigned.listed
         self._group: AvailablePdo | None = None
         self._group_start = 0
         self.placed: list[PlacedPdo] = []
+        self.remarks = [*assigned.remarks]
         self.bit_size = 0
         self.is_known = True
         self.overflow: str | None = None
@@ -309,18 +309,18 @@ class _ImageBuilder:
         pdo = candidate.pdo
         rival = self._rivals.rival(pdo)
         if rival is not None:
-            self._remarks.append(f"PDO {index_words(pdo.pdo_index)} is left out: {index_words(rival)} excludes it")
+            self.remarks.append(f"PDO {index_words(pdo.pdo_index)} is left out: {index_words(rival)} excludes it")
             self.excluded.append((candidate, rival))
             return
         if self._listed is not None and pdo.pdo_index not in self._listed:
-            self._remarks.append(f"PDO {index_words(pdo.pdo_index)} is mandatory: assigned too")
+            self.remarks.append(f"PDO {index_words(pdo.pdo_index)} is mandatory: assigned too")
         self.align(candidate)
         repeat = self._repeat(pdo)
         # An entry of no bits counts as one here, else nothing would bound how often it is repeated.
         if not self._has_room(pdo.pdo_index, repeat * max(pdo_bits(pdo), len(pdo.entries))):
             return
         entries = []
-        for entry in _sampled(pdo, repeat, self._remarks):
+        for entry in _sampled(pdo, repeat, self.remarks):
             entries.append(PlacedEntry(self.bit_size if self.is_known else None, entry))
             self.bit_size += max(entry.bit_length or 0, 0)
             self.is_known = self.is_known and has_length(entry)
@@ -343,7 +343,7 @@ class _ImageBuilder:
         if not factor:
             factor = pdo.os_fac or 1
             if factor > 1 and self._factors:
-                self._remarks.append(
+                self.remarks.append(
                     f"PDO {index_words(pdo.pdo_index)}: the OpMode, which lists PDOs, says nothing about its "
                     f"oversampling; its own OSFac {factor} counts, and SYNC0 has to fit it"
                 )
@@ -356,7 +356,7 @@ class _ImageBuilder:
         self.overflow = (
             f"PDO {index_words(index)} of {bits} bits is left out: a SyncManager holds {MAX_SM_BYTES} bytes at most"
         )
-        self._remarks.append(self.overflow)
+        self.remarks.append(self.overflow)
         self.is_known = False
         return False
 
@@ -378,7 +378,7 @@ class _ImageBuilder:
         index: int | None = getattr(group, field)
         if index is None:
             why = reason_words(group, field)
-            self._remarks.append(
+            self.remarks.append(
                 f"ModulePdoGroup {group.name or ''!r} has no {direction} to fill up with{why}: it is not aligned to "
                 f"{counted(group.alignment, 'byte')}"
             )

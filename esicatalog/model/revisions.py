@@ -4,10 +4,11 @@ CheckRevisionNo says what a *configured* description accepts as *found* revision
 16 bits (ETG.2000), L24 the low 24 bits, H8 the high 8 bits (Beckhoff). Masters offer the same tests at start-up.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from operator import eq, ge
 from typing import NamedTuple
 
+from esicatalog.esi.records.device import HideType
 from esicatalog.words import hex32
 
 BECKHOFF = 0x00000002
@@ -39,6 +40,21 @@ def latest_revision(described: Iterable[tuple[int | None, bool]]) -> int | None:
     revisions = list(described)
     visible = [number for number, is_hidden in revisions if not is_hidden] or [number for number, _ in revisions]
     return max((number for number in visible if number is not None), default=None)
+
+
+def hidden_by(
+    product_code: int | None, revision_no: int | None, hide_types: Iterable[HideType]
+) -> Iterator[tuple[int, int]]:
+    """Product codes and revisions, of the same vendor, that a description of such codes supersedes (HideType).
+
+    A HideType without ProductCode means its own product; one without RevisionNo names nothing, nor does one that names
+    its own description.
+    """
+    for item in hide_types:
+        product = item.product_code if item.product_code is not None else product_code
+        if product is None or item.revision_no is None or (product, item.revision_no) == (product_code, revision_no):
+            continue
+        yield product, item.revision_no
 
 
 class Described(NamedTuple):

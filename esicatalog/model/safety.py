@@ -53,7 +53,7 @@ class FsoeSigns:
         self._of_pdo: IdentityMemo[_Signs] = IdentityMemo(_MAX_PDOS)
         self._of_types: IdentityMemo[_Signs] = IdentityMemo(_MAX_TYPE_SETS)
 
-    def evidence(self, device: Device, modules: Sequence[Module] = ()) -> FsoeEvidence | None:
+    def evidence(self, device: Device, modules: Sequence[Module]) -> FsoeEvidence | None:
         """The first sign of the highest level, of the device before its modules."""
         owners: tuple[Device | Module, ...] = (device, *modules)
         for level, find in ((HIGH, self._high), (MEDIUM, self._medium)):

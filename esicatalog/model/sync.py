@@ -88,7 +88,7 @@ def positions_with_sync0(device: Device) -> list[int]:
     ]
 
 
-def default_op_mode(op_modes: Sequence[OpMode], modules: Iterable[Module] = ()) -> OpMode | None:
+def default_op_mode(op_modes: Sequence[OpMode], modules: Iterable[Module]) -> OpMode | None:
     """The OpMode that counts without a choice: the one at :func:`default_position`."""
     return op_mode_at(op_modes, default_position(op_modes, modules))
 
