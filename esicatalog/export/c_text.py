@@ -7,6 +7,7 @@ from collections.abc import Iterable
 _UNREADABLE = frozenset(("Cc", "Cf", "Zl", "Zp", "Co", "Cn"))
 _MARKS = re.compile(r"\*(?=/)|/(?=\*)")
 """Ends and beginnings of comments; a space between their characters makes them harmless."""
+_LINE_WIDTH = 116
 _LABEL_WIDTH = 10
 """Where the text behind a label begins."""
 
@@ -26,16 +27,13 @@ def c_bytes(data: bytes) -> str:
     return ", ".join(f"0x{byte:02x}" for byte in data)
 
 
-def wrapped(lines: Iterable[str], width: int = 116) -> list[str]:
-    """The lines, each broken at blanks where it is longer than ``width``; what is broken off is indented.
-
-    Tests take narrow lines; files have those of the default.
-    """
+def wrapped(lines: Iterable[str]) -> list[str]:
+    """The lines, each broken at blanks where it is longer than 116 characters; what is broken off is indented."""
     result = []
     for line in lines:
         rest, indent = line, _indent(line)
-        while len(rest) > width and " " in rest[len(indent) : width].strip():
-            at = rest.rindex(" ", 0, width)
+        while len(rest) > _LINE_WIDTH and " " in rest[len(indent) : _LINE_WIDTH].strip():
+            at = rest.rindex(" ", 0, _LINE_WIDTH)
             result.append(rest[:at].rstrip())
             rest = indent + rest[at:].lstrip()
         result.append(rest)

@@ -9,11 +9,12 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from esicatalog.errors import InputError
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.web.drawings.dc_signals import Shift, Signal, dc_timing, time_text
 from esicatalog.web.drawings.svg import WIDTH, clipped, drawing, element, number, paragraphs, text, text_width, title
 
+_CYCLE_NS = 1_000_000
+"""The bus cycle that is drawn."""
 _LEFT, _RIGHT = 14, WIDTH - 14
 _TOP, _LANE, _PULSE, _SHIFT_ROW = 4, 46, 22, 28
 _CLOSEST = Fraction(7, 2)
@@ -21,21 +22,16 @@ _CLOSEST = Fraction(7, 2)
 _ROOM_FOR_A_TIME = 60
 
 
-def dc_timing_svg(
-    op_mode: OpMode | None, cycle_ns: int = 1_000_000, *, time_loop_control_only: bool | None = None
-) -> str:
+def dc_timing_svg(op_mode: OpMode | None, *, time_loop_control_only: bool | None = None) -> str:
     """Frames, SYNC0, SYNC1 and shifts of an OpMode over some bus cycles as SVG, a ``g.lane`` for each.
 
-    ``cycle_ns`` is the bus cycle in ns that the drawing takes (tests take others than the page); ``op_mode`` None is a
-    device without OpModes. Only signals that AssignActivate generates are drawn, and none for a device with
-    Dc/@TimeLoopControlOnly, which is ``time_loop_control_only``; a period that the OpMode leaves open is said to be
-    unknown. Needs ``DRAWING_CSS`` in the page. Raises :class:`InputError` when the bus cycle is not positive.
+    ``op_mode`` None is a device without OpModes. Only signals that AssignActivate generates are drawn, and none for a
+    device with Dc/@TimeLoopControlOnly, which is ``time_loop_control_only``; a period that the OpMode leaves open is
+    said to be unknown. Needs ``DRAWING_CSS`` in the page.
     """
-    if cycle_ns <= 0:
-        raise InputError(f"bus cycle of {cycle_ns} ns: give a positive number of nanoseconds")
-    timing = dc_timing(op_mode, cycle_ns, time_loop_control_only)
-    scale = _Scale(_window_ns(cycle_ns, timing.signals))
-    frames = Signal("Bus cycle", f"a frame every {time_text(cycle_ns)}", Fraction(cycle_ns))
+    timing = dc_timing(op_mode, _CYCLE_NS, time_loop_control_only)
+    scale = _Scale(_window_ns(timing.signals))
+    frames = Signal("Bus cycle", f"a frame every {time_text(_CYCLE_NS)}", Fraction(_CYCLE_NS))
     y, lanes = _TOP, []
     for signal in (frames, *timing.signals):
         lanes.append(_lane(signal, scale, y))
@@ -71,11 +67,11 @@ class _Scale(NamedTuple):
         return shift._replace(start_ns=start) if start + max(shift.length_ns, Fraction(0)) <= self.window_ns else None
 
 
-def _window_ns(cycle_ns: int, signals: Sequence[Signal]) -> Fraction:
+def _window_ns(signals: Sequence[Signal]) -> Fraction:
     """Three bus cycles when all signals follow them, else two periods of the slowest."""
     periods = [signal.period_ns for signal in signals if signal.period_ns]
-    slowest = max([Fraction(cycle_ns), *periods])
-    return slowest * (3 if all(period == cycle_ns for period in periods) else 2)
+    slowest = max([Fraction(_CYCLE_NS), *periods])
+    return slowest * (3 if all(period == _CYCLE_NS for period in periods) else 2)
 
 
 def _times(period: Fraction, first: Fraction, window: Fraction) -> Iterator[Fraction]:
