@@ -11,7 +11,7 @@ import sqlalchemy as sa
 from esicatalog.catalog import types
 from esicatalog.catalog.mapping import TABLE_RECORDS, codec
 
-SCHEMA_VERSION = "0011"
+SCHEMA_VERSION = "0012"
 """Revision of the newest migration."""
 
 metadata = sa.MetaData(
