@@ -6,6 +6,7 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -132,6 +133,7 @@ print(json.dumps([report.counts for report in reports]))
 
 HASH = """
 import time
+from contextlib import contextmanager
 from esicatalog.ingest.ahead import HashingAhead
 count, *paths = sys.argv[1:]
 pause, hashes = 0.1, {}
@@ -202,15 +204,30 @@ def test_time_is_limited_in_the_main_thread_and_where_nobody_else_has_set_an_ala
     thread = threading.Thread(target=wait)
     thread.start()
     thread.join()
+    with someones_alarm():
+        wait()
+        assert signal.getitimer(signal.ITIMER_REAL)[0] > 0
+    wait()
+    assert ended == ["at its end", "at its end", "by the limit"]
+
+
+def test_somebody_elses_alarm_is_delivered_while_time_is_limited():
+    with someones_alarm() as alarms, process.limited_time():
+        signal.raise_signal(signal.SIGALRM)
+    assert alarms == [signal.SIGALRM]
+
+
+@contextmanager
+def someones_alarm():
+    """An alarm that is still pending after all that is done here, with what it has delivered."""
     alarms: list[int] = []
     theirs = signal.signal(signal.SIGALRM, lambda number, frame: alarms.append(number))
+    signal.setitimer(signal.ITIMER_REAL, 60)
     try:
-        signal.setitimer(signal.ITIMER_REAL, 0.1)
-        wait()
-        wait()
+        yield alarms
     finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, theirs)
-    assert (ended, alarms) == (["at its end", "at its end", "by the limit"], [signal.SIGALRM])
 
 
 def test_ctrl_c_ends_what_has_a_limit_of_time():
