@@ -410,6 +410,27 @@ def test_objects_of_modules_are_those_in_the_slots(tmp_path):
     )
 
 
+def test_objects_that_describe_pdos_move_as_these_do(tmp_path):
+    """By SlotPdoIncrement and SlotGroupPdoIncrement (ESI-FACTS section 12.1): slot 0, and slot 1 of group 2."""
+    slots = (
+        '<Slots SlotIndexIncrement="#x10" SlotPdoIncrement="2" SlotGroupIndexIncrement="#x100" '
+        'SlotGroupPdoIncrement="#x20"><Slot MaxInstances="1"><ModuleIdent>1</ModuleIdent></Slot>'
+        '<Slot MaxInstances="1" SlotGroup="2"><ModuleIdent>1</ModuleIdent></Slot></Slots>'
+    )
+    objects = "".join(
+        f'<Object><Index DependOnSlot="1" DependOnSlotGroup="1">#x{index:04X}</Index><Name>O</Name><Type>USINT</Type>'
+        "<BitSize>8</BitSize></Object>"
+        for index in (0x1600, 0x17FF, 0x1800)
+    )
+    content = dictionary("<DataType><Name>USINT</Name><BitSize>8</BitSize></DataType>", objects)
+    module = f'<Module><Type ModuleIdent="1">M</Type><Name>M</Name>{content}</Module>'
+    db = catalog_of(tmp_path, esi(device(slots), module))
+    there = [0x1600, 0x17FF, 0x1800, 0x1600 + 2 + 0x40, 0x17FF + 2 + 0x40, 0x1800 + 0x10 + 0x200]
+    for index in (*there, 0x1600 + 0x10 + 0x200, 0x1602, 0x1640, 0x1800 + 2 + 0x40):
+        for limit in (None, 10):
+            assert types(db, objects=[(index, None)], limit=limit) == (["T1"] if index in there else []), hex(index)
+
+
 def test_increments_that_lead_out_of_16_bits_move_nothing(tmp_path):
     """Products of such numbers would not even fit 64 bits."""
     large = f'SlotIndexIncrement="{2**62}" SlotGroupIndexIncrement="{2**62}"'

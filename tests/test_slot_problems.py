@@ -22,7 +22,7 @@ from esicatalog.model.slots import (
 )
 
 IDENT = (SlotModuleIdent(module_ident=1),)
-INDEX = st.one_of(st.none(), st.integers(0, 0x20), st.integers(0xFFD0, 0x10010))
+INDEX = st.one_of(st.none(), st.integers(0, 0x20), st.integers(0x15F0, 0x1610), st.integers(0xFFD0, 0x10010))
 MOVES = st.sampled_from([None, False, True])
 INCREMENT = st.one_of(st.none(), st.integers(-0x20, 0x20))
 
@@ -73,6 +73,30 @@ DEVICE = st.builds(
     slot_group_index_increment=INCREMENT,
     slot_group_pdo_increment=INCREMENT,
 )
+
+
+def test_objects_that_describe_pdos_move_as_these_do():
+    """Declared, mapped or written: by SlotPdoIncrement, others by SlotIndexIncrement (ESI-FACTS section 12.1)."""
+    indices = (0x1600, 0x17FF, 0x1800)
+    module = Module(
+        module_ident=1,
+        rx_pdos=(Pdo(entries=tuple(Entry(entry_index=index, depend_on_slot=True) for index in indices)),),
+        mailbox=Mailbox(coe_init_cmds=tuple(InitCmd(object_index=index, depend_on_slot=True) for index in indices)),
+        profiles=(
+            Profile(
+                dictionary=Dictionary(
+                    objects=tuple(Object(object_index=index, depend_on_slot=True) for index in indices)
+                )
+            ),
+        ),
+    )
+    slot = Slot(module_idents=IDENT, max_instances=3)
+    device = Device(slots=(slot,), slot_index_increment=0x10, slot_pdo_increment=2)
+    expanded = expand_module(device, PluggedModule(2, slot, module)).module
+    moved = [0x1604, 0x1803, 0x1820]
+    assert [entry.entry_index for entry in expanded.rx_pdos[0].entries] == moved
+    assert [command.object_index for command in expanded.mailbox.coe_init_cmds] == moved
+    assert [declared.object_index for declared in expanded.profiles[0].dictionary.objects] == moved
 
 
 def problems(device, *modules):

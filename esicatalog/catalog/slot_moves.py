@@ -14,6 +14,7 @@ from esicatalog.catalog.conditions import tested
 from esicatalog.catalog.schema import devices, modules, slot_module_classes, slot_modules, slots
 from esicatalog.catalog.state import CONTENT_HASH, read_state
 from esicatalog.identity import MAX_INDEX
+from esicatalog.model.pdo_facts import PDO_MAPPINGS, is_pdo_mapping
 from esicatalog.model.slots import MAX_INSTANCES
 
 _OWNER = devices.alias("slotted")
@@ -41,8 +42,15 @@ def _instances(table: sa.FromClause) -> sa.ColumnElement[int]:
     return sa.case((count < 0, 0), (count > MAX_INSTANCES, MAX_INSTANCES), else_=count)
 
 
-_STEP, _GROUP_MOVE = _increment("slot_index_increment"), _group_move("slot_group_index_increment")
-_DIVISOR = sa.func.nullif(_STEP, 0, type_=sa.BigInteger)
+class _Moves(NamedTuple):
+    """How far indices move from slot to slot, and how far with the group of a slot."""
+
+    step: sa.ColumnElement[int]
+    of_group: sa.ColumnElement[int]
+
+
+_OF_OBJECTS = _Moves(_increment("slot_index_increment"), _group_move("slot_group_index_increment"))
+_OF_PDOS = _Moves(_increment("slot_pdo_increment"), _group_move("slot_group_pdo_increment"))
 _FIRST = (
     sa.select(sa.cast(sa.func.coalesce(sa.func.sum(_instances(_EARLIER)), 0), sa.BigInteger))
     .where(_EARLIER.c.device_id == slots.c.device_id, _EARLIER.c.position < slots.c.position)
@@ -52,8 +60,9 @@ _FIRST = (
 
 
 class Increments(NamedTuple):
-    """What some Slot elements add to the indices of objects."""
+    """What some Slot elements add to indices of objects, or to those of PDOs and of the objects that describe these."""
 
+    of_pdos: bool
     step: int
     group_move: int
     last_number: int
@@ -72,9 +81,11 @@ def increments(connection: sa.Connection) -> list[Increments]:
     known, found = _INCREMENTS.get(connection.engine, (None, []))
     if content is None or content != known:
         last = sa.func.max(_FIRST + _instances(slots) - 1)
-        query = sa.select(_STEP.label("step"), _GROUP_MOVE.label("group_move"), last).select_from(SLOTS)
-        moving = query.where(sa.or_(_STEP != 0, _GROUP_MOVE != 0)).group_by("step", "group_move")
-        found = [Increments(*row) for row in connection.execute(moving)]
+        found = []
+        for of_pdos, (step, of_group) in ((False, _OF_OBJECTS), (True, _OF_PDOS)):
+            query = sa.select(step.label("step"), of_group.label("group_move"), last).select_from(SLOTS)
+            moving = query.where(sa.or_(step != 0, of_group != 0)).group_by("step", "group_move")
+            found += [Increments(of_pdos, *row) for row in connection.execute(moving)]
         _INCREMENTS[connection.engine] = (content, found)
     return found
 
@@ -84,11 +95,12 @@ def unmoved_indices(index: int, found: Iterable[Increments]) -> list[int]:
 
     By these few numbers an index of the database finds what is then asked more closely.
     """
-    moves = {0}
-    for step, group_move, last in found:
+    unmoved = {index}
+    for of_pdos, step, group_move, last in found:
         numbers = range(min(last, MAX_INDEX) + 1)
-        moves |= {number * step + by_group for number in numbers for by_group in (0, group_move)}
-    return sorted({index - move for move in moves if 0 <= index - move <= MAX_INDEX})
+        places = {index - number * step - by_group for number in numbers for by_group in (0, group_move)}
+        unmoved |= {place for place in places if is_pdo_mapping(place)} if of_pdos else places
+    return sorted(place for place in unmoved if 0 <= place <= MAX_INDEX)
 
 
 def moves(item: sa.FromClause) -> sa.ColumnElement[bool]:
@@ -102,12 +114,23 @@ def _flag(column: sa.ColumnElement[bool]) -> sa.ColumnElement[bool]:
 
 def _distance(item: sa.FromClause, item_index: sa.ColumnElement[int], index: int) -> sa.ColumnElement[int]:
     """How far the number of the slot moves an object that comes to lie at an index."""
-    return index - item_index - sa.case((_flag(item.c.depend_on_slot_group), _GROUP_MOVE), else_=0)
+    return index - item_index - sa.case((_flag(item.c.depend_on_slot_group), _of_item(item_index).of_group), else_=0)
+
+
+def _of_item(item_index: sa.ColumnElement[int]) -> _Moves:
+    """An object that describes a PDO moves as PDOs do."""
+    is_mapping = sa.or_(*[item_index.between(places[0], places[-1]) for places in PDO_MAPPINGS.values()])
+    step, of_group = (sa.case((is_mapping, pdo), else_=other) for pdo, other in zip(_OF_PDOS, _OF_OBJECTS, strict=True))
+    return _Moves(step, of_group)
+
+
+def _divisor(item_index: sa.ColumnElement[int]) -> sa.ColumnElement[int]:
+    return sa.func.nullif(_of_item(item_index).step, 0, type_=sa.BigInteger)
 
 
 def slot_number(item: sa.FromClause, item_index: sa.ColumnElement[int], index: int) -> sa.ColumnElement[int | None]:
     """Number of the slot in which an object lies at an index; NULL where the number does not move it."""
-    return sa.case((_flag(item.c.depend_on_slot), _distance(item, item_index, index) // _DIVISOR))
+    return sa.case((_flag(item.c.depend_on_slot), _distance(item, item_index, index) // _divisor(item_index)))
 
 
 def lies_at(
@@ -123,7 +146,7 @@ def lies_at(
     at then.
     """
     distance, number = _distance(item, item_index, index), slot_number(item, item_index, index)
-    is_there = sa.and_(distance % _DIVISOR == 0, number >= _FIRST, number < _FIRST + _instances(slots))
+    is_there = sa.and_(distance % _divisor(item_index) == 0, number >= _FIRST, number < _FIRST + _instances(slots))
     stays = sa.and_(distance == 0, _instances(slots) > 0)
     return sa.and_(
         slots.c.device_id == device_id,
@@ -147,8 +170,6 @@ def lies_in_a_slot(*where: Any) -> sa.ColumnElement[bool]:
 
 def pdo_index_in_slot(pdo: sa.FromClause, number: sa.ColumnElement[int | None]) -> sa.ColumnElement[int]:
     """Index of a module's PDO in a slot of :data:`SLOTS` with this number."""
-    by_slot = sa.case(
-        (_flag(pdo.c.depend_on_slot), sa.func.coalesce(number, 0) * _increment("slot_pdo_increment")), else_=0
-    )
-    by_group = sa.case((_flag(pdo.c.depend_on_slot_group), _group_move("slot_group_pdo_increment")), else_=0)
+    by_slot = sa.case((_flag(pdo.c.depend_on_slot), sa.func.coalesce(number, 0) * _OF_PDOS.step), else_=0)
+    by_group = sa.case((_flag(pdo.c.depend_on_slot_group), _OF_PDOS.of_group), else_=0)
     return pdo.c.pdo_index + by_slot + by_group

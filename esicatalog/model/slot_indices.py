@@ -10,6 +10,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.esi.records.profile import declared_objects
 from esicatalog.identity import MAX_INDEX
+from esicatalog.model.pdo_facts import is_pdo_mapping
 from esicatalog.model.slots import ModuleIndex, Step, accepts, slot_runs, slot_steps
 
 
@@ -26,9 +27,13 @@ class _AlikeSlots:
     """Slots that accept the same modules and move their indices by the same steps."""
 
     def __init__(self, modules: Sequence[Module], steps: tuple[Step, Step]) -> None:
-        self.step_of_objects, self.step_of_pdos = steps
+        self._step_of_objects, self.step_of_pdos = steps
         self.numbers: set[int] = set()
         self._modules = modules
+
+    def step_of(self, moving: ModuleIndex) -> Step:
+        """How far an object moves: one that describes a PDO moves as PDOs do."""
+        return self.step_of_pdos if is_pdo_mapping(moving.unshifted) else self._step_of_objects
 
     @cached_property
     def pdos(self) -> set[ModuleIndex]:
@@ -94,7 +99,7 @@ class IndicesInSlots:
                 (module, moving.unshifted)
                 for slots in self._alike
                 for moving, modules in slots.objects.items()
-                if 0 <= index <= MAX_INDEX and _reaches(index, moving, slots.step_of_objects, slots.numbers)
+                if 0 <= index <= MAX_INDEX and _reaches(index, moving, slots.step_of(moving), slots.numbers)
                 for module in modules
             ]
         return self._objects_at[index]

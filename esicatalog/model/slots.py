@@ -172,7 +172,7 @@ def expand_module(device: Device, plugged: PluggedModule) -> ExpandedModule:
     module = plugged.module
     mailbox = module.mailbox
     if mailbox is not None and mailbox.coe_init_cmds:
-        commands = tuple(_in_slot(command, "object_index", shift.init_cmd_index) for command in mailbox.coe_init_cmds)
+        commands = tuple(_in_slot(command, "object_index", shift.object_index) for command in mailbox.coe_init_cmds)
         mailbox = msgspec.structs.replace(mailbox, coe_init_cmds=commands)
     expanded = msgspec.structs.replace(
         module,
@@ -327,7 +327,9 @@ class SlotShift:
         )
 
     def object_index(self, index: int, by_slot: bool | None, by_group: bool | None) -> int:
-        """Shifted index of an object."""
+        """Shifted index of an object, declared, mapped or written: one that describes a PDO moves as PDOs do."""
+        if is_pdo_mapping(index):
+            return self.pdo_index(index, by_slot, by_group)
         return self._checked("object", index, index + self._object_move(by_slot, by_group))
 
     def sources(self, index: int) -> set[ModuleIndex]:
@@ -336,7 +338,7 @@ class SlotShift:
         Index 0 stays where it is, as what would leave 16 bits does.
         """
         ways = product((False, True), repeat=2)
-        found = {ModuleIndex(index - self._object_move(*way), *way) for way in ways}
+        found = {ModuleIndex(index - move(*way), *way) for way in ways for move in (self._object_move, self._pdo_move)}
         found |= {item._replace(unshifted=index) for item in found}
         return {item for item in found if item.unshifted and self.object_index(*item) == index}
 
@@ -345,12 +347,10 @@ class SlotShift:
 
     def pdo_index(self, index: int, by_slot: bool | None, by_group: bool | None) -> int:
         """Shifted index of a PDO."""
-        shift = (self._pdos if by_slot else 0) + (self._pdos_of_group if by_group else 0)
-        return self._checked("PDO", index, index + shift)
+        return self._checked("PDO", index, index + self._pdo_move(by_slot, by_group))
 
-    def init_cmd_index(self, index: int, by_slot: bool | None, by_group: bool | None) -> int:
-        """Shifted index of an InitCmd: a PDO's when it lies in a PDO range, else an object's."""
-        return (self.pdo_index if is_pdo_mapping(index) else self.object_index)(index, by_slot, by_group)
+    def _pdo_move(self, by_slot: bool | None, by_group: bool | None) -> int:
+        return (self._pdos if by_slot else 0) + (self._pdos_of_group if by_group else 0)
 
     def pdo(self, pdo: Pdo) -> Pdo:
         """The PDO with its index, exclusions and entries shifted."""
