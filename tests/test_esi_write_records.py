@@ -16,6 +16,7 @@ from esicatalog.esi.numbers import (
     DEC,
     DEC8,
     DEC16,
+    DEC64,
     FLOAT,
     HEX,
     HEX8,
@@ -48,6 +49,7 @@ VALUES: dict[Any, st.SearchStrategy[Any]] = {
     DEC: integers,
     DEC8: integers,
     DEC16: integers,
+    DEC64: integers,
     SWITCH: integers,
     HEX: st.integers(0, MAX_STORED),
     HEX8: st.integers(0, MAX_STORED),
@@ -61,7 +63,7 @@ VALUES: dict[Any, st.SearchStrategy[Any]] = {
 }
 OTHER_SPELLINGS: dict[Any, Callable[[Any], str]] = {
     **dict.fromkeys((HEX, HEX8, HEX16, IDENTITY), str),
-    **dict.fromkeys((DEC, DEC8, DEC16, SWITCH), lambda value: f"#x{value:X}" if value >= 0 else f"-0{-value}"),
+    **dict.fromkeys((DEC, DEC8, DEC16, DEC64, SWITCH), lambda value: f"#x{value:X}" if value >= 0 else f"-0{-value}"),
     INT: lambda value: f"{value:+03d}" if value >= 0 else f"-0{-value}",
     INTEGER: lambda value: f"{value:+03d}" if value >= 0 else f"-0{-value}",
     BOOL: lambda value: "true" if value else "false",

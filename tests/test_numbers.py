@@ -26,7 +26,24 @@ from esicatalog.esi.numbers import (
     parse_real,
 )
 
-SCALARS = [HEX, HEX8, HEX16, DEC, DEC8, DEC16, SWITCH, IDENTITY, INT, INTEGER, BOOL, FLOAT, HEX_BINARY, IMAGE, TEXT]
+SCALARS = [
+    HEX,
+    HEX8,
+    HEX16,
+    DEC,
+    DEC8,
+    DEC16,
+    DEC64,
+    SWITCH,
+    IDENTITY,
+    INT,
+    INTEGER,
+    BOOL,
+    FLOAT,
+    HEX_BINARY,
+    IMAGE,
+    TEXT,
+]
 
 
 @pytest.mark.parametrize(
@@ -219,7 +236,7 @@ def test_floats(text, value):
 
 @given(st.integers(-(2**63) + 1, 2**63 - 1))
 def test_decimal_numbers_come_back(value):
-    for scalar in (DEC, INTEGER):
+    for scalar in (DEC, DEC64, INTEGER):
         assert scalar.read(scalar.spell(value)) == (value, None, None)
     assert INT.read(INT.spell(value))[:2] == (value, None)
 
