@@ -39,11 +39,6 @@ _LONGEST = ("kill", "postgres_writers", "faults", "browser", "upgrade", "ingest"
 """Test files that take long for the number of their tests: they come first, lest one process is left with them."""
 
 
-def pytest_xdist_auto_num_workers() -> int:
-    """One process more than processors: an eighth of the time is spent waiting, for locks, servers and browsers."""
-    return (os.cpu_count() or 1) + 1
-
-
 def pytest_collection_modifyitems(items: list[pytest.Function]) -> None:
     """Mark what answers through Datasette: ``make test-datasette-1`` runs that on the coming line of it."""
     items.sort(key=lambda item: item.path.stem.removeprefix("test_") not in _LONGEST)
