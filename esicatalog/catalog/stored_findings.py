@@ -8,7 +8,8 @@ import sqlalchemy as sa
 
 from esicatalog.catalog.schema import device_sources, devices, findings, hidden_revisions, source_vendors, sources
 from esicatalog.esi.notes import Finding
-from esicatalog.lint.library import DeviceFact, Hidden, device_element_path, lint_library
+from esicatalog.esi.records.device import HideType
+from esicatalog.lint.library import DeviceFact, device_element_path, lint_library
 from esicatalog.lint.registry import ERROR, Rule
 from esicatalog.lint.report import DocumentFinding
 from esicatalog.lint.rules.reading import REFUSED
@@ -71,12 +72,12 @@ def _names(connection: sa.Connection) -> dict[int, str]:
 
 def _facts(connection: sa.Connection, names: Mapping[int, str]) -> list[DeviceFact]:
     """Every Device element of every document, as the rules across documents see it."""
-    hidden: dict[int, list[Hidden]] = defaultdict(list)
+    hide_types: dict[int, list[HideType]] = defaultdict(list)
     named = hidden_revisions.c
-    for device_id, *numbers in connection.execute(
+    for device_id, product_code, revision_no in connection.execute(
         sa.select(named.device_id, named.product_code, named.revision_no).order_by(named.device_id, named.position)
     ):
-        hidden[device_id].append(Hidden(*numbers))
+        hide_types[device_id].append(HideType(product_code=product_code, revision_no=revision_no))
     rows = connection.execute(
         sa.select(
             devices,
@@ -111,7 +112,7 @@ def _facts(connection: sa.Connection, names: Mapping[int, str]) -> list[DeviceFa
             row.revision_no,
             row.type,
             bytes.fromhex(row.content_hash),
-            tuple(hidden.get(row.id, ())),
+            tuple(hide_types.get(row.id, ())),
         )
         for row in rows
     ]

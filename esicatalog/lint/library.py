@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.reader import ReadDocument
-from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.device import Device, HideType
 from esicatalog.esi.records.module import Module
 from esicatalog.lint.registry import Rule
 from esicatalog.lint.report import DocumentFinding
@@ -16,13 +16,6 @@ from esicatalog.model.module_offer import module_offers
 
 Signature = Callable[[Device, Sequence[Module], int | None], bytes]
 """Digest of a description (device, the modules its slots can reach, vendor id): equal for equal content."""
-
-
-class Hidden(NamedTuple):
-    """What a HideType names."""
-
-    product_code: int | None
-    revision_no: int | None
 
 
 class DeviceFact(NamedTuple):
@@ -37,7 +30,7 @@ class DeviceFact(NamedTuple):
     revision_no: int | None
     type: str | None
     signature: bytes
-    hides: tuple[Hidden, ...] = ()
+    hide_types: tuple[HideType, ...] = ()
 
     @property
     def section(self) -> tuple[str, str]:
@@ -75,7 +68,7 @@ def facts_of_document(read: ReadDocument, document: str, signature: Signature) -
                 device.revision_no,
                 device.type,
                 signature(device, offer.reachable(device), vendor_id),
-                tuple(Hidden(item.product_code, item.revision_no) for item in device.hide_types),
+                device.hide_types,
             )
 
 

@@ -7,7 +7,7 @@ from esicatalog.lint.library import DeviceFact, Library
 from esicatalog.lint.registry import ERROR, INFORMATION, WARNING, Found, Place, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject, is_absent, is_off
 from esicatalog.model.ports import port_kind
-from esicatalog.model.revisions import CHECK_REVISION_NO, is_known
+from esicatalog.model.revisions import CHECK_REVISION_NO, hidden_by, is_known
 from esicatalog.model.vendor_names import may_be_same
 
 _SECONDARY_VENDOR = 0xE
@@ -216,13 +216,12 @@ def hide_type(subject: DeviceSubject | Library) -> Iterator[Found]:
 def _hidden_unknown(library: Library) -> Iterator[Found]:
     described = {fact.identity for fact in library.facts}
     for number, fact in enumerate(library.facts):
-        for hidden in fact.hides:
-            product = hidden.product_code if hidden.product_code is not None else fact.product_code
-            if fact.vendor_id is None or product is None or hidden.revision_no is None:
-                continue
-            if (fact.vendor_id, product, hidden.revision_no) not in described:
+        if fact.vendor_id is None:
+            continue
+        for product, revision in hidden_by(fact.product_code, fact.revision_no, fact.hide_types):
+            if (fact.vendor_id, product, revision) not in described:
                 yield Found(
-                    f"HideType names product 0x{product:08X}, revision 0x{hidden.revision_no:08X}, "
+                    f"HideType names product 0x{product:08X}, revision 0x{revision:08X}, "
                     "which no document at hand describes",
                     (number,),
                 )
