@@ -95,17 +95,18 @@ class FilesRun:
     def _document(self, found: FoundDocument, shown: str) -> list[Finding]:
         container = self._container(found)
         pulled = self._reader.pulled(container, found.name)
+        schema = self._schema if any(rule.id == SCHEMA_RULE for rule in self._rules) else None
+        content = _content(container, found.name) if pulled is None or schema is not None else b""
         if pulled is None:
-            read, tree = self._reader.read_tree(_content(container, found.name), found.name, container)
+            read, tree = self._reader.read_tree(content, found.name, container)
         else:
             read, tree = pulled.document, _once(pulled.tree)
         self._document_count += 1
         findings = self._linter.document(
             read, tree, lambda name: resolve_reference(container, found.name, name) is not None
         )
-        if self._schema is not None and any(rule.id == SCHEMA_RULE for rule in self._rules):
-            content = _content(container, found.name)
-            violations = self._schema.violations(parse_document(content).root, Lines(content), findings)
+        if schema is not None:
+            violations = schema.violations(parse_document(content).root, Lines(content), findings)
             findings = sorted([*findings, *violations], key=lambda finding: finding.line)
         self._facts.extend(facts_of_document(read, shown, self._signature))
         return findings
