@@ -396,7 +396,8 @@ def _export_subject(connection: "sa.Connection", number: int, found: "FoundDevic
     from esicatalog.export.subject import subject_of_description
 
     reader, parts = RecordReader(connection), document_parts(connection, number)
-    sources, modules = _lookup_on(connection).sources(number), reader.modules_of(number)
-    return subject_of_description(found, sources, reader.device(number), modules).of_document(
+    (described,) = _lookup_on(connection).with_sources([(number, found)])
+    modules = reader.modules_of(number)
+    return subject_of_description(found, described.sources, reader.device(number), modules).of_document(
         parts.vendor, parts.groups
     )

@@ -85,19 +85,19 @@ def answer(db: Path, *numbers: int):
 def test_an_answer_is_of_one_state(tmp_path, monkeypatch):
     """The number of a row is soon another description's; its document would be named with what was found before."""
     folder, db = write(tmp_path / "in", {"a.xml": esi(device(name="A drive"))}), tmp_path / "c.db"
-    sources = IdentityLookup.sources
+    with_sources = IdentityLookup.with_sources
 
-    def replaced_before(lookup, device_id):
+    def replaced_before(lookup, found):
         monkeypatch.undo()
         (folder / "a.xml").unlink()
         for content in ({}, {"z.xml": esi(device(product="#x99", name="A valve"))}):
             with Catalog.open(db) as other:
                 other.ingest([write(folder, content)], jobs=1, prune=True)
-        return sources(lookup, device_id)
+        return with_sources(lookup, found)
 
     with Catalog.open(db, create=True) as catalog:
         catalog.ingest([folder], jobs=1)
-        monkeypatch.setattr(IdentityLookup, "sources", replaced_before)
+        monkeypatch.setattr(IdentityLookup, "with_sources", replaced_before)
         assert catalog.identify(0xE5C, 1, 1).match == "vendor"
 
 

@@ -218,12 +218,12 @@ def test_a_stored_content_hash_is_that_of_what_is_stored(postgres, machines):
 def test_an_answer_is_of_one_state(machines, postgres, monkeypatch):
     """The number of a row is soon another description's; its document would be named with what was found before."""
     one, two = machines
-    sources = IdentityLookup.sources
+    with_sources = IdentityLookup.with_sources
 
-    def replaced_before(lookup, device_id):
+    def replaced_before(lookup, found):
         two.drop("a", of="one")
         two.store("z", esi(device(product="#x99", name=name)))
-        return sources(lookup, device_id)
+        return with_sources(lookup, found)
 
     with Catalog.open(postgres) as catalog:
         for name, ask in {
@@ -232,7 +232,7 @@ def test_an_answer_is_of_one_state(machines, postgres, monkeypatch):
         }.items():
             one.store("a", esi(device(name=name)))
             with monkeypatch.context() as patch:
-                patch.setattr(IdentityLookup, "sources", replaced_before)
+                patch.setattr(IdentityLookup, "with_sources", replaced_before)
                 assert ask() == "a"
             assert not catalog.identify(0xE5C, 1, 1).is_exact
             two.drop("z")

@@ -228,3 +228,21 @@ async def test_a_device_page_takes_as_many_queries_whatever_the_size_of_the_devi
         counts.append(len(statements))
     small, large = counts
     assert small == large < 80
+
+
+def test_a_description_takes_as_many_queries_whatever_the_number_of_its_variants(tmp_path):
+    counts = []
+    for count in (2, 12):
+        documents = {f"{number}.xml": esi(device(type_text=f"T{number}")) for number in range(count)}
+        folder, db = write(tmp_path / str(count), documents), tmp_path / f"{count}.db"
+        with Catalog.open(db, create=True) as catalog:
+            catalog.ingest([folder], jobs=1)
+        with traced() as statements, Catalog.open(db) as catalog:
+            described = catalog.device(Identity(0xE5C, 1, 1, 2))
+        assert [item.sources[0].member for item in described.variants if item.device.variant == 2] == [
+            described.sources[0].member
+        ]
+        assert len({item.sources for item in described.variants}) == count
+        counts.append(len(statements))
+    few, many = counts
+    assert few == many

@@ -45,7 +45,6 @@ class DeviceDescription(NamedTuple):
     device_id: int
     """Row number in this catalog; not stable between catalogs."""
     found: FoundDevice
-    sources: tuple[DeviceSource, ...]
     variants: tuple[IdentifiedDevice, ...]
     """All descriptions of this identity, this one included, the preferred one first. Several contradict each other."""
     device: Device
@@ -57,6 +56,11 @@ class DeviceDescription(NamedTuple):
     findings: tuple[SourceFinding, ...]
     variants_with_slots: tuple[int, ...] = ()
     """Of several descriptions of the identity, those that have slots."""
+
+    @property
+    def sources(self) -> tuple[DeviceSource, ...]:
+        """Documents and lines that carry it."""
+        return next(item.sources for item in self.variants if item.device.variant == self.found.variant)
 
     @property
     def vendor_id(self) -> int | None:
@@ -85,14 +89,13 @@ class DeviceDescription(NamedTuple):
 def read_description(connection: sa.Connection, lookup: IdentityLookup, identity: Identity) -> DeviceDescription:
     """Read a description in a number of queries that does not depend on its size. Raises :class:`NotFound`."""
     number, found, descriptions = find_device(connection, identity)
-    variants = {row: IdentifiedDevice(described, lookup.sources(row)) for row, described in descriptions}
+    variants = lookup.with_sources(descriptions)
     reader = RecordReader(connection)
     device = reader.device(number)
     return DeviceDescription(
         number,
         found,
-        variants[number].sources,
-        tuple(variants.values()),
+        tuple(variants),
         device,
         tuple(reader.modules_of(number)),
         revisions_of(connection, number, found),

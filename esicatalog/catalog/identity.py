@@ -4,7 +4,7 @@ The lookup speaks to the database driver directly: masters, test benches and web
 thousand, and the statements below are all it takes.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Generic, NamedTuple, TypeVar
 
 import msgspec
@@ -34,10 +34,10 @@ _OF_PRODUCT = (
 )
 """In the order of the index ``ix_devices_listed``: sorting would take a quarter of the time."""
 _SOURCES = (
-    "SELECT s.member, s.location, x.line, x.group_type, y.file_version, s.status FROM device_sources x "
+    "SELECT x.device_id, s.member, s.location, x.line, x.group_type, y.file_version, s.status FROM device_sources x "
     "JOIN sources s ON s.id = x.source_id "
     "LEFT JOIN source_vendors y ON y.source_id = x.source_id AND y.position = x.section "
-    "WHERE x.device_id = ? ORDER BY s.member, x.line, s.location"
+    "WHERE x.device_id IN ({}) ORDER BY s.member, x.line, s.location"
 )
 _SUBINDEX = "e.subindex, CASE WHEN e.subindex IS NULL THEN e.spelling END"
 _LAYOUT = (
@@ -206,7 +206,7 @@ class IdentityLookup:
             )
         else:
             match, reason, chosen, others = _nearest(rows, revision_no)
-        variants = tuple([IdentifiedDevice(_device(row), self.sources(row.id)) for row in chosen])
+        variants = tuple(self.with_sources([(row.id, _device(row)) for row in chosen]))
         candidates = tuple(map(_device, others[:NEAREST]))
         of_variants = self._variant_warning(chosen[0], chosen[1:])
         of_revisions = self._warning(
@@ -226,9 +226,12 @@ class IdentityLookup:
         ours = next((row for row in alike if row.variant == device.variant), None)
         return self._variant_warning(ours, [row for row in alike if row is not ours]) if ours is not None else None
 
-    def sources(self, device_id: int) -> tuple[DeviceSource, ...]:
-        """Documents and lines that carry a description."""
-        return tuple(DeviceSource(*row) for row in self._query(_SOURCES, (device_id,)))
+    def with_sources(self, found: Sequence[tuple[int, FoundDevice]]) -> list[IdentifiedDevice]:
+        """Descriptions, given with their row numbers, with the documents and lines that carry them."""
+        sources: dict[int, list[DeviceSource]] = {number: [] for number, _ in found}
+        for number, *source in self._query(_SOURCES.format(", ".join("?" * len(sources))), tuple(sources)):
+            sources[number].append(DeviceSource(*source))
+        return [IdentifiedDevice(device, tuple(sources[number])) for number, device in found]
 
     def state(self, key: str) -> str | None:
         """An entry of catalog_state; None where none is stored."""
