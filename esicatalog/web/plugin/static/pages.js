@@ -3,10 +3,10 @@
 
 // Browsers have a clipboard for pages of this machine and over HTTPS only.
 for (const button of navigator.clipboard ? document.querySelectorAll("button[data-copy]") : []) {
+  const words = button.textContent;
   button.hidden = false;
   button.addEventListener("click", async () => {
     await navigator.clipboard.writeText(button.dataset.copy);
-    const words = button.textContent;
     button.textContent = "copied";
     setTimeout(() => { button.textContent = words; }, 1200);
   });
