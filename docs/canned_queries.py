@@ -10,8 +10,8 @@ from esicatalog.catalog.device_filter import MODES
 from esicatalog.catalog.filter_texts import TRUE_WORDS
 from esicatalog.catalog.views import mapped_subindex, vendor_name
 from esicatalog.model.cia402 import CIA402
+from esicatalog.model.device_words import MAILBOX_PROTOCOLS
 from esicatalog.model.drive_modes import accepted_verdicts
-from esicatalog.model.words import MAILBOX_PROTOCOLS
 
 _IDENTITY = "vendor, device_type, device_name, vendor_id_hex, product_code_hex, revision_no_hex"
 _ORDER = "vendor_id, product_code, revision_no"

@@ -11,12 +11,12 @@ from esicatalog.export.sii import described_image, sii_image
 from esicatalog.export.sii_header import eeprom_bytes
 from esicatalog.export.sii_limits import check_image, fit_image
 from esicatalog.export.sii_remarks import eeprom_remarks
+from esicatalog.sii.codes import CoeDetails, GeneralFlags, MailboxProtocols
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.image import RawCategory, SiiImage
 from esicatalog.sii.records import DC_MODE
-from esicatalog.sii.words import CoeDetails, GeneralFlags, MailboxProtocols
 
 VENDOR = 0x0E5C
 

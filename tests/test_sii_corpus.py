@@ -6,12 +6,12 @@ from pathlib import Path
 import pytest
 
 from esicatalog.sii.checksum import header_checksum
+from esicatalog.sii.codes import SmControl
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.files import image_of_file, read_sii
 from esicatalog.sii.image import RawCategory, SiiImage
 from esicatalog.sii.records import Pdo, SyncManager
 from esicatalog.sii.text import sheet_lines
-from esicatalog.sii.words import SmControl
 
 IGH_NAME_BYTES = 63
 

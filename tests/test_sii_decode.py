@@ -9,14 +9,7 @@ from sii.by_hand import END, image
 
 from esicatalog.errors import DocumentError
 from esicatalog.sii.checksum import crc8, header_checksum, with_checksum
-from esicatalog.sii.decode import decode_sii
-from esicatalog.sii.encode import encode_sii
-from esicatalog.sii.errors import SiiImageError
-from esicatalog.sii.image import RawCategory, SiiImage
-from esicatalog.sii.records import DcMode, Fmmu, PdoEntry, SyncManager
-from esicatalog.sii.text import sheet_lines
-from esicatalog.sii.view import sii_json
-from esicatalog.sii.words import (
+from esicatalog.sii.codes import (
     CoeDetails,
     EscConfiguration,
     GeneralFlags,
@@ -26,6 +19,13 @@ from esicatalog.sii.words import (
     SmEnable,
     flag_words,
 )
+from esicatalog.sii.decode import decode_sii
+from esicatalog.sii.encode import encode_sii
+from esicatalog.sii.errors import SiiImageError
+from esicatalog.sii.image import RawCategory, SiiImage
+from esicatalog.sii.records import DcMode, Fmmu, PdoEntry, SyncManager
+from esicatalog.sii.text import sheet_lines
+from esicatalog.sii.view import sii_json
 
 FIRST = 0x80
 """Byte of the first category."""

@@ -8,6 +8,7 @@ from sii import by_hand
 
 from esicatalog.errors import InputError
 from esicatalog.sii.checksum import with_checksum
+from esicatalog.sii.codes import CoeDetails, Enabled, GeneralFlags, MailboxProtocols, PdoFlags, SmEnable
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.encode import category_offsets, encode_sii, string_table
 from esicatalog.sii.errors import SiiEncodeError
@@ -23,7 +24,6 @@ from esicatalog.sii.image import (
     TxPdos,
 )
 from esicatalog.sii.records import DcMode, Fmmu, Header, Pdo, PdoEntry, SiiString, SyncManager
-from esicatalog.sii.words import CoeDetails, Enabled, GeneralFlags, MailboxProtocols, PdoFlags, SmEnable
 
 U8, U16, U32 = (st.integers(0, high) for high in (0xFF, 0xFFFF, 0xFFFFFFFF))
 I16, I32 = (st.integers(-high - 1, high) for high in (0x7FFF, 0x7FFFFFFF))

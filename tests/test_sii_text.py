@@ -7,10 +7,10 @@ from sii import by_hand
 from sii.by_hand import image
 
 from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.sii.codes import DATA_TYPES
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.text import sheet_lines
 from esicatalog.sii.view import sii_json
-from esicatalog.sii.words import DATA_TYPES
 
 
 def sheet(data: bytes) -> list[str]:

@@ -4,7 +4,7 @@ import pytest
 from snippets import device, esi, only_device, pdo
 
 from esicatalog.model.derivation import derive
-from esicatalog.model.words import clock_words, init_cmd_target, mailbox_words
+from esicatalog.model.device_words import clock_words, init_cmd_target, mailbox_words
 
 
 def mode(activate: str) -> str:

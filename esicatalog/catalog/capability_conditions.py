@@ -11,11 +11,11 @@ from esicatalog.catalog.schema import dc_modes, device_facts, devices, drive_mod
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.identity import Bounds
 from esicatalog.model.cia402 import CIA402
+from esicatalog.model.device_words import protocol_name
 from esicatalog.model.drive_modes import accepted_verdicts
 from esicatalog.model.ports import port_kind
 from esicatalog.model.sync_parameters import MINIMUM_CYCLE, SYNC_PARAMETERS
 from esicatalog.model.twincat import is_superseded
-from esicatalog.model.words import protocol_name
 
 _FSOE = "fsoe"
 

@@ -8,8 +8,8 @@ import msgspec
 from esicatalog.errors import InputError
 from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX, UINT32_MAX, Bounds, Identity, checked
 from esicatalog.model.cia402 import DRIVE_MODES
+from esicatalog.model.device_words import MAILBOX_PROTOCOLS
 from esicatalog.model.ports import checked_physics
-from esicatalog.model.words import MAILBOX_PROTOCOLS
 
 PROTOCOLS = (*MAILBOX_PROTOCOLS, "fsoe")
 SYNC_SIGNALS = ("sync0", "sync1")

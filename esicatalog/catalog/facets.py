@@ -21,8 +21,8 @@ from esicatalog.catalog.schema import (
 )
 from esicatalog.catalog.search import ADDRESSED, conditions, fulfilled, matching_ids
 from esicatalog.model.cia402 import CIA402
+from esicatalog.model.device_words import MAILBOX_PROTOCOLS, protocol_name
 from esicatalog.model.drive_modes import accepted_verdicts
-from esicatalog.model.words import MAILBOX_PROTOCOLS, protocol_name
 from esicatalog.words import hex32
 
 _MOST_VENDORS, _MOST_PROFILES = 30, 20

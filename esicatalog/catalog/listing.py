@@ -13,7 +13,7 @@ from esicatalog.catalog.schema import device_facts, devices, drive_modes
 from esicatalog.catalog.search import ADDRESSED, NOT_ADDRESSED, conditions, device_query, found_devices
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.drive_modes import accepted_verdicts
-from esicatalog.sii.words import signal_names
+from esicatalog.sii.codes import signal_names
 
 
 class ListedDevice(NamedTuple):

@@ -14,6 +14,7 @@ from esicatalog.identity import ModuleChoice
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
+from esicatalog.model.device_words import eeprom_words, head_facts, init_cmd_target
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels, slot_offers
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
@@ -22,8 +23,7 @@ from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals
 from esicatalog.model.twincat import is_superseded, predefined_assignments
-from esicatalog.model.words import eeprom_words, fact_words, init_cmd_target
-from esicatalog.sii.words import signal_names
+from esicatalog.sii.codes import signal_names
 
 _MOST_ALIKE = 10
 """Devices of the same layout that a sheet names."""
@@ -119,7 +119,7 @@ def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[st
         ("vendor", f"{_hex(found.vendor_id, 8)}  {found.vendor or ''}"),
         ("product", f"{_hex(found.product_code, 8)}  ({_text(found.product_code)})"),
         ("revision", _revision(found)),
-        *fact_words(description.device, facts),
+        *head_facts(description.device, facts),
         *(("described in", f"{source.member}, line {source.line}") for source in description.sources),
     ]
     if len(description.variants) > 1:

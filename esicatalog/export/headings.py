@@ -6,7 +6,7 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.export.clocks import Clocks
 from esicatalog.export.configuration import Configuration
 from esicatalog.model.twincat import is_superseded
-from esicatalog.sii.words import signal_names
+from esicatalog.sii.codes import signal_names
 from esicatalog.version import __version__
 from esicatalog.words import counted, hex32
 

@@ -8,10 +8,10 @@ from typing import Generic, NamedTuple, TypeVar
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, init_cmds
+from esicatalog.model.device_words import soe_target
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
 from esicatalog.model.start_up import TRANSITIONS, transition_of, unusable_part, written_places, yields
-from esicatalog.model.words import soe_target
 from esicatalog.words import one_line
 
 MODULE_IDENT_LIST = 0xF030

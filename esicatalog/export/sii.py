@@ -22,6 +22,7 @@ from esicatalog.model.pdo_facts import entry_facts
 from esicatalog.model.ports import port_kind
 from esicatalog.model.sm_facts import sm_usages
 from esicatalog.model.twincat import is_superseded
+from esicatalog.sii.codes import FMMU_USAGES, SM_USAGES, CoeDetails, Enabled, GeneralFlags, PdoFlags, SmEnable
 from esicatalog.sii.decode import decode_sii
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.image import (
@@ -35,7 +36,6 @@ from esicatalog.sii.image import (
     TxPdos,
 )
 from esicatalog.sii.records import DcMode, Fmmu, Pdo, PdoEntry, SyncManager
-from esicatalog.sii.words import FMMU_USAGES, SM_USAGES, CoeDetails, Enabled, GeneralFlags, PdoFlags, SmEnable
 
 NOT_ASSIGNED = 0xFF
 """SyncManager of a PDO that no SyncManager is assigned."""

@@ -7,6 +7,7 @@ from operator import ne
 from typing import Any, NamedTuple
 
 from esicatalog.export.sii import NOT_ASSIGNED
+from esicatalog.sii.codes import category_title, flag_words
 from esicatalog.sii.encode import category_body
 from esicatalog.sii.image import (
     FILLER,
@@ -24,7 +25,6 @@ from esicatalog.sii.image import (
 )
 from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.records import DcMode, Fmmu, Pdo, PdoEntry, SyncManager
-from esicatalog.sii.words import category_title, flag_words
 from esicatalog.words import counted
 
 Differing = tuple[str, str | None, str | None]

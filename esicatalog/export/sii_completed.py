@@ -19,6 +19,7 @@ from esicatalog.export.sii_changes import numbered_pdos
 from esicatalog.export.sii_header import configuration_bytes, whole_image, words_not_given
 from esicatalog.export.sii_merge import merged_general, merged_header
 from esicatalog.export.subject import Subject
+from esicatalog.sii.codes import AssignActivate, SmEnable
 from esicatalog.sii.image import (
     Category,
     DistributedClocks,
@@ -31,7 +32,6 @@ from esicatalog.sii.image import (
 )
 from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.records import DcMode, Fmmu, Pdo, PdoEntry, SyncManager
-from esicatalog.sii.words import AssignActivate, SmEnable
 
 _STORED_AS: dict[type[Record], dict[str, str]] = {
     Device: {"physics": "physical_ports", "e_bus_current_ma": "e_bus_current_ma"},

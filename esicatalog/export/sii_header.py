@@ -13,6 +13,7 @@ from esicatalog.esi.records.mailbox import Mailbox
 from esicatalog.esi.unreadable import unreadable
 from esicatalog.model.sm_facts import sm_usages
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
+from esicatalog.sii.codes import CoeDetails, GeneralFlags, MailboxProtocols, PdoFlags, SmEnable
 from esicatalog.sii.image import (
     END_TYPE,
     DistributedClocks,
@@ -25,7 +26,6 @@ from esicatalog.sii.image import (
     TxPdos,
 )
 from esicatalog.sii.records import SIZE_UNIT_BYTES, Header
-from esicatalog.sii.words import CoeDetails, GeneralFlags, MailboxProtocols, PdoFlags, SmEnable
 
 ASSUMED_BYTE_SIZE = 2048
 """Size of the EEPROM where the description gives no ByteSize: that of 94 % of all descriptions."""

@@ -8,6 +8,7 @@ import msgspec
 
 from esicatalog.errors import InputError
 from esicatalog.export.sii import NOT_ASSIGNED
+from esicatalog.sii.codes import category_title
 from esicatalog.sii.encode import MAX_STRINGS, category_offsets, encode_sii, string_table
 from esicatalog.sii.findings import STRING_NUMBER
 from esicatalog.sii.image import (
@@ -25,7 +26,6 @@ from esicatalog.sii.image import (
 )
 from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.records import HEADER, MAX_ENTRY_BITS, DcMode, Pdo, PdoEntry
-from esicatalog.sii.words import category_title
 from esicatalog.words import counted
 
 MAX_PDO_ENTRIES = 255

@@ -10,10 +10,10 @@ from esicatalog.errors import InputError
 from esicatalog.export.sii_changes import Change, image_changes
 from esicatalog.export.sii_limits import behind_end_mark, used_bytes
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
+from esicatalog.sii.codes import category_title
 from esicatalog.sii.encode import encode_sii
 from esicatalog.sii.image import Category, General, RawCategory, SiiImage, ranges_text
 from esicatalog.sii.records import HEADER, Header
-from esicatalog.sii.words import category_title
 from esicatalog.words import counted
 
 _DEVICE_WORDS = (

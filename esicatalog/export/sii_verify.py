@@ -9,9 +9,9 @@ from esicatalog.export.sii_completed import described_images
 from esicatalog.export.sii_header import NOT_COMPUTED
 from esicatalog.export.subject import Subject
 from esicatalog.sii.checksum import is_loaded
+from esicatalog.sii.codes import category_title
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.image import SiiImage
-from esicatalog.sii.words import category_title
 from esicatalog.words import counted
 
 _OWN = {"serial number", "station alias", CHECK_SUM}

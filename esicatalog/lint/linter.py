@@ -29,7 +29,7 @@ from esicatalog.lint.subjects import (
     PdoMapping,
     PdoTypes,
     ProcessSubject,
-    dictionaries_of,
+    joined_dictionaries,
     pdo_mapping,
 )
 from esicatalog.model.derivation import Deriver
@@ -237,7 +237,7 @@ class Linter:
             others, in_slots = owner.modules, owner.entries_in_slots
         elif isinstance(owner, ModuleSubject):
             others = owner.hosts
-        return dictionaries_of((owner, *others), in_slots) if others else owner.own
+        return joined_dictionaries((owner, *others), in_slots) if others else owner.own
 
     def _check_pdo(self, pdo: Pdo) -> _Hits:
         return self._check(pdo, Record) + self._check(pdo, Pdo) or ()

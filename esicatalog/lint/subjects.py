@@ -235,7 +235,7 @@ class ProcessSubject:
         self.pdos = declared_pdos(data)
 
 
-def dictionaries_of(owners: Sequence[Owner], in_slots: InSlots | None = None) -> Dictionaries:
+def joined_dictionaries(owners: Sequence[Owner], in_slots: InSlots | None = None) -> Dictionaries:
     """The dictionaries of several owners as one."""
     views = [view for owner in owners for view in owner.own.views]
     return Dictionaries(views, all(owner.own.is_complete for owner in owners), in_slots)

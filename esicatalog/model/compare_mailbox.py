@@ -30,7 +30,7 @@ from esicatalog.model.compare_words import (
     value_of,
     yes_no,
 )
-from esicatalog.model.words import soe_target
+from esicatalog.model.device_words import soe_target
 
 _MAILBOX = (
     Fact("data_link_layer", "DataLinkLayer", lost, yes_no),

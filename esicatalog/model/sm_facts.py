@@ -7,7 +7,7 @@ from typing import Annotated, NamedTuple
 from esicatalog.esi.binding import Doc, Record
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.pdo import RX_PDO, TX_PDO
-from esicatalog.sii.words import SM_DIRECTIONS, SM_MODES, SmControl
+from esicatalog.sii.codes import SM_DIRECTIONS, SM_MODES, SmControl
 
 INPUT, OUTPUT = SM_DIRECTIONS[0b00], SM_DIRECTIONS[0b01]
 """Transfer directions: the master reads, the master writes."""

@@ -13,7 +13,7 @@ from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.twincat import is_superseded
-from esicatalog.sii.words import AssignActivate
+from esicatalog.sii.codes import AssignActivate
 
 ASSIGN_ACTIVATE = range(0x1_0000)
 """What the registers 0x0980 and 0x0981 can hold."""

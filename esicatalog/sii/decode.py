@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import msgspec
 
+from esicatalog.sii.codes import category_title
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.findings import findings_of
 from esicatalog.sii.image import (
@@ -25,7 +26,6 @@ from esicatalog.sii.image import (
     TxPdos,
 )
 from esicatalog.sii.records import DC_MODE, FMMU, HEADER, PDO, PDO_ENTRY, SYNC_MANAGER, Pdo, SiiString
-from esicatalog.sii.words import category_title
 from esicatalog.words import counted
 
 _XML = re.compile(rb"(?:\xef\xbb\xbf)?\s*<[?!A-Za-z]|\xff\xfe<\0|\xfe\xff\0<")

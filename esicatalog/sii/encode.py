@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 from itertools import accumulate
 
+from esicatalog.sii.codes import category_title
 from esicatalog.sii.errors import SiiEncodeError
 from esicatalog.sii.image import (
     END_MARK,
@@ -21,7 +22,6 @@ from esicatalog.sii.image import (
 from esicatalog.sii.layout import Layout, R
 from esicatalog.sii.records import DC_MODE, FMMU, HEADER, PDO, PDO_ENTRY, SYNC_MANAGER, Pdo, SiiString
 from esicatalog.sii.strings import MAX_STRING_BYTES, encode_text
-from esicatalog.sii.words import category_title
 from esicatalog.words import counted
 
 MAX_STRINGS = 255

@@ -4,10 +4,10 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, NOT_TESTED, header_checksum, is_loaded
+from esicatalog.sii.codes import category_title
 from esicatalog.sii.encode import category_offsets
 from esicatalog.sii.image import END_MARK, FILLER, PADDING_BYTES, Fmmus, RawCategory, SiiImage, Strings, ranges_text
 from esicatalog.sii.layout import SiiRecord
-from esicatalog.sii.words import category_title
 
 _SIZE_WORD_OFFSET = 0x7C
 STRING_NUMBER = "_string_number"

@@ -4,9 +4,9 @@ import struct
 from collections.abc import Iterable
 from typing import Annotated, ClassVar, NamedTuple, TypeVar
 
+from esicatalog.sii.codes import PORT_TYPES, CoeDetails, Enabled, GeneralFlags
 from esicatalog.sii.layout import Layout, Part, SiiRecord
 from esicatalog.sii.records import DcMode, Fmmu, Header, Pdo, SiiString, SyncManager
-from esicatalog.sii.words import PORT_TYPES, CoeDetails, Enabled, GeneralFlags
 from esicatalog.words import counted
 
 HEAD = struct.Struct("<HH")

@@ -6,9 +6,7 @@ Texts are stored once, in the string table, and referenced by string numbers: 1 
 
 from typing import Annotated
 
-from esicatalog.sii.layout import Layout, Part, SiiRecord
-from esicatalog.sii.strings import decode_text
-from esicatalog.sii.words import (
+from esicatalog.sii.codes import (
     DATA_TYPES,
     FMMU_USAGES,
     PDI_TYPES,
@@ -22,6 +20,8 @@ from esicatalog.sii.words import (
     SmControl,
     SmEnable,
 )
+from esicatalog.sii.layout import Layout, Part, SiiRecord
+from esicatalog.sii.strings import decode_text
 
 SIZE_UNIT_BYTES = 128
 """The size word counts KiBit; 0 means one."""

@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Sequence
 
 from esicatalog.sii.checksum import header_checksum, is_loaded
+from esicatalog.sii.codes import category_title, flag_words, signal_names
 from esicatalog.sii.encode import category_offsets
 from esicatalog.sii.image import General, RawCategory, SiiImage, Strings
 from esicatalog.sii.records import DcMode, Header, Pdo
-from esicatalog.sii.words import category_title, flag_words, signal_names
 from esicatalog.words import counted, hex32
 
 _HEX_BYTES_A_LINE = 16

@@ -4,11 +4,11 @@ import inspect
 from enum import IntFlag
 from typing import Any
 
+from esicatalog.sii.codes import CATEGORY_NAMES, flag_words
 from esicatalog.sii.encode import category_offsets
 from esicatalog.sii.findings import STRING_NUMBER
 from esicatalog.sii.image import SiiImage
 from esicatalog.sii.layout import SiiRecord
-from esicatalog.sii.words import CATEGORY_NAMES, flag_words
 
 
 def sii_json(image: SiiImage) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from esicatalog.catalog.device_filter import MODES, one_of
 from esicatalog.catalog.filter_texts import parse_flag
 from esicatalog.errors import InputError
 from esicatalog.identity import MAX_INDEX, parse_number, parse_subindex
-from esicatalog.model.words import MAILBOX_PROTOCOLS
+from esicatalog.model.device_words import MAILBOX_PROTOCOLS
 
 _LARGEST = 2**63 - 1
 _LARGEST_VALUE_BYTES = 8 * 1024 * 1024

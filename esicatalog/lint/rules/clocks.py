@@ -9,7 +9,7 @@ from esicatalog.lint.subjects import DeclaredPdo, ModuleSubject, ProcessSubject,
 from esicatalog.model.sm_facts import may_transport
 from esicatalog.model.sync import sync_signals
 from esicatalog.model.twincat import is_superseded
-from esicatalog.sii.words import AssignActivate
+from esicatalog.sii.codes import AssignActivate
 
 
 def _words(number: int, mode: OpMode) -> str:

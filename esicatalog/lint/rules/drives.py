@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from esicatalog.identity import UINT32_MAX
 from esicatalog.lint.registry import WARNING, Found, Place, rule
-from esicatalog.lint.subjects import DeviceSubject, ModuleSubject, Owner, dictionaries_of
+from esicatalog.lint.subjects import DeviceSubject, ModuleSubject, Owner, joined_dictionaries
 from esicatalog.model.cia402 import (
     AXIS_STEP,
     CONTROLWORD,
@@ -67,7 +67,7 @@ def drive_objects(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
 
 
 def _missing_objects(subject: DeviceSubject) -> Iterator[Found]:
-    dictionaries = dictionaries_of((subject, *subject.modules))
+    dictionaries = joined_dictionaries((subject, *subject.modules))
     all_described = dictionaries.is_complete and all(module.own for module in subject.modules)
     missing = [f"0x{index:04X}" for index in _NEEDED if dictionaries.entries(index) is None]
     if missing and dictionaries and all_described:

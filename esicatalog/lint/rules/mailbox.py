@@ -10,16 +10,16 @@ from esicatalog.lint.subjects import (
     DeviceSubject,
     Dictionaries,
     ModuleSubject,
-    dictionaries_of,
     is_absent,
     is_off,
+    joined_dictionaries,
 )
 from esicatalog.model.access import states_to_write
 from esicatalog.model.base_types import BASE_TYPES
+from esicatalog.model.device_words import init_cmd_target
 from esicatalog.model.start_up import SENT_IN, TRANSITIONS, transition_of, unusable_part
 from esicatalog.model.sync import listed_pdos
 from esicatalog.model.values import byte_length, fills
-from esicatalog.model.words import init_cmd_target
 from esicatalog.words import counted
 
 _LEAST_EEPROM_BYTES = 128
@@ -34,7 +34,7 @@ def init_cmd(subject: DeviceSubject | ModuleSubject) -> Iterator[Found]:
     if not subject.coe_init_cmds:
         return
     others = () if isinstance(subject, DeviceSubject) else tuple(subject.hosts)
-    dictionaries = dictionaries_of((subject, *others))
+    dictionaries = joined_dictionaries((subject, *others))
     if not dictionaries:
         return
     is_complete = (
@@ -102,7 +102,7 @@ def _init_cmd_problem(command: InitCmd, dictionaries: Dictionaries, is_complete:
 def dictionary_without_coe(subject: DeviceSubject) -> Iterator[Found]:
     """A dictionary without CoE, or CoE of which neither the document nor the device tells the objects."""
     mailbox = subject.device.mailbox
-    dictionaries = dictionaries_of((subject, *subject.modules))
+    dictionaries = joined_dictionaries((subject, *subject.modules))
     if mailbox is None or not mailbox.coe:
         if subject.own and not (mailbox is not None and mailbox.soe):
             yield Found("the device has a dictionary but no CoE: nothing can read its objects", _mailbox_place(subject))

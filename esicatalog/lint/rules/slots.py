@@ -10,9 +10,9 @@ from esicatalog.esi.records.pdo import Entry
 from esicatalog.esi.records.profile import declared_objects
 from esicatalog.lint.registry import ERROR, WARNING, Found, Place, listed, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject, ModuleSubject
+from esicatalog.model.device_words import init_cmd_target
 from esicatalog.model.pdo_facts import entry_words, pdos_by_direction
 from esicatalog.model.slots import accepts, default_modules, expand_module, leaving_indices, preset_ident, slot_runs
-from esicatalog.model.words import init_cmd_target
 from esicatalog.words import index_words
 
 

@@ -21,6 +21,7 @@ from esicatalog.export.sii_summary import WHY_MERGE
 from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
+from esicatalog.model.device_words import eeprom_words, head_facts, init_cmd_target
 from esicatalog.model.module_choice import module_labels, module_name, slot_offers
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
@@ -29,7 +30,6 @@ from esicatalog.model.sm_facts import sm_facts
 from esicatalog.model.sync import generated_signals
 from esicatalog.model.twincat import is_superseded, predefined_assignments
 from esicatalog.model.values import number_words
-from esicatalog.model.words import eeprom_words, fact_words, init_cmd_target
 from esicatalog.web.drawings import DRAWING_CSS, dc_timing_svg, memory_map_svg, process_image_legend, process_image_svg
 from esicatalog.web.exports import TARGETS, asked_modules, modules_query, parameters_of
 from esicatalog.web.http import Page, status_of
@@ -123,7 +123,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "problem": None,
         "drawing_css": DRAWING_CSS,
         **_head(description, choice),
-        "facts": fact_words(device, derived.facts),
+        "facts": head_facts(device, derived.facts),
         **_exports(description, any(image.pdos for image in images)),
         **_module_picker(description, choice),
         "images": [_image(image) for image in images],

@@ -7,7 +7,7 @@ from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.pdo_facts import subindex_words
 from esicatalog.model.profile_facts import profile_numbers
 from esicatalog.model.sm_facts import mailbox_sync_managers
-from esicatalog.sii.words import signal_names
+from esicatalog.sii.codes import signal_names
 from esicatalog.words import counted, index_words
 
 MAILBOX_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
@@ -103,7 +103,7 @@ def fsoe_words(facts: DeviceFacts) -> str | None:
     return f"{facts.fsoe} evidence: {facts.fsoe_evidence}" if facts.fsoe is not None else None
 
 
-def fact_words(device: Device, facts: DeviceFacts) -> list[tuple[str, str]]:
+def head_facts(device: Device, facts: DeviceFacts) -> list[tuple[str, str]]:
     """The facts at the head of a sheet, each with its name; those that are not given are left out."""
     current, cycle = device.e_bus_current_ma, facts.min_cycle_ns
     shown = (
