@@ -289,24 +289,25 @@ RIGHT_TO_LEFT = ("מנוע", "מנוע 5", 'בע"מ', "محرك", "A\u202eB", "\
 """Names in Hebrew and Arabic, and with characters that order text and that nothing ends."""
 NUMBERS_OUT_OF_ORDER = """() => {
   const found = [], range = new Range(), walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  const boxesOf = (node, from, to) => {
+    range.setStart(node, from);
+    range.setEnd(node, to);
+    return [...range.getClientRects()].filter(box => box.width);
+  };
   for (let node = walker.nextNode(); node; node = walker.nextNode()) {
     if (node.parentElement.closest("textarea, option, select, title, script, style, dl.column-descriptions")) continue;
     for (const number of node.data.matchAll(/0x[0-9a-f]{2,}(:[0-9a-f]+)*|[0-9]{2,}/gi)) {
-      const places = [];
-      for (let at = number.index; at < number.index + number[0].length; at += 1) {
-        range.setStart(node, at);
-        range.setEnd(node, at + 1);
-        const box = range.getBoundingClientRect();
-        if (box.width) places.push(box);
-      }
-      const follows = (box, one) => Math.abs(box.left - one.right) < 2 || box.top > one.bottom - 2;
-      const isInOrder = places.every((box, at) => !at || follows(box, places[at - 1]));
-      if (!isInOrder) found.push(`${number[0]} in: ${node.data}`);
+      const [first, last] = [number.index, number.index + number[0].length - 1];
+      const boxes = boxesOf(node, first, last + 1);
+      const isBrokenInLines = boxes.slice(1).every((box, at) => box.top > boxes[at].bottom - 2);
+      const [left] = boxesOf(node, first, first + 1), [right] = boxesOf(node, last, last + 1);
+      const isForward = boxes.length != 1 || left.left < right.left;
+      if (!isBrokenInLines || !isForward) found.push(`${number[0]} in: ${node.data}`);
     }
   }
   return found;
 }"""
-"""Numbers of which a character does not stand right of the one before it, or begin the next line."""
+"""Numbers that are torn apart within a line, or of which the last character stands left of the first."""
 
 
 @pytest.fixture(scope="module")
