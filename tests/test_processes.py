@@ -211,6 +211,20 @@ def test_time_is_limited_in_the_main_thread_and_where_nobody_else_has_set_an_ala
     assert ended == ["at its end", "at its end", "by the limit"]
 
 
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+def test_a_document_ends_though_an_object_that_ended_took_the_first_alarm(monkeypatch):
+    """What is raised in ``__del__`` is lost, and the search for cycles ends objects at any moment."""
+    monkeypatch.setattr(process, "DEADLINE_SECONDS", 0.05)
+
+    class Lingering:
+        def __del__(self) -> None:
+            time.sleep(0.1)
+
+    with pytest.raises(UnreadableDocument), process.limited_time():
+        Lingering()
+        time.sleep(5)
+
+
 def test_somebody_elses_alarm_is_delivered_while_time_is_limited():
     with someones_alarm() as alarms, process.limited_time():
         signal.raise_signal(signal.SIGALRM)

@@ -118,7 +118,8 @@ def limited_time() -> Iterator[None]:
             raise _TimeIsUp
 
     before = signal.signal(signal.SIGALRM, end)
-    signal.setitimer(signal.ITIMER_REAL, DEADLINE_SECONDS)
+    # Again and again: what is raised while Python ends an object, which may be at any moment, is lost.
+    signal.setitimer(signal.ITIMER_REAL, DEADLINE_SECONDS, DEADLINE_SECONDS)
     try:
         try:
             yield
