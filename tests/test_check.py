@@ -151,15 +151,55 @@ DAMAGES = {
     ),
     "another content": (
         ["UPDATE devices SET content_hash = '0' WHERE id = 1"],
-        "is not that of the rows: delete the catalog and ingest again",
+        "is not that of the descriptions: delete the catalog and ingest again",
     ),
     "another document": (
         ["UPDATE sources SET sha256 = '0' WHERE member = 'l6n_drive.xml'"],
-        "is not that of the rows: delete the catalog and ingest again",
+        "is not that of the descriptions: delete the catalog and ingest again",
     ),
     "a state hash of something else": (
         ["UPDATE catalog_state SET value = '00' WHERE key = 'state_hash'"],
         "the stored state hash 00 is not that of the sources: delete the catalog and ingest again",
+    ),
+    "an address of a SyncManager": (
+        ["UPDATE sync_managers SET start_address = start_address + 1 WHERE device_id = 1"],
+        "1 devices have other values than their documents brought",
+    ),
+    "a byte of an InitCmd": (
+        ["UPDATE initcmds SET data = data || '00' WHERE id = (SELECT min(id) FROM initcmds WHERE device_id IS NOT NULL)"],
+        "1 devices have other values than their documents brought",
+    ),
+    "a value of a module": (
+        ["UPDATE pdos SET pdo_index = pdo_index + 1 WHERE id = (SELECT min(id) FROM pdos WHERE module_id IS NOT NULL)"],
+        "1 modules have other values than their documents brought",
+    ),
+    "a signal that is not that of the AssignActivate": (
+        ["UPDATE dc_modes SET sync1 = 1 - sync1 WHERE id = 1"],
+        "1 devices have rows in dc_modes that do not follow from their description",
+    ),
+    "a place in the process image": (
+        ["UPDATE pdo_entries SET image_bit_offset = image_bit_offset + 1 WHERE id = 1"],
+        "1 pdos have rows in pdo_entries that do not follow from their description",
+    ),
+    "a verdict": (
+        ["UPDATE drive_modes SET verdict = 'yes' WHERE verdict = 'no'"],
+        "devices have rows in drive_modes that do not follow from their description",
+    ),
+    "a size of the process data": (
+        ["UPDATE device_facts SET output_bytes = output_bytes + 1 WHERE device_id = 1"],
+        "1 devices have rows in device_facts that do not follow from their description",
+    ),
+    "the OpMode that counts": (
+        ["UPDATE devices SET default_op_mode = 7 WHERE id = 1"],
+        "1 devices have rows in devices that do not follow from their description",
+    ),
+    "a default value of an object's entry": (
+        ["UPDATE object_entries SET access = 'xx' WHERE id = 1"],
+        "1 objects have rows in object_entries that do not follow from their description",
+    ),
+    "an FMMU that is gone": (
+        ["DELETE FROM fmmus WHERE id = (SELECT max(id) FROM fmmus WHERE device_id = 1)"],
+        "1 devices have other values than their documents brought",
     ),
     "an ingest under way": (["DELETE FROM catalog_state WHERE key = 'content_hash'"], CUT_SHORT),
     "a load under way": (["INSERT INTO catalog_state VALUES ('indexes_pending', '1')"], CUT_SHORT),

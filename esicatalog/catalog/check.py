@@ -1,4 +1,4 @@
-"""Verifying a catalog: integrity, references, counts, variants, indexes, search, content hash."""
+"""Verifying a catalog: integrity, references, counts, variants, indexes, search, content hash, values."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -7,6 +7,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.check_rows import rules
+from esicatalog.catalog.check_values import value_problems
 from esicatalog.catalog.deferred_keys import are_keys_pending, is_empty
 from esicatalog.catalog.full_text import outdated_devices, search_table
 from esicatalog.catalog.load import are_indexes_pending, secondary_indexes
@@ -44,7 +45,7 @@ _COUNTED = (
 
 
 def check_catalog(connection: sa.Connection) -> CheckResult:
-    """Look at everything that can be verified from the rows alone."""
+    """Look at everything that can be verified from the rows alone; where that is sound, read all descriptions back."""
     problems: list[str] = []
     if connection.dialect.name == "sqlite":
         # Other databases enforce what these find.
@@ -60,6 +61,8 @@ def check_catalog(connection: sa.Connection) -> CheckResult:
         problems += [f"{count} {rule.words}"] if count else []
     recomputed = content_hash(connection)
     problems += _load_problems(connection, recomputed)
+    if not problems:  # Only what hangs together can be read.
+        problems += [f"{words}: {_INGEST_AGAIN}" for words in value_problems(connection)]
     counts = {
         name: connection.execute(sa.select(sa.func.count()).select_from(schema.metadata.tables[name])).scalar_one()
         for name in _COUNTED
@@ -78,7 +81,7 @@ def _load_problems(connection: sa.Connection, recomputed: str) -> Iterator[str]:
     if stored is None:  # nothing was ingested yet
         return
     if stored != recomputed:
-        yield f"the stored content hash {stored} is not that of the rows: {_INGEST_AGAIN}"
+        yield f"the stored content hash {stored} is not that of the descriptions: {_INGEST_AGAIN}"
     elif (state := read_state(connection, STATE_HASH)) not in (None, state_hash(connection)):
         yield f"the stored state hash {state} is not that of the sources: {_INGEST_AGAIN}"
 

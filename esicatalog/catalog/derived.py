@@ -17,6 +17,8 @@ PdoPlace = tuple[int, list[int | None]]
 """SyncManager of an assigned PDO and the bit offset of each of its entries."""
 PdoPlaces = Mapping[tuple[str, int], PdoPlace]
 """Places of a device's own PDOs in its default process image, by direction and position."""
+NOWHERE: PdoPlaces = {}
+"""PDOs of a module have places in a device only."""
 
 
 class DerivedRows(msgspec.Struct):

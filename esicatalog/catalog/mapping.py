@@ -150,6 +150,14 @@ TABLE_RECORDS: dict[str, type[Record]] = {
     "source_vendors": Vendor,
 }
 
+PARENTS = {
+    child.table: parent
+    for parent, record in TABLE_RECORDS.items()
+    for child in CHILDREN.get(record, ())
+    if child.under_parent
+}
+"""Parent table of the tables whose rows hang on another row."""
+
 _KINDS = {int: "int", bool: "bool", float: "float", str: "text"}
 _EXTENSION_OWNERS = (Device, Module, Profile, Mailbox, OpMode, Eeprom)
 

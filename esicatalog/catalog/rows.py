@@ -9,7 +9,7 @@ from typing import Any
 
 import msgspec
 
-from esicatalog.catalog.derived import DerivedRows, PdoPlaces, derived_rows, pdo_places
+from esicatalog.catalog.derived import NOWHERE, DerivedRows, PdoPlaces, derived_rows, pdo_places
 from esicatalog.catalog.digests import Digests
 from esicatalog.catalog.mapping import codec, to_json
 from esicatalog.catalog.owned import Image, OwnedRowMaker, OwnedRows, image_row
@@ -32,9 +32,6 @@ from esicatalog.model.module_offer import ModuleOffer, module_offers
 from esicatalog.model.resolver import TypeSet
 
 _MAX_PLACES = 1_000
-
-_NOWHERE: PdoPlaces = {}
-"""PDOs of a module have places in a device only."""
 
 
 class TypeRows(msgspec.Struct):
@@ -247,7 +244,7 @@ class RowMaker:
     def _module(self, module: Module, vendor_id: int | None) -> bytes:
         key = self._digests.module(module, vendor_id)
         if self._new(key):
-            rows = OwnerRows(**self._owner(module, key, vendor_id, _NOWHERE))
+            rows = OwnerRows(**self._owner(module, key, vendor_id, NOWHERE))
             self._module_counts[key] = rows.element_count
             self._out.new_modules.append(rows)
         return key

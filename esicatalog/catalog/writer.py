@@ -10,7 +10,7 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import RowBuffer
 from esicatalog.catalog.key_map import KeyMap
-from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, codec, to_json
+from esicatalog.catalog.mapping import PARENTS, codec, to_json
 from esicatalog.catalog.rows import (
     DeviceRows,
     DiagnosticsRows,
@@ -31,14 +31,6 @@ from esicatalog.esi.records.document import Vendor
 from esicatalog.esi.stages import Stages
 
 _NO_VENDOR = (None,) * len(codec(Vendor).columns)
-
-_PARENTS = {
-    child.table: parent
-    for parent, record in TABLE_RECORDS.items()
-    for child in CHILDREN.get(record, ())
-    if child.under_parent
-}
-"""Parent table of the tables whose rows hang on another row."""
 
 
 class SourceRow(NamedTuple):
@@ -370,7 +362,7 @@ class Writer:
                 table_rows = self._profiles(rows, table_rows)
             first[table] = self._buffer.add_numbered(table, table_rows, device_id, module_id)
         for table, parts in rows.owned.parts.items():
-            base = first[_PARENTS[table]]
+            base = first[PARENTS[table]]
             for number, numbers in parts:
                 self._buffer.add_part(table, base + number, maker, numbers)
         self._add_images(rows.owned.images)
