@@ -159,6 +159,27 @@ def test_a_dictionary_that_is_something_else_is_told(tmp_path):
     assert "EtherCATInfo" in finding.message
 
 
+@pytest.mark.parametrize(
+    ("reference", "content", "words"),
+    [
+        ("DictionaryFile", "<EtherCATDict/>", "holds no Dictionary"),
+        ("DictionaryFile", "<EtherCATDiag/>", "its root EtherCATDiag does not fit DictionaryFile"),
+        ("DiagFile", "<EtherCATDiag/>", "holds no DiagMessages"),
+        ("DiagFile", "<EtherCATDict/>", "its root EtherCATDict does not fit DiagFile"),
+        ("InfoReference", "<EtherCATModule><Vendor><Id>1</Id></Vendor></EtherCATModule>", "holds no Module"),
+        ("InfoReference", "<EtherCATDict/>", "its root EtherCATDict does not fit InfoReference"),
+    ],
+)
+def test_a_referenced_document_without_what_is_looked_for_is_told(tmp_path, reference, content, words):
+    named = f"<{reference}>other.xml</{reference}>"
+    text = esi(device("" if reference == "InfoReference" else f"<Profile>{named}</Profile>"))
+    if reference == "InfoReference":
+        text = text.replace("<Vendor>", f"{named}<Vendor>", 1)
+    write(tmp_path, {"drive.xml": text, "other.xml": content})
+    (finding,) = read_esi(tmp_path / "drive.xml").findings
+    assert (finding.rule, finding.message) == ("L60", f"{reference} 'other.xml' cannot be used: {words}")
+
+
 def test_a_document_that_refers_to_itself_ends(tmp_path):
     document = esi(device()).replace("<Vendor>", "<InfoReference>self.xml</InfoReference><Vendor>", 1)
     write(tmp_path, {"self.xml": document})
