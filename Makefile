@@ -21,9 +21,10 @@ $(VENV)/installed: pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
 	touch $@
 
+# Exit code 1 of ingest names documents that failed; the others are served.
 serve: install
-	$(BIN)/esicatalog ingest $(ESI) --db $(DB)
-	$(BIN)/esicatalog serve --db $(DB) --port $(PORT)
+	$(BIN)/esicatalog ingest "$(ESI)" --db "$(DB)" || test $$? -eq 1
+	$(BIN)/esicatalog serve --db "$(DB)" --port $(PORT)
 
 test: install lint
 	$(BIN)/python -m pytest -n auto --dist loadfile --no-loadscope-reorder -m 'not corpus and not faults'

@@ -63,6 +63,10 @@ DAMAGES = {
         ["INSERT INTO images (sha256, data) VALUES ('x', x'00')"],
         "1 rows of images that nothing refers to",
     ),
+    "the bytes of an image": (
+        ["UPDATE images SET data = x'424D' WHERE sha256 = (SELECT min(sha256) FROM images)"],
+        "1 images that are not what their sha256 says: delete the catalog and ingest again",
+    ),
     "a name of nobody": (
         ["UPDATE device_names SET device_id = NULL, module_id = NULL WHERE id = 1"],
         "1 rows of device_names that do not belong to exactly one owner",

@@ -59,6 +59,48 @@ def test_references_as_vendors_write_them(tmp_path, document, reference, found):
 
 
 @pytest.mark.parametrize(
+    ("reference", "found"),
+    [
+        ("dict.xml", "dict.xml"),
+        ("Dict.xml", "Dict.xml"),
+        (r"x\a.xml", "x/a.xml"),
+        ("X/a.xml", "X/a.xml"),
+        ("x/A.XML", "x/a.xml"),
+        ("X/A.XML", "X/a.xml"),
+        (r"y\b.xml", "y/b.xml"),
+        (r"Y\B.xml", "y/b.xml"),
+        ("DICT.xml", "Dict.xml"),
+    ],
+)
+def test_what_is_written_as_in_the_document_comes_first(tmp_path, reference, found):
+    members = ("dict.xml", "Dict.xml", "x/a.xml", "X/a.xml", "Y/other.xml", "y/b.xml")
+    folder, archive = containers_with(tmp_path, *members)
+    if not (folder.root / "Dict.xml").samefile(folder.root / "dict.xml"):
+        assert resolve_reference(folder, "EL.xml", reference) == found
+    assert resolve_reference(archive, "EL.xml", reference) == found
+
+
+def test_symbolic_links_do_not_multiply_the_ways(tmp_path):
+    folder = write(tmp_path / "folder", {"b.xml": "x"})
+    for name in ("loop", "Loop"):
+        (folder / name).symlink_to(folder)
+    assert resolve_reference(Folder(folder), "EL.xml", "loop/" * 40 + "b.xml") == "loop/" * 40 + "b.xml"
+    (folder / "end.xml").symlink_to(folder / "end.xml")
+    assert resolve_reference(Folder(folder), "EL.xml", "end.xml") is None
+
+
+def test_an_archive_whose_names_have_backslashes(tmp_path):
+    """As .NET wrote them before 4.6.1; a folder's own entry ends in one."""
+    archive = Archive(zipped(**{"ESI\\": b"", "ESI\\Dev_dot_xml": b"1", "ESI\\d_dot_xml": b"2", "d_dot_xml": b"3"}))
+    assert archive.members() == [("ESI/Dev.xml", 1), ("ESI/d.xml", 1), ("d.xml", 1)]
+    assert archive.read("ESI/d.xml") == b"2"
+    assert resolve_reference(archive, "ESI/Dev.xml", "d.xml") == "ESI/d.xml"
+    assert resolve_reference(archive, "ESI/Dev.xml", r"..\D.xml") == "d.xml"
+    both = Archive(zipped(**{"ESI\\a_dot_xml": b"1", "ESI__a_dot_xml": b"2"}))
+    assert (both.repeated, both.read("ESI/a.xml")) == (["ESI/a.xml"], b"2")
+
+
+@pytest.mark.parametrize(
     "reference",
     [
         *(
@@ -115,6 +157,27 @@ def test_a_dictionary_that_is_something_else_is_told(tmp_path):
     (finding,) = read_esi(tmp_path / "drive.xml").findings
     assert finding.rule == "L60"
     assert "EtherCATInfo" in finding.message
+
+
+@pytest.mark.parametrize(
+    ("reference", "content", "words"),
+    [
+        ("DictionaryFile", "<EtherCATDict/>", "holds no Dictionary"),
+        ("DictionaryFile", "<EtherCATDiag/>", "its root EtherCATDiag does not fit DictionaryFile"),
+        ("DiagFile", "<EtherCATDiag/>", "holds no DiagMessages"),
+        ("DiagFile", "<EtherCATDict/>", "its root EtherCATDict does not fit DiagFile"),
+        ("InfoReference", "<EtherCATModule><Vendor><Id>1</Id></Vendor></EtherCATModule>", "holds no Module"),
+        ("InfoReference", "<EtherCATDict/>", "its root EtherCATDict does not fit InfoReference"),
+    ],
+)
+def test_a_referenced_document_without_what_is_looked_for_is_told(tmp_path, reference, content, words):
+    named = f"<{reference}>other.xml</{reference}>"
+    text = esi(device("" if reference == "InfoReference" else f"<Profile>{named}</Profile>"))
+    if reference == "InfoReference":
+        text = text.replace("<Vendor>", f"{named}<Vendor>", 1)
+    write(tmp_path, {"drive.xml": text, "other.xml": content})
+    (finding,) = read_esi(tmp_path / "drive.xml").findings
+    assert (finding.rule, finding.message) == ("L60", f"{reference} 'other.xml' cannot be used: {words}")
 
 
 def test_a_document_that_refers_to_itself_ends(tmp_path):

@@ -290,6 +290,8 @@ def test_vendor_specific_xml_reads_the_same(raw):
         "<Mailbox><VoE><Own>5</Own></VoE></Mailbox>",
         "<GroupType>again</GroupType>",
         "<Mailbox><CoE/></Mailbox><Mailbox><CoE SdoInfo='1'/></Mailbox>",
+        "<Mailbox><CoE/></Mailbox><Mailbox><EoE/><FoE/></Mailbox>",
+        "<Odd><In/><In/><Other> </Other></Odd>",
         "<Info odd='6'/><Info><Odd>7</Odd></Info>",
         "<Info><Port/><Port><Odd/></Port></Info>",
         "<Dc><OpMode/>stray</Dc>",

@@ -460,6 +460,27 @@ def test_overlapping_paths_in_any_order(tmp_path, library):
     assert ingest(tmp_path / "b.db", library / "other", library)[1] == first
 
 
+def test_what_an_outer_folder_resolved_stays_when_an_inner_one_is_read_again(tmp_path):
+    profile = r"<Profile><DictionaryFile>..\dict.xml</DictionaryFile></Profile>"
+    outer = write(tmp_path / "outer", {"dict.xml": EXTERNAL.format("O"), "inner/dev.xml": esi(device(profile))})
+    db = tmp_path / "c.db"
+    indices = "SELECT object_index FROM device_objects"
+    _, first = ingest(db, outer)
+    for inner in (outer / "inner", outer / "inner" / "dev.xml"):
+        report, content = ingest(db, inner)
+        assert (statuses(report), content) == ({"inner/dev.xml": "unchanged"}, first)
+    write(outer, {"inner/dev.xml": esi(device(profile, name="another"))})
+    assert statuses(ingest(db, outer / "inner")[0]) == {"inner/dev.xml": "stored"}
+    assert rows(db, indices) == [(0x2000,)]
+    write(outer, {"dict.xml": EXTERNAL.format("O").replace("#x2000", "#x2001")})
+    assert statuses(ingest(db, outer / "inner")[0]) == {"inner/dev.xml": "stored"}
+    assert rows(db, indices) == [(0x2001,)]
+    (outer / "dict.xml").unlink()
+    assert statuses(ingest(db, outer / "inner")[0]) == {"inner/dev.xml": "stored"}
+    assert rows(db, indices) == []
+    assert rows(db, "SELECT message FROM findings WHERE rule = 'L60'") != []
+
+
 def test_an_archive_that_was_ingested_alone_is_named_as_in_its_folder(tmp_path, library):
     """A member's path is part of the content hash."""
     archive = zip_folder(library / "other", library / "other" / "a.zip")

@@ -435,6 +435,24 @@ def test_slots_and_op_modes_are_counted_as_options_take_them(tmp_path):
 
 
 @pytest.mark.parametrize(
+    ("slot", "ident", "count"),
+    [
+        ("", "", 1),
+        ("", 'Default="1"', 0),
+        ("", 'Default="yes"', 0),
+        ('Default="#xZ"', "", 0),
+        ('Fallback="#xZ"', "", 0),
+        ('MaxInstances="#xZ"', "", 1),
+    ],
+)
+def test_a_preset_that_cannot_be_read_is_not_missing(tmp_path, slot, ident, count):
+    idents = f"<ModuleIdent {ident}>1</ModuleIdent><ModuleIdent>2</ModuleIdent>"
+    modules = "".join(f'<Module><Type ModuleIdent="{n}">M{n}</Type><Name>M</Name></Module>' for n in (1, 2))
+    content = f'{MAILBOX_AND_PROCESS_DATA}<Slots><Slot MinInstances="1" {slot}><Name>s</Name>{idents}</Slot></Slots>'
+    assert len(linted(tmp_path, "L53", device(content), modules)) == count
+
+
+@pytest.mark.parametrize(
     ("attributes", "modes", "words"),
     [
         ("", ["#x1600", "#x1601"], "the OpMode 'M0' assigns both: take one of them out of its list"),

@@ -68,6 +68,13 @@ def test_hex_dec_value_of_the_schema(text, value):
     assert parsed.remark is None
 
 
+@pytest.mark.parametrize("kind", [HEX, HEX8, HEX16])
+@pytest.mark.parametrize("value", [-4096, -1, 0, 1, 255])
+def test_numbers_of_records_made_by_hand_are_spelled_as_they_are_read(kind, value):
+    """HexDecValue has a sign before decimal digits only."""
+    assert kind.read(kind.spell(value))[:2] == (value, None)
+
+
 @pytest.mark.parametrize("text", ["0x1a00", "0X1A00", "#x0x1A00", "#x0x6041", "#X1000"])
 def test_foreign_prefixes_are_read_with_a_remark(text):
     parsed = HEX.read(text)

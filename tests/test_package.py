@@ -1,11 +1,13 @@
 """The package as a whole: short modules, explained names, and nothing loaded that is not needed."""
 
 import ast
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from conftest import CHECKOUT
 
 import esicatalog
 
@@ -69,3 +71,23 @@ def test_a_worker_that_has_read_a_document_has_not_loaded_sqlalchemy(data):
 def test_alembic_is_loaded_only_to_migrate(data_db):
     code = f"from esicatalog import Catalog\nCatalog.open({str(data_db)!r}).devices()"
     assert loaded_by(code) & {"alembic", "datasette", "click"} == set()
+
+
+@pytest.mark.skipif(shutil.which("make") is None, reason="no make here")
+@pytest.mark.parametrize(("code", "served"), [(0, True), (1, True), (2, False)])
+def test_make_serve_shows_what_could_be_read(tmp_path, code, served):
+    """Exit code 1 of an ingest: a document failed; 2: it cannot be used at all. The program here only tells of it."""
+    programs = tmp_path / "bin"
+    programs.mkdir()
+    program = programs / "esicatalog"
+    program.write_text(f'#!/bin/sh\nprintf "%s|" "$@"\necho\ntest $1 != ingest || exit {code}\n')
+    program.chmod(0o755)
+    (tmp_path / "installed").touch()
+    variables = (f"VENV={tmp_path}", "ESI=ven dor/a", "DB=my own.db", "PORT=8123")
+    command = ["make", "--silent", "--no-print-directory", "serve", *variables]
+    done = subprocess.run(command, cwd=CHECKOUT, capture_output=True, text=True)
+    assert done.stdout.splitlines() == [
+        "ingest|ven dor/a|--db|my own.db|",
+        *(["serve|--db|my own.db|--port|8123|"] if served else []),
+    ]
+    assert (done.returncode == 0) == served

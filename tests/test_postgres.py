@@ -1,5 +1,6 @@
 """PostgreSQL beside SQLite: the same tables, rows and views, and the same answers."""
 
+import hashlib
 import json
 import random
 import sqlite3
@@ -20,7 +21,7 @@ from alembic.migration import MigrationContext
 from click.testing import CliRunner, Result
 from conftest import CHECKOUT
 from questions import FILTERS, answers
-from snippets import device, esi, write
+from snippets import device, dictionary, esi, write
 from test_upgrade import OLDER, some
 
 from esicatalog import Catalog, CatalogError
@@ -274,6 +275,27 @@ def test_a_read_only_catalog_takes_no_changes(postgres, data):
         with pytest.raises(CatalogError, match="read-only transaction; the database takes no changes"):
             catalog.ingest([data / "io_terminal_8di_8do.xml"], jobs=1)
         assert catalog.devices() == []
+
+
+def test_a_server_whose_texts_have_backslashes_of_their_own(postgres_cluster, tmp_path):
+    """With standard_conforming_strings off a backslash in a text begins an escape sequence."""
+    one = "<Object><Index>#x2000</Index><Name>O</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+    picture = "<ImageData16x14>424D005C5C30FF</ImageData16x14>"
+    folder = write(tmp_path, {"a.xml": esi(device(picture + dictionary("", one), type_text=r"a_b\\c"))})
+    stored: list[list[Any]] = []
+    for setting in ("on", "off"):
+        target = f"{postgres_cluster.new_database()}&options=-cstandard_conforming_strings%3D{setting}"
+        with Catalog.open(target, create=True) as catalog:
+            catalog.ingest([folder], jobs=1)
+            assert [found.type for found in catalog.devices(text=r"a_b\\c")] == [r"a_b\\c"]
+            assert catalog.devices(text="axb") == []
+            assert catalog.check().problems == []
+        with closing_engine(target) as engine, engine.connect() as connection:
+            query = "SELECT sha256, data, content_hash FROM images, objects"
+            stored.append([tuple(row) for row in connection.exec_driver_sql(query)])
+    ((sha256, data, _),) = stored[0]
+    assert (sha256, data) == (hashlib.sha256(data).hexdigest(), bytes.fromhex("424D005C5C30FF"))
+    assert stored[1] == stored[0]
 
 
 def test_who_only_reads_needs_no_right_to_write(postgres_cluster, tmp_path, data):

@@ -58,6 +58,21 @@ def test_a_repeated_record_is_kept():
     assert unmapped(text)["Mailbox[1]/EoE/@IP"] == "1"
 
 
+@pytest.mark.parametrize(
+    ("content", "kept"),
+    [
+        ("<Mailbox><CoE/></Mailbox><Mailbox><EoE/></Mailbox>", {"Mailbox[1]/EoE": ""}),
+        ("<foo><bar/><baz>1</baz></foo>", {"foo/bar": "", "foo/baz": "1"}),
+        (
+            "<Mailbox><QoE><Fast/></QoE><XoE a='1'><Fast> </Fast></XoE></Mailbox>",
+            {"Mailbox/QoE/Fast": "", "Mailbox/XoE/@a": "1", "Mailbox/XoE/Fast": ""},
+        ),
+    ],
+)
+def test_empty_elements_are_kept(content, kept):
+    assert unmapped(esi(device(content))) == kept
+
+
 def test_stray_text_is_kept():
     text = esi(device("<Dc>stray\n<OpMode><Name>DC</Name></OpMode>tail</Dc>after"))
     assert sorted(item.value for item in only_device(text).unmapped) == ["after", "stray", "tail"]

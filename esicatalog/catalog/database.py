@@ -140,16 +140,20 @@ def make_engine(url: sa.URL, read_only: bool = False) -> sa.Engine:
                 connection.execute("PRAGMA query_only = ON")
 
     else:
-        sa.event.listen(engine, "connect", _keep_to_schema)
+        # Before SQLAlchemy asks the first connection how its server reads texts.
+        sa.event.listen(engine, "connect", _prepare_session, insert=True)
     return engine
 
 
-def _keep_to_schema(connection: Any, record: Any) -> None:
-    """All of a catalog lies in one schema: nothing is made or found in those that stand before it on the search path.
+def _prepare_session(connection: Any, record: Any) -> None:
+    """Make a server's session read texts as SQL says, and keep to the schema of the catalog.
 
-    Where it stands first the path stays as it is, and a new catalog is made in the first schema.
+    Servers, databases and users may have backslashes in texts stand for other characters; bytes that are copied in
+    would be stored wrong. All of a catalog lies in one schema: nothing is made or found in those that stand before it
+    on the search path. Where it stands first the path stays as it is, and a new catalog is made in the first schema.
     """
     with connection.cursor() as cursor:
+        cursor.execute("SET standard_conforming_strings TO on")
         found = cursor.execute(_SCHEMA_OF_CATALOG).fetchone()
         if found is not None and found[1] > 1:
             cursor.execute(f"SET search_path TO {found[0]}")

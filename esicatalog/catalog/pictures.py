@@ -1,11 +1,15 @@
 """Pictures of devices by their key: bytes for browsers, hex text for records."""
 
 from collections.abc import Iterable
+from typing import Any
 
 import sqlalchemy as sa
 
 from esicatalog.catalog.bulk import chunks
+from esicatalog.catalog.mapping import image_key
 from esicatalog.catalog.schema import images
+
+_BATCH_ROWS = 100
 
 
 def picture_of(connection: sa.Connection, sha256: str) -> bytes | None:
@@ -20,5 +24,15 @@ def picture_texts(connection: sa.Connection, keys: Iterable[str]) -> dict[str, s
     for part in chunks(sorted(keys)):
         query = sa.select(images.c.sha256, images.c.data, images.c.malformed).where(images.c.sha256.in_(part))
         for key, data, malformed in connection.execute(query):
-            found[key] = malformed if data is None else bytes(data).hex().upper()
+            found[key] = _text(data, malformed)
     return found
+
+
+def damaged_pictures(connection: sa.Connection) -> int:
+    """How many pictures are not what their key says; SQLite cannot compute it."""
+    query = sa.select(images.c.sha256, images.c.data, images.c.malformed).execution_options(yield_per=_BATCH_ROWS)
+    return sum(image_key(_text(data, malformed)) != key for key, data, malformed in connection.execute(query))
+
+
+def _text(data: bytes | None, malformed: Any) -> Any:
+    return malformed if data is None else bytes(data).hex().upper()

@@ -1,9 +1,11 @@
 """Where documents lie: folders and zip archives, with references that never lead outside.
 
 A reference in an ESI file (``DictionaryFile``, ``DiagFile``, ``InfoReference``) is relative to the document, often
-with Windows separators and another letter case than on disk. Member names are relative paths with ``/``.
+with Windows separators and another letter case than on disk; a file that is written as there comes first. Member names
+are relative paths with ``/``.
 """
 
+import contextlib
 import copy
 import errno
 import io
@@ -13,7 +15,7 @@ import stat
 import zipfile
 from collections import Counter
 from collections.abc import Iterable
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Protocol
 
 from zlib_ng import zlib_ng
@@ -48,7 +50,7 @@ class Container(Protocol):
         """Bytes of a member; raises :class:`BrokenDocument` when they cannot be read."""
 
     def find(self, member: str) -> str | None:
-        """The member with this name in any letter case, or None."""
+        """The member with this name, else the closest one in another letter case, or None."""
 
 
 def reference_path(reference: str) -> str:
@@ -65,6 +67,14 @@ def resolve_reference(container: Container, document: str, reference: str) -> st
     if joined.startswith(("../", "/")) or joined in ("..", "."):
         return None
     return container.find(joined)
+
+
+def _closest_first(member: str, fitting: Iterable[str]) -> list[str]:
+    """Paths that differ from ``member`` in letter case alone; first those whose first steps are written as there."""
+    steps = member.split("/")
+    return sorted(
+        fitting, key=lambda path: [(name != step, name) for name, step in zip(path.split("/"), steps, strict=False)]
+    )
 
 
 _NO_FILE = (None, errno.ENOENT, errno.ENOTDIR, errno.EISDIR, errno.ELOOP, errno.ENXIO)
@@ -127,33 +137,39 @@ class Folder:
 
     def __init__(self, root: Path) -> None:
         self.root = root.resolve()
-        self._listings: dict[str, dict[str, str]] = {}
+        self._listings: dict[str, dict[str, list[str]]] = {}
 
     def read(self, member: str) -> bytes:
         """Bytes of the file ``member`` below the folder."""
         return read_file(self.root / member)
 
     def find(self, member: str) -> str | None:
-        """The file with this path in any letter case."""
-        found = ""
-        for step in PurePosixPath(member).parts:
-            name = self._listing(found).get(step.lower())
-            if name is None:
-                return None
-            found = f"{found}/{name}" if found else name
-        path = self.root / found
-        inside = path.resolve().is_relative_to(self.root)
-        # Path.is_file() raises where the folder may be listed and not entered.
-        return found if inside and os.path.isfile(path) else None  # noqa: PTH113
+        """The file with this path, else the closest one in another letter case."""
+        found = {str(self.root): ""}
+        for step in member.split("/"):
+            fitting = [
+                posixpath.join(folder, name)
+                for folder in found.values()
+                for name in self._listing(folder).get(step.lower(), ())
+            ]
+            # By where they lead: symbolic links could multiply the ways without end.
+            found = {os.path.realpath(self.root / path): path for path in reversed(_closest_first(member, fitting))}
+        files = [
+            path
+            for place, path in found.items()
+            # Path.is_file() raises where the folder may be listed and not entered.
+            if Path(place).is_relative_to(self.root) and os.path.isfile(place)  # noqa: PTH113
+        ]
+        return files[-1] if files else None
 
-    def _listing(self, folder: str) -> dict[str, str]:
+    def _listing(self, folder: str) -> dict[str, list[str]]:
+        """The names in a folder, by what they are in lower case."""
         listing = self._listings.get(folder)
         if listing is None:
-            try:
-                names = sorted((entry.name for entry in (self.root / folder).iterdir()), reverse=True)
-            except OSError:
-                names = []
-            listing = self._listings[folder] = {name.lower(): name for name in names}
+            listing = self._listings[folder] = {}
+            with contextlib.suppress(OSError):
+                for entry in (self.root / folder).iterdir():
+                    listing.setdefault(entry.name.lower(), []).append(entry.name)
         return listing
 
 
@@ -185,16 +201,20 @@ class Archive:
             hidden = error.__context__
             refused = hidden if isinstance(hidden, OSError) and is_unreadable(hidden) else error
             raise _refusal(refused, InputError, "not a usable zip archive") from error
-        infos = [info for info in self._zip.infolist() if not info.is_dir()]
-        if len(infos) > MAX_MEMBERS:
+        # Archives that Windows programs packed may have backslashes: zipfile turns them into slashes on Windows only.
+        named = [(info.filename.replace("\\", "/"), info) for info in self._zip.infolist()]
+        named = [(name, info) for name, info in named if not name.endswith("/")]
+        if len(named) > MAX_MEMBERS:
             raise InputError(f"archive with more than {MAX_MEMBERS} members")
-        self.expanded_bytes = sum(info.file_size for info in infos)
+        self.expanded_bytes = sum(info.file_size for _, info in named)
         if self.expanded_bytes > MAX_EXPANDED_BYTES:
             raise InputError(f"archive expands to more than {MAX_EXPANDED_BYTES // 2**30} GB")
-        self._infos = {info.filename: info for info in infos}
-        self.repeated = sorted(name for name, count in Counter(info.filename for info in infos).items() if count > 1)
+        self._infos = dict(named)
+        self.repeated = sorted(name for name, count in Counter(name for name, _ in named).items() if count > 1)
         """Names that several members have; the last one is meant, as in a folder that the archive is unpacked to."""
-        self._by_lower = {name.lower().replace("\\", "/"): name for name in sorted(self._infos, reverse=True)}
+        self._by_lower: dict[str, list[str]] = {}
+        for name in self._infos:
+            self._by_lower.setdefault(name.lower(), []).append(name)
 
     def members(self) -> list[tuple[str, int]]:
         """Names and expanded sizes in bytes of all members, sorted by name."""
@@ -241,8 +261,8 @@ class Archive:
         return content
 
     def find(self, member: str) -> str | None:
-        """The member with this path in any letter case."""
-        return self._by_lower.get(member.lower())
+        """The member with this path, else the closest one in another letter case."""
+        return next(iter(_closest_first(member, self._by_lower.get(member.lower(), ()))), None)
 
 
 def open_container(root: str, in_archive: bool, nested: Iterable[str] = ()) -> Container:

@@ -122,15 +122,15 @@ class Notes:
         self._keep(self.path(element, self._base), text.strip())
 
     def unmapped_element(self, element: etree._Element, repeated: bool = False) -> None:
-        """An element that no field takes: one finding, every value of its subtree kept."""
+        """An element that no field takes: one finding, every value and every empty element of its subtree kept."""
         words = "occurs again" if repeated else "is unknown here"
         self.find(element, "L05", "W", f"element {element.tag!s} {words}; kept in unmapped")
         for part in element.iter():
             path = self.path(part, self._base)
-            if part is element and not len(part) and not part.text and not part.attrib:
-                self._keep(path, "")
-            if part.text and part.text.strip():
-                self._keep(path, part.text.strip())
+            text = (part.text or "").strip()
+            # An empty element says something by being there, as CoE does.
+            if text or not (len(part) or part.attrib):
+                self._keep(path, text)
             if part is not element and part.tail and part.tail.strip():
                 self._keep(path + "/following-text", part.tail.strip())
             for name, text in part.attrib.items():

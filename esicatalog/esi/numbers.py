@@ -216,7 +216,7 @@ def _spell_float(value: float) -> str:
 
 
 def _spell_hex(value: int) -> str:
-    return f"#x{value:04X}"
+    return f"#x{value:04X}" if value >= 0 else str(value)  # a sign stands before decimal digits only
 
 
 HEX = Scalar("HexDecValue", _hex_dec(MAX_STORED), _spell_hex)

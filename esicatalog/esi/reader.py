@@ -42,6 +42,12 @@ OWNERS: frozenset[type] = frozenset({Device, Module})
 _REPEATED = (DataType, SubItem, Object, InfoSubItem, Pdo, Entry, OpMode, DiagMessage)
 """Records of parts that repeat from device to device and from revision to revision."""
 _WITHOUT_REFERENCES = ("EtherCATDict", "EtherCATDiag")
+_FITTING = {
+    "DictionaryFile": ("EtherCATDict", "Dictionary"),
+    "DiagFile": ("EtherCATDiag", "DiagMessages"),
+    "InfoReference": ("EtherCATModule", "Module"),
+}
+"""What a reference is meant for: the root of such a document, and what is taken from it."""
 _MAX_STANDALONE = 1_000
 _MAX_TREES_BYTES = 8_000_000
 """Of the text of kept trees, which take five times as much; the dictionaries of the largest library seen have 12 MB."""
@@ -187,7 +193,9 @@ class Reader:
             "InfoReference": _modules_of(document) or None,
         }[kind]
         if held is None:
-            raise NotAnEsiDocument(f"its root {document.root} does not fit {kind}")
+            root, part = _FITTING[kind]
+            fault = f"holds no {part}" if document.root == root else f"its root {document.root} does not fit {kind}"
+            raise NotAnEsiDocument(fault)
         return held, document
 
     def _read_pulled(self, kind: str, container: Container, member: str, content: bytes, sha256: str) -> ReadDocument:

@@ -130,7 +130,7 @@ def _look_below(found: Iterable[FoundDocument | FoundArchive], held: Held) -> _B
         inside.setdefault(document.archive, []).append((where, document))
     for item in found:
         if not isinstance(item, FoundArchive):
-            below.documents.append(item)
+            below.documents.append(_as_from_outer_folder(item, held.documents.get(item.location)))
             continue
         members = _members(item, inside.get(item.location, []))
         try:
@@ -147,6 +147,17 @@ def _look_below(found: Iterable[FoundDocument | FoundArchive], held: Held) -> _B
             below.archives[item.location] = sha256
             below.documents.extend(archive_members(item))
     return below._replace(documents=list(_one_of_each(below.documents, below.known)))
+
+
+def _as_from_outer_folder(item: FoundDocument, known: HeldDocument | None) -> FoundDocument:
+    """A file as it was found before below an outer folder: what it refers to may lie there, outside of the inner one.
+
+    So it is, too, where both folders are given at once.
+    """
+    if known is None or item.problem is not None or len(known.member) <= len(item.member):
+        return item
+    root = Path(item.location).parents[known.member.count("/")]
+    return item._replace(member=known.member, root=str(root), name=known.member)
 
 
 def _one_of_each(documents: Iterable[FoundDocument], known: Set[str]) -> Iterator[FoundDocument]:

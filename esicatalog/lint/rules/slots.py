@@ -8,12 +8,16 @@ from esicatalog.esi.records.mailbox import InitCmd
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.esi.records.profile import declared_objects
+from esicatalog.esi.records.slots import Slot
+from esicatalog.esi.unreadable import unreadable_values
 from esicatalog.lint.registry import ERROR, WARNING, Found, Place, listed, rule
 from esicatalog.lint.subjects import DeviceSubject, InfoSubject, ModuleSubject
 from esicatalog.model.device_words import init_cmd_target
 from esicatalog.model.pdo_facts import entry_words, pdos_by_direction
 from esicatalog.model.slots import accepts, default_modules, expand_module, leaving_indices, preset_ident, slot_runs
 from esicatalog.words import index_words
+
+_PRESETS = ("is_default", "default_ident", "fallback_ident")
 
 
 @rule("L53", ERROR, "ETG.2000 Slot/ModuleIdent, @Default, @MinInstances, @MaxInstances")
@@ -46,7 +50,7 @@ def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
             preset.append(slot.default_ident)
         if len(preset) > 1:
             yield Found(f"{words} presets {len(preset)} modules: only one can be plugged", place)
-        elif preset_ident(slot) is None and len(slot.module_idents) > 1 and slot.min_instances:
+        elif slot.min_instances and len(slot.module_idents) > 1 and not (preset or _may_preset(slot)):
             yield Found(
                 f"{words} needs a module (MinInstances {slot.min_instances}) and presets none: "
                 "mark one ModuleIdent with Default=1",
@@ -56,6 +60,12 @@ def slot_modules(subject: DeviceSubject) -> Iterator[Found]:
         lowest, highest = slot.min_instances, slot.max_instances
         if lowest is not None and highest is not None and lowest > highest:
             yield Found(f"{words} has MinInstances {lowest} above MaxInstances {highest}", place)
+
+
+def _may_preset(slot: Slot) -> bool:
+    """Whether a slot presets a module, or says so in a way that cannot be read."""
+    said = unreadable_values(slot, lambda record: True, lambda record, name: name in _PRESETS)
+    return preset_ident(slot) is not None or any(said)
 
 
 @rule("L54", ERROR, "ETG.2000 Module Type/@ModuleIdent: what slots and 0xF030 refer to")
