@@ -30,8 +30,8 @@ def test_a_declaration_says_to_read_the_drive():
 
 
 def test_a_declaration_names_the_object_of_its_axis():
-    controlword = "<Object><Index>#x6840</Index><Name>c</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
-    found = one_drive(dictionary(supported_modes("80000000"), controlword, supported_modes("00010000", index="6D02")))
+    words = word_objects("6840", "6841")
+    found = one_drive(dictionary(supported_modes("80000000"), words, supported_modes("00010000", index="6D02")))
     assert verdicts(found, axis=1)["CSV"] == "yes"
     declared = [item.evidence for item in found.evidence if item.axis == 1]
     assert declared and all(text.endswith("read 0x6D02 on the drive") for text in declared)
@@ -205,8 +205,36 @@ def test_a_negative_number_of_an_unsigned_0x6502_says_nothing():
     assert verdicts(one_drive(dictionary(negative))) == {}
 
 
-def test_encoder_claims_no_mode():
-    assert one_drive(dictionary(supported_modes("FFFF0000")), profile="406").verdicts == ()
+def word_objects(*indices: str, kind: str = "UINT") -> str:
+    """Objects of 16 bits."""
+    return "".join(
+        f"<Object><Index>#x{index}</Index><Name>w</Name><Type>{kind}</Type><BitSize>16</BitSize></Object>"
+        for index in indices
+    )
+
+
+ACCELERATION = '<TxPdo Sm="3"><Index>#x1A00</Index><Name>I</Name><Entry><Index>#x6040</Index><SubIndex>0</SubIndex>'
+ACCELERATION += "<BitLen>16</BitLen></Entry></TxPdo>"
+
+
+@pytest.mark.parametrize(
+    ("objects", "pdos"),
+    [
+        ("", ""),
+        (word_objects("6030", "6040", kind="INT"), ACCELERATION),
+        (word_objects("6030", "6040"), ""),
+    ],
+)
+def test_encoder_claims_no_mode(objects, pdos):
+    """CiA 406 has the acceleration value at 0x6040 and the number of distinguishable revolutions at 0x6502."""
+    found = one_drive(dictionary(supported_modes("00010000"), objects) + pdos, profile="406")
+    assert (found.verdicts, found.evidence) == ((), ())
+
+
+@pytest.mark.parametrize("profile", ["406", "0"])
+def test_both_words_in_a_dictionary_are_an_axis(profile):
+    found = one_drive(dictionary(supported_modes("00010000"), word_objects("6040", "6041")), profile=profile)
+    assert verdicts(found)["CSV"] == "yes"
 
 
 def test_input_channel_0x6040_is_no_controlword():
@@ -438,8 +466,8 @@ def test_what_speaks_soe_may_be_a_drive():
 
 
 def test_idns_are_no_objects():
-    """P-0-0040 is IDN 0x8040: a word of 16 bits, as the controlword of axis 4 would be."""
-    motor_current = "<Object><Index>#x8040</Index><Name>c</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+    """P-0-0064 and P-0-0065 are IDN 0x8040 and 0x8041: words of 16 bits, as those of axis 4 would be."""
+    motor_current = word_objects("8040", "8041")
     for protocols, axes in (("<SoE/>", set()), ("<CoE/><SoE/>", {4})):
         found = one_drive(dictionary(motor_current) + f"<Mailbox>{protocols}</Mailbox>", profile="0")
         assert {item.axis for item in found.evidence} == axes
