@@ -575,6 +575,8 @@ def placeholder(mark: str = ' OverwrittenByModule="1"') -> str:
 
 
 CSV_MODULE = declaring(drive_module(2, "6040", "60FF", name="Outputs", moves=False), "00010000")
+CSP_MODULE = declaring(drive_module(2, "6040", name="Outputs", moves=False).replace("#x1600", "#x1601"), "80000000")
+MOVING = '<Index DependOnSlot="1">'
 
 
 def test_an_object_marked_overwritten_by_module_yields_to_the_module():
@@ -588,9 +590,31 @@ def test_an_object_marked_overwritten_by_module_yields_to_the_module():
 
 def test_an_object_that_is_not_marked_counts_beside_the_modules():
     found = modular_drive(slot(2, is_default=True), CSV_MODULE, profile=placeholder(mark=""))
-    csv = next(item for item in found.verdicts if item.mode == "CSV")
-    assert (csv.verdict, csv.conflict) == ("likely", True)
-    assert verdicts(found)["CSP"] == "yes"
+    csv, csp = (verdict_of(found, mode) for mode in ("CSV", "CSP"))
+    assert (csv.verdict, csv.conflict) == (csp.verdict, csp.conflict) == ("likely", True)
+
+
+@pytest.mark.parametrize(
+    ("slots", "modules", "csv", "conflict"),
+    [
+        (slot(2, is_default=True), CSP_MODULE, "no", True),
+        # A preset makes a slot that is never empty, whatever MinInstances says.
+        (slot(2, is_default=True).replace('MinInstances="1"', 'MinInstances="0"'), CSP_MODULE, "no", True),
+        (slot(2).replace('MinInstances="0"', 'MinInstances="1"'), CSP_MODULE, "no", True),
+        (slot(2), CSP_MODULE, "yes", False),
+        # Beside a module that says nothing, or that no document describes, the device's own evidence is all there is.
+        (slot(2, is_default=True).replace("</Slot>", "<ModuleIdent>1</ModuleIdent></Slot>"), CSP_MODULE, "yes", False),
+        (slot(2, is_default=True).replace("</Slot>", "<ModuleIdent>9</ModuleIdent></Slot>"), CSP_MODULE, "yes", False),
+        # The slot of another axis may be as full as it likes.
+        (slot(1, is_default=True) + slot(2, is_default=True), CSP_MODULE.replace("<Index>", MOVING), "yes", False),
+    ],
+)
+def test_where_a_slot_is_never_empty_no_device_is_alone(slots, modules, csv, conflict):
+    """The RxPDO of the device is named after CSV, and the module's 0x6502 says that there is none."""
+    outputs = rx_pdo(("6040", 16), ("60FF", 32), name="CSV outputs")
+    found = modular_drive(slots, IO_MODULE + modules, profile=f"<Profile><ProfileNo>402</ProfileNo></Profile>{outputs}")
+    verdict = next(item for item in found.verdicts if item.mode == "CSV" and item.axis == 0)
+    assert (verdict.verdict, verdict.conflict) == (csv, conflict)
 
 
 def test_a_marked_object_counts_while_the_slot_is_empty():
@@ -628,6 +652,43 @@ def writing(mode: int, mark: str = "") -> str:
 
 MARKED = ' OverwrittenByModule="1"'
 BOTH_SETPOINTS = rx_pdo(("6040", 16), ("607A", 32), ("60FF", 32))
+
+
+@pytest.mark.parametrize(
+    ("of_device", "of_module", "name", "expected"),
+    [
+        # 0x6060 holds 9, and the module has the setpoint of CSV.
+        (writing(9), "", "M", {"CSV": ("B1", False)}),
+        (writing(9), "", "Axis csp", {"CSV": ("C3", True)}),
+        # At PS the device writes before the module, at SO behind it.
+        (writing(8), writing(9), "M", {"CSV": ("B1", False)}),
+        (writing(8).replace("PS", "SO"), writing(9), "M", {"CSP": ("B1", False)}),
+        (writing(10), "", "M", {"CST": ("C2", True)}),
+    ],
+)
+def test_init_cmds_of_device_and_module_are_those_of_one_start(of_device, of_module, name, expected):
+    profile = f"<Profile><ProfileNo>402</ProfileNo></Profile>{of_device}"
+    module = f'<Module><Type ModuleIdent="2">{name}</Type><Name>{name}</Name>{BOTH_SETPOINTS}{of_module}</Module>'
+    found = modular_drive(slot(2, is_default=True), module, profile=profile)
+    started = {item.mode: (item.rank, item.conflict) for item in found.evidence if item.rank in ("B1", "C2", "C3")}
+    assert started == expected
+    ((mode, (rank, _)),) = expected.items()
+    assert (verdicts(found).get(mode) == "yes") is (rank == "B1")
+
+
+def test_beside_a_module_of_a_further_axis_the_pdos_of_the_device_are_there():
+    """The device maps the setpoint of the second axis and nothing else of it."""
+    module = (
+        drive_module(2, "6040", name="Outputs")
+        .replace("</RxPdo>", f"</RxPdo>{writing(9)}")
+        .replace(
+            "<InitCmd><Transition>PS</Transition><Index>",
+            '<InitCmd><Transition>PS</Transition><Index DependOnSlot="1">',
+        )
+    )
+    outputs = rx_pdo(("68FF", 32)).replace("#x1600", "#x1700")
+    found = modular_drive(slot(1, is_default=True) + slot(2, is_default=True), IO_MODULE + module, profile=outputs)
+    assert verdicts(found, axis=1)["CSV"] == "yes"
 
 
 def test_a_marked_init_cmd_yields_to_that_of_the_module():

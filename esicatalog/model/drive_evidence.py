@@ -3,7 +3,7 @@
 Ranks, scores and traps of ESI-FACTS section 16. Nothing here decides; :mod:`esicatalog.model.drive_modes` does.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Annotated, NamedTuple
 
 import msgspec
@@ -88,10 +88,9 @@ class ModeEvidence(Record):
 
 
 def find_evidence(part: Part) -> Iterator[ModeEvidence]:
-    """All findings of a part that has CiA 402 evidence."""
+    """The findings of a part that has CiA 402 evidence, whatever it acts together with."""
     yield from _supported_modes(part)
     yield from _listed(part)
-    yield from _init_commands(part)
     yield from _named(part)
     yield from _mapped(part)
     yield from _mappable(part)
@@ -261,15 +260,22 @@ def _as_sint(number: int) -> int:
     return number - 0x100 if number in range(0x80, 0x100) else number
 
 
-def _init_commands(part: Part) -> Iterator[ModeEvidence]:
-    """The InitCmd whose mode code 0x6060 has after a start."""
-    index = part.at(MODES_OF_OPERATION)
-    command = start_command(part.init_cmds, index)
+def start_evidence(parts: Sequence[Part]) -> Iterator[ModeEvidence]:
+    """The mode whose code 0x6060 has after a start of parts that act together, a module last.
+
+    Of their InitCmds the last of a start counts, the device's before those of a module, and any of them may have the
+    RxPDO of the setpoint. A module that has either is what the finding rests on, and its name may say otherwise.
+    """
+    index = parts[-1].at(MODES_OF_OPERATION)
+    command = start_command([command for part in parts for command in part.init_cmds], index)
     mode = written_mode(command, index) if command is not None else None
     if command is None or mode is None:
         return
+    writing = next(part for part in reversed(parts) if any(item is command for item in part.init_cmds))
+    by_part = ((part, mapping_pdos(part, mode)) for part in (writing, *parts))
+    mapping, pdos = next((found for found in by_part if found[1]), (writing, ()))
+    part = mapping if writing.plugged is None else writing
     words = f"InitCmd {'/'.join(command.transitions)} writes 0x{index:04X} = {mode.code} ({mode.name})"
-    pdos = mapping_pdos(part, mode) or mapping_pdos(part._replace(rx_pdos=part.beside), mode)
     if listed := other_named_modes(part.name, mode):
         text = f"{words}, but the module's name {part.name!r} lists {listed}"
         yield _finding(part, mode, "C3", text, conflict=True, object_index=index)
@@ -280,6 +286,11 @@ def _init_commands(part: Part) -> Iterator[ModeEvidence]:
     else:
         text = f"{words}, but no RxPDO maps its setpoint {setpoint_words(part, mode)}"
         yield _finding(part, mode, "C2", text, conflict=True, object_index=index)
+
+
+def writes_mode(part: Part) -> bool:
+    """Whether InitCmds of a part write 0x6060 in the course of a start."""
+    return start_command(part.init_cmds, part.at(MODES_OF_OPERATION)) is not None
 
 
 def written_mode(command: InitCmd, index: int) -> DriveMode | None:

@@ -48,8 +48,8 @@ class Part(NamedTuple):
     """The module that it is about, None for the device itself."""
     name: str = ""
     """Names of a module: type and name."""
-    beside: tuple[Pdo, ...] = ()
-    """RxPDOs of the device that are there beside a module's."""
+    slots: tuple[int, ...] = ()
+    """All slots in which the module drives this axis, the one that it is in first."""
     replaced: frozenset[int] = frozenset()
     """Objects of the device in whose place those of modules count."""
 
