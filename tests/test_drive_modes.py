@@ -744,6 +744,32 @@ def test_a_drive_behind_eight_slots_of_inputs_is_found():
     assert "0xA060" in csv.recipe  # 0x6060 + 8 * 0x800
 
 
+@pytest.mark.parametrize(
+    ("module", "words", "is_default"),
+    [
+        (
+            drive_module(2, "6040", "60FF").replace('<Index DependOnSlot="1">#x16', "<Index>#x16"),
+            "no setpoint: RxPDO 0x1600 has 0x60FF, but is ambiguous: "
+            "module 0x2 in slot 0 and module 0x2 in slot 1 describe it in different ways; ",
+            None,
+        ),
+        (
+            drive_module(2, "6040", "60FF", moves=False),
+            "RxPDO 0x1600 maps the setpoint; assigned twice by default, which no export makes: choose it once; ",
+            False,
+        ),
+        (drive_module(2, "6040", "60FF"), "RxPDO 0x1600 maps the setpoint; ", True),
+    ],
+)
+def test_a_setpoint_in_a_pdo_that_two_slots_assign_is_not_there_as_it_stands(module, words, is_default):
+    """Whatever an export assigns, it assigns once."""
+    found = modular_drive(slot(2, is_default=True) * 2, module)
+    csv = next(item for item in found.verdicts if item.mode == "CSV" and item.axis == 0)
+    assert csv.verdict == "yes"
+    assert csv.recipe.startswith(f"plug module 0x2 into slot 0 (default); {words}")
+    assert csv.rx_pdo_is_default is is_default
+
+
 def test_objects_that_do_not_depend_on_the_slot_belong_to_the_first_axis():
     """A drive in slot 1 was axis 1, and 0x6502 of the device, which has CSP only, did not speak against its CSV."""
     profile = f"<Profile><ProfileNo>402</ProfileNo>{dictionary(supported_modes('80000000'))}"
