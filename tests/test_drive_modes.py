@@ -833,6 +833,26 @@ def test_profile_402_of_a_module_counts_in_every_slot():
     assert [item.axis for item in found.verdicts if item.mode == "CSV"] == [0, 1]
 
 
+@pytest.mark.parametrize(
+    ("names", "written", "ranks"),
+    [
+        (("Axis (csp, csv)", "p"), None, {"C1"}),
+        (("Axis (csp only, csv not supported)", "p"), None, set()),
+        (("Axis", "CSV (reserved)"), None, set()),
+        (("Axis", "CSV"), None, {"C1"}),
+        (("Axis (csp only, csv not supported)", "p"), 9, {"C3"}),
+        (("Axis (not supported)", "p"), 9, {"B1"}),  # names no mode
+    ],
+)
+def test_a_name_that_denies_modes_claims_none(names, written, ranks):
+    module, pdo = names
+    moving = drive_module(2, "6040", "60FF", name=pdo, moves=False).replace("<Name>Module<", f"<Name>{module}<")
+    if written is not None:
+        moving = moving.replace("</RxPdo>", f"</RxPdo>{writing(written)}")
+    found = modular_drive(slot(2, is_default=True), moving)
+    assert {item.rank for item in found.evidence if item.mode == "CSV"} - {"D3 split"} == ranks
+
+
 def test_the_name_of_cstca_is_no_cst():
     """Its words begin with those of CST: the command to run it seemed to go against the name."""
     module = drive_module(2, "6040", "6071", "60EA", name="Outputs", moves=False)

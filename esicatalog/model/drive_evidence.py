@@ -24,6 +24,7 @@ from esicatalog.model.cia402 import (
     STANDARD_BITS,
     SUPPORTED_DRIVE_MODES,
     DriveMode,
+    claimed_modes,
     denies,
     named_modes,
 )
@@ -276,8 +277,8 @@ def start_evidence(parts: Sequence[Part]) -> Iterator[ModeEvidence]:
     mapping, pdos = next((found for found in by_part if found[1]), (writing, ()))
     part = mapping if writing.plugged is None else writing
     words = f"InitCmd {'/'.join(command.transitions)} writes 0x{index:04X} = {mode.code} ({mode.name})"
-    if listed := other_named_modes(part.name, mode):
-        text = f"{words}, but the module's name {part.name!r} lists {listed}"
+    if against := name_against(part.name, mode):
+        text = f"{words}, but the module's name {part.name!r} {against}"
         yield _finding(part, mode, "C3", text, conflict=True, object_index=index)
     elif pdos or not mode.setpoints:
         mapped = f"; {mapping_words(pdos)} its setpoint {setpoint_words(part, mode)}" if pdos else ""
@@ -309,22 +310,24 @@ def module_names(module: Module) -> str:
     return f"{module.type or ''} / {display_text(module.names) or ''}"
 
 
-def other_named_modes(name: str, mode: DriveMode) -> str:
-    """The modes that a module's name lists where a mode that its command writes is none of them, else empty."""
-    named = named_modes(name)
-    return ", ".join(sorted(named)) if mode.name not in named else ""
+def name_against(name: str, mode: DriveMode) -> str | None:
+    """What a module's name says of modes, where it names some and does not claim the one that a command writes."""
+    named = ", ".join(sorted(named_modes(name)))
+    if not named or mode.name in claimed_modes(name):
+        return None
+    return f"names {named} and denies one" if denies(name) else f"lists {named}"
 
 
 def _named(part: Part) -> Iterator[ModeEvidence]:
     """Names of the module or of a PDO that spell a mode whose setpoint is mapped there."""
-    for name in sorted(named_modes(part.name)):
+    for name in sorted(claimed_modes(part.name)):
         mode = DRIVE_MODES[name]
         pdos = mapping_pdos(part, mode)
         if pdos:
             text = f"module name {part.name!r} names {name}; {mapping_words(pdos)} {setpoint_words(part, mode)}"
             yield _finding(part, mode, "C1", text, pdo_index=pdos[0].pdo_index)
     for pdo in part.rx_pdos:
-        for name in sorted(named_modes(display_text(pdo.names) or "")):
+        for name in sorted(claimed_modes(display_text(pdo.names) or "")):
             mode = DRIVE_MODES[name]
             if maps_setpoint(part, pdo, mode.setpoints):
                 text = f"{pdo_words(pdo)} {display_text(pdo.names)!r} names {name} and maps its setpoint"

@@ -15,7 +15,7 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.axes import may_be_commanded
-from esicatalog.model.cia402 import CIA402, DRIVE_MODES, DriveMode, denies, named_modes
+from esicatalog.model.cia402 import CIA402, DRIVE_MODES, DriveMode, claimed_modes
 from esicatalog.model.dictionary import enum_values
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
 from esicatalog.model.drive_configurations import (
@@ -300,8 +300,7 @@ def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str]]:
         name: [
             (mode, text)
             for text in [display_text(item.texts) or "" for item in enum_values(name, types)]
-            if not denies(text)
-            for mode in sorted(named_modes(text))
+            for mode in sorted(claimed_modes(text))
         ]
         for name in types
     }
