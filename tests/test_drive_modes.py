@@ -155,6 +155,25 @@ def test_absent_and_zero_0x6502_say_nothing(data):
     assert verdicts(one_drive(dictionary(supported_modes(data)))) == {}
 
 
+@pytest.mark.parametrize("index", ["6502", "6060"])
+def test_the_number_of_entries_is_no_value(index):
+    """Subindex 0 of a record: 1, with the bit of PP; a maximum of 1, PP again."""
+    sub_items = "".join(
+        f"<SubItem><SubIdx>{at}</SubIdx><Name>s</Name><Type>{kind}</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{offset}</BitOffs></SubItem>"
+        for at, kind, bits, offset in ((0, "USINT", 8, 0), (1, "UDINT", 32, 16))
+    )
+    types = f"<DataType><Name>DT</Name><BitSize>48</BitSize>{sub_items}</DataType>"
+    values = "".join(
+        f"<SubItem><Name>s</Name><Info><MinValue>0</MinValue><MaxValue>1</MaxValue><DefaultData>{data}</DefaultData>"
+        "</Info></SubItem>"
+        for data in ("01", "80000000")
+    )
+    record = f"<Object><Index>#x{index}</Index><Name>m</Name><Type>DT</Type><BitSize>48</BitSize>"
+    found = one_drive(dictionary(f"{record}<Info>{values}</Info></Object>", types=types))
+    assert [item.rank for item in found.evidence] == ["F"]
+
+
 def test_swapped_bytes_are_likely_and_named():
     found = one_drive(dictionary(supported_modes("000003A0")))
     assert verdicts(found) == {"HM": "likely", "CSP": "likely", "CSV": "likely", "CST": "likely"}

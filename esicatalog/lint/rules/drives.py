@@ -86,7 +86,7 @@ def _doubtful_modes(subject: Owner) -> Iterator[Found]:
             declared = view.by_index.get(index)
             if declared is None or declared.overwritten_by_module:
                 continue
-            entry = (view.entries(index) or {}).get(0)
+            entry = view.single(index)
             if entry is None or (shift and subject.own.entries(CONTROLWORD + shift) is None):
                 continue
             modes = supported_modes(entry)
