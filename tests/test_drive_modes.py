@@ -1,5 +1,6 @@
 """CiA 402 drive modes: the rules of evidence on small drives, and the verdicts on real ones."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from esicatalog.esi.reader import Reader, read_esi
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.cia402 import denies, named_modes
+from esicatalog.model.drive_evidence import RANKS
 from esicatalog.model.drive_modes import DriveModes, drive_modes
 from esicatalog.model.slots import reachable_modules
 
@@ -22,6 +24,19 @@ def test_every_bit_of_0x6502_declares_its_mode():
     found = verdicts(one_drive(dictionary(supported_modes("AD030000"))))
     assert {mode for mode, word in found.items() if word == "yes"} == {"PP", "PV", "TQ", "HM", "CSP", "CSV", "CST"}
     assert {mode for mode, word in found.items() if word == "no"} == {"VL", "IP", "CSTCA"}
+
+
+def test_the_documented_weights_are_those_that_count():
+    """``| D3 | … | 0.40, split 0.20 | … |`` is D3 and D3 split."""
+    text = (DATA.parent / "docs" / "drive-modes.md").read_text("utf-8")
+    rows = [line.split("|")[1:-1] for line in text.splitlines() if re.match(r"\| [A-F]\S* ", line)]
+    assert all(example.strip() for _, _, _, example in rows)
+    weights = {
+        " ".join((rank.strip(), *re.findall("[a-z]+", one))): float(re.search(r"[\d.]+", one)[0])
+        for rank, _, weight, _ in rows
+        for one in weight.split(",")
+    }
+    assert weights == {rank: score for rank, (_, score) in RANKS.items()}
 
 
 def test_a_declaration_says_to_read_the_drive():
