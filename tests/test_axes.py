@@ -23,6 +23,11 @@ def mapping(kind: str, index: str, bits: int, subindex: int = 0) -> str:
         (mapping("RxPdo", "#x6840", 16), [1], [1]),
         # Nobody commands an axis by its statusword, and yet its values are those of an axis.
         (mapping("TxPdo", "#x6041", 16), [], [0]),
+        # An encoder sends its acceleration (CiA 406), and nobody commands by what is sent.
+        (mapping("TxPdo", "#x6040", 16), [], []),
+        # Joints of a robot have the two words the other way round.
+        (mapping("RxPdo", "#x6041", 16), [], [0]),
+        (mapping("RxPdo", "#x6041", 16) + mapping("TxPdo", "#x6040", 16), [], [0]),
         # On modular I/O 0x6040 is an input channel.
         (mapping("RxPdo", "#x6040", 8), [], []),
         (mapping("RxPdo", "#x6040", 16, subindex=1), [], []),
@@ -34,7 +39,7 @@ def test_axes(content, commanded, exchanged):
     found = only_device(esi(device(content)))
     views = DictionaryViews()
     assert [n for n in range(8) if is_commanded_axis(n, found.profiles, found.rx_pdos, ())] == commanded
-    assert list(exchanged_axes(found, found.profiles, (*found.rx_pdos, *found.tx_pdos), lambda _: None)) == exchanged
+    assert list(exchanged_axes(found, found.profiles, found.rx_pdos, found.tx_pdos, lambda _: None)) == exchanged
     assert not commanded or may_be_commanded(found, views)
     module = Module(profiles=found.profiles, rx_pdos=found.rx_pdos, tx_pdos=found.tx_pdos)
     assert may_move(module) == bool(exchanged)
@@ -42,7 +47,7 @@ def test_axes(content, commanded, exchanged):
 
 def test_both_words_declared_make_an_axis_of_an_export():
     bits = {0x6040: 16, 0x6041: 16, 0x6840: 16, 0x6841: 8, 0x7040: 16}
-    assert list(exchanged_axes(Device(), (), (), bits.get)) == [0]
+    assert list(exchanged_axes(Device(), (), (), (), bits.get)) == [0]
 
 
 @pytest.mark.parametrize(("protocols", "exchanged"), [("<SoE/>", []), ("<SoE/><CoE/>", [0, 4]), ("<CoE/>", [0, 4])])
@@ -51,7 +56,7 @@ def test_idns_are_no_words_of_an_axis(protocols, exchanged):
     content = f"{mapping('RxPdo', '#x6040', 16)}<Mailbox>{protocols}</Mailbox>"
     found = only_device(esi(device(content)))
     bits = {0x8040: 16, 0x8041: 16}
-    assert list(exchanged_axes(found, found.profiles, found.rx_pdos, bits.get)) == exchanged
+    assert list(exchanged_axes(found, found.profiles, found.rx_pdos, (), bits.get)) == exchanged
 
 
 def test_numbers_of_channels_count_as_those_of_the_profile():

@@ -1,5 +1,6 @@
 """CiA 402 drive modes: the rules of evidence on small drives, and the verdicts on real ones."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from esicatalog.esi.reader import Reader, read_esi
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.cia402 import denies, named_modes
+from esicatalog.model.drive_evidence import RANKS
 from esicatalog.model.drive_modes import DriveModes, drive_modes
 from esicatalog.model.slots import reachable_modules
 
@@ -24,14 +26,27 @@ def test_every_bit_of_0x6502_declares_its_mode():
     assert {mode for mode, word in found.items() if word == "no"} == {"VL", "IP", "CSTCA"}
 
 
+def test_the_documented_weights_are_those_that_count():
+    """``| D3 | … | 0.40, split 0.20 | … |`` is D3 and D3 split."""
+    text = (DATA.parent / "docs" / "drive-modes.md").read_text("utf-8")
+    rows = [line.split("|")[1:-1] for line in text.splitlines() if re.match(r"\| [A-F]\S* ", line)]
+    assert all(example.strip() for _, _, _, example in rows)
+    weights = {
+        " ".join((rank.strip(), *re.findall("[a-z]+", one))): float(re.search(r"[\d.]+", one)[0])
+        for rank, _, weight, _ in rows
+        for one in weight.split(",")
+    }
+    assert weights == {rank: score for rank, (_, score) in RANKS.items()}
+
+
 def test_a_declaration_says_to_read_the_drive():
     declared = one_drive(dictionary(supported_modes("80010000"))).evidence
     assert all(item.evidence.endswith("read 0x6502 on the drive") for item in declared)
 
 
 def test_a_declaration_names_the_object_of_its_axis():
-    controlword = "<Object><Index>#x6840</Index><Name>c</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
-    found = one_drive(dictionary(supported_modes("80000000"), controlword, supported_modes("00010000", index="6D02")))
+    words = word_objects("6840", "6841")
+    found = one_drive(dictionary(supported_modes("80000000"), words, supported_modes("00010000", index="6D02")))
     assert verdicts(found, axis=1)["CSV"] == "yes"
     declared = [item.evidence for item in found.evidence if item.axis == 1]
     assert declared and all(text.endswith("read 0x6D02 on the drive") for text in declared)
@@ -155,6 +170,25 @@ def test_absent_and_zero_0x6502_say_nothing(data):
     assert verdicts(one_drive(dictionary(supported_modes(data)))) == {}
 
 
+@pytest.mark.parametrize("index", ["6502", "6060"])
+def test_the_number_of_entries_is_no_value(index):
+    """Subindex 0 of a record: 1, with the bit of PP; a maximum of 1, PP again."""
+    sub_items = "".join(
+        f"<SubItem><SubIdx>{at}</SubIdx><Name>s</Name><Type>{kind}</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{offset}</BitOffs></SubItem>"
+        for at, kind, bits, offset in ((0, "USINT", 8, 0), (1, "UDINT", 32, 16))
+    )
+    types = f"<DataType><Name>DT</Name><BitSize>48</BitSize>{sub_items}</DataType>"
+    values = "".join(
+        f"<SubItem><Name>s</Name><Info><MinValue>0</MinValue><MaxValue>1</MaxValue><DefaultData>{data}</DefaultData>"
+        "</Info></SubItem>"
+        for data in ("01", "80000000")
+    )
+    record = f"<Object><Index>#x{index}</Index><Name>m</Name><Type>DT</Type><BitSize>48</BitSize>"
+    found = one_drive(dictionary(f"{record}<Info>{values}</Info></Object>", types=types))
+    assert [item.rank for item in found.evidence] == ["F"]
+
+
 def test_swapped_bytes_are_likely_and_named():
     found = one_drive(dictionary(supported_modes("000003A0")))
     assert verdicts(found) == {"HM": "likely", "CSP": "likely", "CSV": "likely", "CST": "likely"}
@@ -205,8 +239,36 @@ def test_a_negative_number_of_an_unsigned_0x6502_says_nothing():
     assert verdicts(one_drive(dictionary(negative))) == {}
 
 
-def test_encoder_claims_no_mode():
-    assert one_drive(dictionary(supported_modes("FFFF0000")), profile="406").verdicts == ()
+def word_objects(*indices: str, kind: str = "UINT") -> str:
+    """Objects of 16 bits."""
+    return "".join(
+        f"<Object><Index>#x{index}</Index><Name>w</Name><Type>{kind}</Type><BitSize>16</BitSize></Object>"
+        for index in indices
+    )
+
+
+ACCELERATION = '<TxPdo Sm="3"><Index>#x1A00</Index><Name>I</Name><Entry><Index>#x6040</Index><SubIndex>0</SubIndex>'
+ACCELERATION += "<BitLen>16</BitLen></Entry></TxPdo>"
+
+
+@pytest.mark.parametrize(
+    ("objects", "pdos"),
+    [
+        ("", ""),
+        (word_objects("6030", "6040", kind="INT"), ACCELERATION),
+        (word_objects("6030", "6040"), ""),
+    ],
+)
+def test_encoder_claims_no_mode(objects, pdos):
+    """CiA 406 has the acceleration value at 0x6040 and the number of distinguishable revolutions at 0x6502."""
+    found = one_drive(dictionary(supported_modes("00010000"), objects) + pdos, profile="406")
+    assert (found.verdicts, found.evidence) == ((), ())
+
+
+@pytest.mark.parametrize("profile", ["406", "0"])
+def test_both_words_in_a_dictionary_are_an_axis(profile):
+    found = one_drive(dictionary(supported_modes("00010000"), word_objects("6040", "6041")), profile=profile)
+    assert verdicts(found)["CSV"] == "yes"
 
 
 def test_input_channel_0x6040_is_no_controlword():
@@ -438,8 +500,8 @@ def test_what_speaks_soe_may_be_a_drive():
 
 
 def test_idns_are_no_objects():
-    """P-0-0040 is IDN 0x8040: a word of 16 bits, as the controlword of axis 4 would be."""
-    motor_current = "<Object><Index>#x8040</Index><Name>c</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+    """P-0-0064 and P-0-0065 are IDN 0x8040 and 0x8041: words of 16 bits, as those of axis 4 would be."""
+    motor_current = word_objects("8040", "8041")
     for protocols, axes in (("<SoE/>", set()), ("<CoE/><SoE/>", {4})):
         found = one_drive(dictionary(motor_current) + f"<Mailbox>{protocols}</Mailbox>", profile="0")
         assert {item.axis for item in found.evidence} == axes
@@ -547,6 +609,8 @@ def placeholder(mark: str = ' OverwrittenByModule="1"') -> str:
 
 
 CSV_MODULE = declaring(drive_module(2, "6040", "60FF", name="Outputs", moves=False), "00010000")
+CSP_MODULE = declaring(drive_module(2, "6040", name="Outputs", moves=False).replace("#x1600", "#x1601"), "80000000")
+MOVING = '<Index DependOnSlot="1">'
 
 
 def test_an_object_marked_overwritten_by_module_yields_to_the_module():
@@ -560,9 +624,31 @@ def test_an_object_marked_overwritten_by_module_yields_to_the_module():
 
 def test_an_object_that_is_not_marked_counts_beside_the_modules():
     found = modular_drive(slot(2, is_default=True), CSV_MODULE, profile=placeholder(mark=""))
-    csv = next(item for item in found.verdicts if item.mode == "CSV")
-    assert (csv.verdict, csv.conflict) == ("likely", True)
-    assert verdicts(found)["CSP"] == "yes"
+    csv, csp = (verdict_of(found, mode) for mode in ("CSV", "CSP"))
+    assert (csv.verdict, csv.conflict) == (csp.verdict, csp.conflict) == ("likely", True)
+
+
+@pytest.mark.parametrize(
+    ("slots", "modules", "csv", "conflict"),
+    [
+        (slot(2, is_default=True), CSP_MODULE, "no", True),
+        # A preset makes a slot that is never empty, whatever MinInstances says.
+        (slot(2, is_default=True).replace('MinInstances="1"', 'MinInstances="0"'), CSP_MODULE, "no", True),
+        (slot(2).replace('MinInstances="0"', 'MinInstances="1"'), CSP_MODULE, "no", True),
+        (slot(2), CSP_MODULE, "yes", False),
+        # Beside a module that says nothing, or that no document describes, the device's own evidence is all there is.
+        (slot(2, is_default=True).replace("</Slot>", "<ModuleIdent>1</ModuleIdent></Slot>"), CSP_MODULE, "yes", False),
+        (slot(2, is_default=True).replace("</Slot>", "<ModuleIdent>9</ModuleIdent></Slot>"), CSP_MODULE, "yes", False),
+        # The slot of another axis may be as full as it likes.
+        (slot(1, is_default=True) + slot(2, is_default=True), CSP_MODULE.replace("<Index>", MOVING), "yes", False),
+    ],
+)
+def test_where_a_slot_is_never_empty_no_device_is_alone(slots, modules, csv, conflict):
+    """The RxPDO of the device is named after CSV, and the module's 0x6502 says that there is none."""
+    outputs = rx_pdo(("6040", 16), ("60FF", 32), name="CSV outputs")
+    found = modular_drive(slots, IO_MODULE + modules, profile=f"<Profile><ProfileNo>402</ProfileNo></Profile>{outputs}")
+    verdict = next(item for item in found.verdicts if item.mode == "CSV" and item.axis == 0)
+    assert (verdict.verdict, verdict.conflict) == (csv, conflict)
 
 
 def test_a_marked_object_counts_while_the_slot_is_empty():
@@ -600,6 +686,43 @@ def writing(mode: int, mark: str = "") -> str:
 
 MARKED = ' OverwrittenByModule="1"'
 BOTH_SETPOINTS = rx_pdo(("6040", 16), ("607A", 32), ("60FF", 32))
+
+
+@pytest.mark.parametrize(
+    ("of_device", "of_module", "name", "expected"),
+    [
+        # 0x6060 holds 9, and the module has the setpoint of CSV.
+        (writing(9), "", "M", {"CSV": ("B1", False)}),
+        (writing(9), "", "Axis csp", {"CSV": ("C3", True)}),
+        # At PS the device writes before the module, at SO behind it.
+        (writing(8), writing(9), "M", {"CSV": ("B1", False)}),
+        (writing(8).replace("PS", "SO"), writing(9), "M", {"CSP": ("B1", False)}),
+        (writing(10), "", "M", {"CST": ("C2", True)}),
+    ],
+)
+def test_init_cmds_of_device_and_module_are_those_of_one_start(of_device, of_module, name, expected):
+    profile = f"<Profile><ProfileNo>402</ProfileNo></Profile>{of_device}"
+    module = f'<Module><Type ModuleIdent="2">{name}</Type><Name>{name}</Name>{BOTH_SETPOINTS}{of_module}</Module>'
+    found = modular_drive(slot(2, is_default=True), module, profile=profile)
+    started = {item.mode: (item.rank, item.conflict) for item in found.evidence if item.rank in ("B1", "C2", "C3")}
+    assert started == expected
+    ((mode, (rank, _)),) = expected.items()
+    assert (verdicts(found).get(mode) == "yes") is (rank == "B1")
+
+
+def test_beside_a_module_of_a_further_axis_the_pdos_of_the_device_are_there():
+    """The device maps the setpoint of the second axis and nothing else of it."""
+    module = (
+        drive_module(2, "6040", name="Outputs")
+        .replace("</RxPdo>", f"</RxPdo>{writing(9)}")
+        .replace(
+            "<InitCmd><Transition>PS</Transition><Index>",
+            '<InitCmd><Transition>PS</Transition><Index DependOnSlot="1">',
+        )
+    )
+    outputs = rx_pdo(("68FF", 32)).replace("#x1600", "#x1700")
+    found = modular_drive(slot(1, is_default=True) + slot(2, is_default=True), IO_MODULE + module, profile=outputs)
+    assert verdicts(found, axis=1)["CSV"] == "yes"
 
 
 def test_a_marked_init_cmd_yields_to_that_of_the_module():
@@ -653,6 +776,32 @@ def test_a_drive_behind_eight_slots_of_inputs_is_found():
     (csv,) = [item for item in found.verdicts if item.mode == "CSV"]
     assert csv.recipe.startswith("plug module 0x2 into slot 8 (default); RxPDO 0x1680 maps the setpoint")
     assert "0xA060" in csv.recipe  # 0x6060 + 8 * 0x800
+
+
+@pytest.mark.parametrize(
+    ("module", "words", "is_default"),
+    [
+        (
+            drive_module(2, "6040", "60FF").replace('<Index DependOnSlot="1">#x16', "<Index>#x16"),
+            "no setpoint: RxPDO 0x1600 has 0x60FF, but is ambiguous: "
+            "module 0x2 in slot 0 and module 0x2 in slot 1 describe it in different ways; ",
+            None,
+        ),
+        (
+            drive_module(2, "6040", "60FF", moves=False),
+            "RxPDO 0x1600 maps the setpoint; assigned twice by default, which no export makes: choose it once; ",
+            False,
+        ),
+        (drive_module(2, "6040", "60FF"), "RxPDO 0x1600 maps the setpoint; ", True),
+    ],
+)
+def test_a_setpoint_in_a_pdo_that_two_slots_assign_is_not_there_as_it_stands(module, words, is_default):
+    """Whatever an export assigns, it assigns once."""
+    found = modular_drive(slot(2, is_default=True) * 2, module)
+    csv = next(item for item in found.verdicts if item.mode == "CSV" and item.axis == 0)
+    assert csv.verdict == "yes"
+    assert csv.recipe.startswith(f"plug module 0x2 into slot 0 (default); {words}")
+    assert csv.rx_pdo_is_default is is_default
 
 
 def test_objects_that_do_not_depend_on_the_slot_belong_to_the_first_axis():
@@ -716,6 +865,26 @@ def test_profile_402_of_a_module_counts_in_every_slot():
     """Without a controlword the module in the second slot was no drive, the one in the first slot was."""
     found = modular_drive(slot(2, 2), drive_module(2, "60FF"))
     assert [item.axis for item in found.verdicts if item.mode == "CSV"] == [0, 1]
+
+
+@pytest.mark.parametrize(
+    ("names", "written", "ranks"),
+    [
+        (("Axis (csp, csv)", "p"), None, {"C1"}),
+        (("Axis (csp only, csv not supported)", "p"), None, set()),
+        (("Axis", "CSV (reserved)"), None, set()),
+        (("Axis", "CSV"), None, {"C1"}),
+        (("Axis (csp only, csv not supported)", "p"), 9, {"C3"}),
+        (("Axis (not supported)", "p"), 9, {"B1"}),  # names no mode
+    ],
+)
+def test_a_name_that_denies_modes_claims_none(names, written, ranks):
+    module, pdo = names
+    moving = drive_module(2, "6040", "60FF", name=pdo, moves=False).replace("<Name>Module<", f"<Name>{module}<")
+    if written is not None:
+        moving = moving.replace("</RxPdo>", f"</RxPdo>{writing(written)}")
+    found = modular_drive(slot(2, is_default=True), moving)
+    assert {item.rank for item in found.evidence if item.mode == "CSV"} - {"D3 split"} == ranks
 
 
 def test_the_name_of_cstca_is_no_cst():

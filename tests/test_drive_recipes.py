@@ -158,6 +158,21 @@ def test_the_list_of_the_op_mode_that_a_recipe_names_wins():
     assert (csp.rx_pdo_is_default, csv.rx_pdo_is_default) == (False, True)
 
 
+@pytest.mark.parametrize(
+    ("lists", "csp", "csv"),
+    [
+        (("#x1601", "#x1600"), "DC pos", "DC vel"),
+        (("#x1601", "#x1601"), "DC vel", "DC vel"),
+        (("", "#x1601"), "DC vel", "DC pos"),
+    ],
+)
+def test_of_op_modes_with_sync0_that_counts_which_assigns_the_setpoint(lists, csp, csv):
+    """Without a list SM2 has 0x1600, the setpoint of CSP; where none assigns the setpoint the first one counts."""
+    modes = op_modes(("SM", "0", ""), ("DC vel", "#x300", lists[0]), ("DC pos", "#x300", lists[1]))
+    found = one_drive("</Profile>" + EXCLUSIVE + PDO_ASSIGN + modes)
+    assert (verdict_of(found, "CSP").op_mode, verdict_of(found, "CSV").op_mode) == (csp, csv)
+
+
 def test_0x6060_of_a_pdo_that_the_op_mode_drops_is_no_process_data():
     pdos = in_rx_pdo("1600", ("6040", 16), ("607A", 32)) + in_rx_pdo("1602", ("6060", 8))
     modes = op_modes(("SM", "0", ""), ("DC", "#x300", "#x1600"))

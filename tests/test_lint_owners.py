@@ -70,6 +70,15 @@ def test_l58_takes_what_modules_overwrite_for_a_stand_in(tmp_path):
     assert found == []
 
 
+def test_l57_blames_a_module_whose_name_is_against_the_command_of_the_device(tmp_path):
+    """The module has the setpoint of CSV, code 9, and is named after CSP."""
+    setpoint = "<RxPdo><Index>#x1600</Index><Name>p</Name>" + mapped("#x6040", 16) + mapped("#x60FF", 32) + "</RxPdo>"
+    command = "<Transition>PS</Transition><Index>#x6060</Index><SubIndex>0</SubIndex><Data>09</Data>"
+    content = device(f"{SYNC_MANAGERS}<Mailbox><CoE><InitCmd>{command}</InitCmd></CoE></Mailbox>{slots(1)}")
+    named = module(setpoint, name="Axis csp")
+    assert [path for path, _ in blamed(linted(tmp_path, "L57", content, named))] == ["Module"]
+
+
 @pytest.mark.parametrize(("own", "count"), [("#x6810", 1), ("#x6010", 0), ("#x6820", 0)])
 def test_l55_sees_objects_that_move_to_one_of_the_device(tmp_path, own, count):
     """In slot 1 the object 0x6010 lies at 0x6810; one that stays where it is repeats that of the device."""

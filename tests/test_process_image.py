@@ -243,6 +243,33 @@ def test_defaults_of_two_sync_managers_may_exclude_each_other():
     assert found[4].remarks == ("PDO 0x1601 is left out: 0x1600 excludes it",)
 
 
+@pytest.mark.parametrize(
+    ("attributes", "of_sm2", "of_sm4", "remark"),
+    [
+        ("", [], [0x1601], "PDO 0x1600 is left out: 0x1601 excludes it"),
+        ('Mandatory="1"', [0x1600], [], "PDO 0x1601 is left out: 0x1600 excludes it"),
+    ],
+)
+def test_a_listed_pdo_stays_beside_the_default_of_another_sync_manager(attributes, of_sm2, of_sm4, remark):
+    """ESI-FACTS 0.5: the lists win; only what is mandatory stays all the same."""
+    sms = "<Sm>MBoxOut</Sm><Sm>MBoxIn</Sm><Sm>Outputs</Sm><Sm>Inputs</Sm><Sm>Outputs</Sm>"
+    first = pdo("RxPdo", "#x1600", 8, attributes=f'Sm="2" {attributes}', extra="<Exclude>#x1601</Exclude>")
+    second = pdo("RxPdo", "#x1601", 16, attributes='Sm="4"')
+    listing = op_mode('<Sm No="4"><Pdo>#x1601</Pdo></Sm>')
+    found = images(f"{first}{second}<Dc>{listing}</Dc>", sms=sms)
+    assert (indices(found[2]), indices(found[4])) == (of_sm2, of_sm4)
+    assert remark in found[4 if of_sm2 else 2].remarks
+
+
+def test_an_index_that_is_assigned_twice_is_named_where_it_is():
+    slot = "<Slot><Name>s</Name><ModuleIdent Default='1'>1</ModuleIdent></Slot>"
+    outputs = pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')
+    module = f'<Module><Type ModuleIdent="1">m</Type><Name>m</Name>{outputs}</Module>'
+    found = images(f"<Slots>{slot}{slot}</Slots>", module)
+    repeated = "PDO 0x1600 is assigned twice, and devices and masters tell PDOs apart by their index"
+    assert (indices(found[2]), found[2].remarks, found[3].remarks) == ([0x1600, 0x1600], (repeated,), ())
+
+
 def test_a_mandatory_pdo_that_is_itself_left_out_excludes_nothing():
     """0x1600 stays, so 0x1601 does not, and nothing speaks against 0x1602."""
     content = (

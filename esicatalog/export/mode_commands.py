@@ -6,7 +6,7 @@ from esicatalog.esi.records.mailbox import coe_init_cmds
 from esicatalog.esi.records.pdo import RX_PDO
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.model.cia402 import AXIS_STEP, MODE_BY_CODE, MODES_OF_OPERATION, MODES_OF_OPERATION_OF_AXES
-from esicatalog.model.drive_evidence import mode_code, module_names, other_named_modes, written_mode
+from esicatalog.model.drive_evidence import mode_code, module_names, name_against, written_mode
 from esicatalog.model.pdo_facts import carries_value
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import ExpandedModule
@@ -54,9 +54,9 @@ def _against_names(expanded: Sequence[ExpandedModule], of_axes: Sequence[int]) -
         for index in of_axes:
             command = start_command(commands, index)
             mode = written_mode(command, index) if command is not None else None
-            if mode is not None and (listed := other_named_modes(name, mode)):
+            if mode is not None and (against := name_against(name, mode)):
                 yield (
                     f"slot {item.slot_number}: the start-up command writes 0x{index:04X} = {mode.code} ({mode.name}), "
-                    f"but the module's name {name!r} lists {listed}: check which mode is meant before the drive is "
+                    f"but the module's name {name!r} {against}: check which mode is meant before the drive is "
                     "enabled"
                 )

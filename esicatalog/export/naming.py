@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.pdo import Entry
+from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Entry, Pdo
 from esicatalog.export.cia402_names import CIA402_NAMES
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.names import identifier, unique_names
@@ -33,13 +33,16 @@ def entry_names(
 ) -> EntryNames:
     """Unique identifiers: CiA 402 names on axes with evidence, else by entry, PDO and slot name."""
     profiles = [*device.profiles, *(profile for item in expanded for profile in item.module.profiles)]
-    assigned = [placed.pdo for image in images for placed in image.pdos]
+    assigned: dict[str, list[Pdo]] = {RX_PDO: [], TX_PDO: []}
+    for image in images:
+        for placed in image.pdos:
+            assigned[placed.direction].append(placed.pdo)
 
     def declared_bits(index: int) -> int | None:
         declared = objects.entry(index, 0)
         return declared.bit_size if declared is not None else None
 
-    axes = tuple(exchanged_axes(device, profiles, assigned, declared_bits))
+    axes = tuple(exchanged_axes(device, profiles, assigned[RX_PDO], assigned[TX_PDO], declared_bits))
     keys, candidates = [], []
     for image in images:
         for at, placed in enumerate(image.pdos):

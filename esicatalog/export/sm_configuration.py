@@ -15,7 +15,7 @@ from esicatalog.export.pdo_objects import PdoObject
 from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX
 from esicatalog.model.assignable_pdos import declares_pdo_assign, declares_pdo_config
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, carries_value, entry_words, has_length, has_object, is_described
-from esicatalog.model.process_image import PlacedPdo, SmImage
+from esicatalog.model.process_image import PlacedPdo, SmImage, repeated_indices, repeated_words
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, is_mailbox, sm_role, transfer_direction
 from esicatalog.model.values import byte_length
 from esicatalog.words import one_line
@@ -176,9 +176,9 @@ def configured_sync_managers(
 
     What is remarked goes to ``remarks``. Raises :class:`InputError` for what no master can be told.
     """
-    found = tuple(_sync_managers(device, images, names, objects, remarks))
-    _check_assigned_once(found)
-    return found
+    for index in repeated_indices(images):
+        raise InputError(f"{repeated_words(index)}: choose PDOs (--pdo) or modules (--module), or take a correct file")
+    return tuple(_sync_managers(device, images, names, objects, remarks))
 
 
 def _sync_managers(
@@ -215,18 +215,6 @@ def _sync_managers(
             image.bit_size if image is not None else 0,
             image is not None and image.left_open is not None,
         )
-
-
-def _check_assigned_once(sync_managers: Iterable[SmConfiguration]) -> None:
-    """Raise :class:`InputError` for an index that is assigned again, as modules have it whose slots do not move it."""
-    seen: set[int] = set()
-    for pdo in (pdo for sm in sync_managers for pdo in sm.pdos):
-        if pdo.pdo_index in seen:
-            raise InputError(
-                f"PDO 0x{pdo.pdo_index:04X} is assigned twice, and devices and masters tell PDOs apart by their index: "
-                "choose PDOs (--pdo) or modules (--module), or take a correct file"
-            )
-        seen.add(pdo.pdo_index)
 
 
 def _direction(number: int, described: SyncManager | None, pdos: Sequence[AssignedPdo], remarks: list[str]) -> str:

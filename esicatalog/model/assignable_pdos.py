@@ -154,17 +154,17 @@ def staying_pdos(device: Device, available: Sequence[AvailablePdo], listed: Iter
     return {index: places[index] for index in without_rivals(in_order, exclusions)}
 
 
-def without_rivals(mandatory: Iterable[int], exclusions: Mapping[int | None, Collection[int]]) -> list[int]:
-    """The mandatory PDOs that stay: of two that exclude each other the first.
+def without_rivals(staying: Iterable[int], exclusions: Mapping[int | None, Collection[int]]) -> list[int]:
+    """Of the PDOs that stay in any case, of two that exclude each other the first.
 
     Those that a list names are given first (ESI-FACTS 0.5: the lists win), then the others in the order of their
     assignment. One that is itself left out excludes nothing.
     """
-    staying: list[int] = []
-    for index in mandatory:
-        if not any(rival in staying for rival in exclusions.get(index, ())):
-            staying.append(index)
-    return staying
+    found: list[int] = []
+    for index in staying:
+        if not any(rival in found for rival in exclusions.get(index, ())):
+            found.append(index)
+    return found
 
 
 def declares_pdo_assign(device: Device) -> bool:

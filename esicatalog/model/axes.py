@@ -3,7 +3,10 @@
 Two questions, and the answers differ on purpose. Which modes a drive *can run* is asked of the controlword: without it
 nobody commands an axis, and a statusword alone is no evidence for any mode. What an export *exchanges with* an axis is
 asked of either word: status values of an axis want the names of CiA 402 and the warnings for what moves, even where
-its controlword is not mapped. For both a word has to look like one: on modular I/O 0x6040 is just an input channel.
+its controlword is not mapped. For both a word has to look like one: on modular I/O 0x6040 is just an input channel, and
+in an encoder (CiA 406) the acceleration. So it has 16 bits, a controlword goes to the device, and a dictionary that
+declares one word of an axis has to declare both: CiA 402 demands them. (A statusword counts in either direction: real
+robot joints swap the two words.)
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -20,21 +23,21 @@ from esicatalog.model.profile_facts import has_profile_402, is_motion_terminal
 _WORD_BITS = 16
 _CONTROLWORDS = {CONTROLWORD + axis * AXIS_STEP: axis for axis in range(MAX_AXES)}
 """Axes by their controlword."""
-_STATUSWORDS = range(STATUSWORD, STATUSWORD + MAX_AXES * AXIS_STEP, AXIS_STEP)
+_STATUSWORDS = frozenset(range(STATUSWORD, STATUSWORD + MAX_AXES * AXIS_STEP, AXIS_STEP))
 
 
 def is_commanded_axis(
     axis: int, profiles: Iterable[Profile], rx_pdos: Iterable[Pdo], views: Iterable[DictionaryView]
 ) -> bool:
-    """Whether a master can command this axis: profile number 402, or its controlword mapped or declared as a word.
+    """Whether a master can command this axis: profile number 402, its controlword mapped, or both words declared.
 
     ``profiles`` are those that speak for this axis.
     """
-    control = CONTROLWORD + axis * AXIS_STEP
+    words = _words_of(axis)
     return (
         has_profile_402(profiles)
-        or control in _mapped_words(rx_pdos)
-        or any(control in view.once(_declared_words) for view in views)
+        or words[0] in _mapped_words(rx_pdos)
+        or any(view.once(_declared_words).issuperset(words) for view in views)
     )
 
 
@@ -60,20 +63,21 @@ def may_be_commanded(owner: Device | Module, views: DictionaryViews) -> bool:
 def exchanged_axes(
     device: Device,
     profiles: Sequence[Profile],
-    assigned: Iterable[Pdo],
+    rx_pdos: Iterable[Pdo],
+    tx_pdos: Iterable[Pdo],
     declared_bits: Callable[[int], int | None],
 ) -> Iterator[int]:
     """Axes that process data or objects are of: either word is mapped, or both are declared, as words.
 
     The first also by profile number 402; none where numbers are IDNs. ``profiles`` are those of the device and of what
-    is plugged, ``assigned`` the PDOs of the process image, ``declared_bits`` gives the length of an object that is a
-    single value, None where no dictionary declares it.
+    is plugged, ``rx_pdos`` and ``tx_pdos`` the PDOs of the process image, ``declared_bits`` gives the length of an
+    object that is a single value, None where no dictionary declares it.
     """
     if has_idns(device):
         return
-    mapped, by_profile = _mapped_words(assigned), has_profile_402(profiles)
-    for control, axis in _CONTROLWORDS.items():
-        words = (control, STATUSWORD + axis * AXIS_STEP)
+    mapped, by_profile = _exchanged_words(rx_pdos, tx_pdos), has_profile_402(profiles)
+    for axis in range(MAX_AXES):
+        words = _words_of(axis)
         is_declared = all(declared_bits(index) == _WORD_BITS for index in words)
         if (by_profile and axis == 0) or is_declared or not mapped.isdisjoint(words):
             yield axis
@@ -83,8 +87,18 @@ def may_move(module: Module) -> bool:
     """Whether a module drives an axis, wherever it is plugged: by its profiles, or by either word in its PDOs."""
     if has_profile_402(module.profiles) or is_motion_terminal(module.profiles):
         return True
-    mapped = _mapped_words((*module.rx_pdos, *module.tx_pdos))
-    return not (mapped.isdisjoint(_CONTROLWORDS) and mapped.isdisjoint(_STATUSWORDS))
+    return bool(_exchanged_words(module.rx_pdos, module.tx_pdos))
+
+
+def _words_of(axis: int) -> tuple[int, int]:
+    """Controlword and statusword of an axis."""
+    return CONTROLWORD + axis * AXIS_STEP, STATUSWORD + axis * AXIS_STEP
+
+
+def _exchanged_words(rx_pdos: Iterable[Pdo], tx_pdos: Iterable[Pdo]) -> set[int]:
+    """The words of axes that PDOs exchange, controlwords and statuswords."""
+    commanded, sent = _mapped_words(rx_pdos), _mapped_words(tx_pdos)
+    return (_CONTROLWORDS.keys() & commanded) | (_STATUSWORDS & (commanded | sent))
 
 
 def _mapped_words(pdos: Iterable[Pdo]) -> set[int | None]:

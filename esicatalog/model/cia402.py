@@ -124,6 +124,14 @@ def named_modes(text: str) -> frozenset[str]:
     return frozenset(found)
 
 
+def claimed_modes(name: str) -> frozenset[str]:
+    """Modes that a name spells out and claims; none where it denies any, for which ones it means is for people to read.
+
+    ``Axis (csp only, csv not supported)`` names two modes.
+    """
+    return frozenset() if denies(name) else named_modes(name)
+
+
 @lru_cache(10_000)
 def denies(text: str) -> bool:
     """Whether the text of a value says that there is nothing behind it: ``reserved``, ``not supported``, ``n/a``."""

@@ -42,6 +42,14 @@ class DictionaryView:
         declared = self.by_index.get(index)
         return self._resolver.resolve(declared, self.types) if declared is not None else None
 
+    def single(self, index: int) -> ObjectEntry | None:
+        """The value of an object that is a single one; subindex 0 of an array or a record is the number of its entries.
+
+        None for these, and when the dictionary has no such object.
+        """
+        found = self.resolved(index)
+        return found.entries[0] if found is not None and len(found.entries) == 1 else None
+
     def entries(self, index: int) -> EntriesBySubindex | None:
         """Entries of an object by subindex, None when the dictionary has no such object."""
         found = self._entries.get(index)

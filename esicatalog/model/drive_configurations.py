@@ -12,7 +12,6 @@ from esicatalog.model.cia402 import AXIS_STEP, PROFILE_AREA
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.drive_evidence import module_names
 from esicatalog.model.drive_parts import Part, SlotsDeclaring, assigned_rx_pdos, beside_modules, yielding
-from esicatalog.model.pdo_facts import pdo_yields
 from esicatalog.model.process_image import SmImage, plugged_process_image
 from esicatalog.model.slots import (
     PluggedModule,
@@ -24,6 +23,7 @@ from esicatalog.model.slots import (
     fitting_modules,
     furthest_move,
     numbered_slots,
+    required_instances,
     slot_dependences,
 )
 from esicatalog.model.sync import asked_op_modes, positions_with_sync0
@@ -59,9 +59,9 @@ def module_parts(device: Device, modules: Sequence[Module], known: DictionaryVie
     for plugged in _plugged(device, modules):
         for first, dependences in axes[id(plugged.module)]:
             shift = first + furthest_move(device, plugged, dependences)
-            of_axis = parts[shift // AXIS_STEP]
-            if id(plugged.module) not in of_axis:
-                of_axis[id(plugged.module)] = _module_part(device, plugged, first, shift, known)
+            of_axis, key = parts[shift // AXIS_STEP], id(plugged.module)
+            part = of_axis.get(key) or _module_part(device, plugged, first, shift, known)
+            of_axis[key] = part._replace(slots=(*part.slots, plugged.slot_number))
     return {axis: list(of_axis.values()) for axis, of_axis in parts.items()}
 
 
@@ -86,7 +86,6 @@ def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int,
     module = expand_module(device, plugged).module
     asked = [position for position in asked_op_modes(device.op_modes, [module]).values() if position is not None]
     with_sync0 = positions_with_sync0(device)
-    indices = {pdo.pdo_index for pdo in module.rx_pdos}
     return Part(
         axis_shift=shift,
         views=known.of(module.profiles),
@@ -97,7 +96,6 @@ def _module_part(device: Device, plugged: PluggedModule, first: int, shift: int,
         sync0=any(position in with_sync0 for position in asked) if asked else bool(with_sync0),
         plugged=plugged,
         name=module_names(module),
-        beside=tuple([pdo for pdo in device.rx_pdos if not pdo_yields(pdo, indices)]),
     )
 
 
@@ -117,11 +115,36 @@ def slots_declaring(device: Device, modules: Sequence[Module], indices: Iterable
 def _held(device: Device, modules: Sequence[Module]) -> Iterator[tuple[int, Slot, list[Module]]]:
     """What is in slots that are not left empty: the default module, else any that fits."""
     defaults = {item.slot_number: [item.module] for item in default_modules(device, modules)}
-    needed = {number for number, slot, instance in numbered_slots(device) if instance < (slot.min_instances or 0)}
+    needed = _needed(device)
     for number, slot, fitting in fitting_modules(device, modules):
         held = defaults.get(number, fitting if number in needed else [])
         if held:
             yield number, slot, held
+
+
+def _needed(device: Device) -> set[int]:
+    """The slots that are never empty."""
+    return {number for number, slot, instance in numbered_slots(device) if instance < required_instances(slot)}
+
+
+def never_alone(device: Device, modules: Sequence[Module], speaking: Iterable[Part]) -> set[int]:
+    """Axes on which the device's own part never acts alone: a slot that is never empty takes only modules that speak.
+
+    ``speaking`` are the parts of modules that say something of their axis. Beside another module, or one that nobody
+    describes, the device's own part is all there is.
+    """
+    speakers: dict[tuple[int, int], set[int]] = defaultdict(set)
+    for part in speaking:
+        if part.plugged is not None:
+            for number in part.slots:
+                speakers[part.axis, number].add(id(part.plugged.module))
+    needed = _needed(device)
+    required = {
+        number: set(map(id, fitting))
+        for number, slot, fitting in fitting_modules(device, modules)
+        if number in needed and {item.module_ident for item in slot.module_idents} <= {m.module_ident for m in fitting}
+    }
+    return {axis for (axis, number), heard in speakers.items() if number in required and heard >= required[number]}
 
 
 def configurations(
@@ -150,10 +173,16 @@ def configurations(
 
     found = {}
     for axis in {part.axis for part in own} | plugged.keys():
-        of_axis = [part for part in own if part.axis == axis]
+        # Beside a module of an axis that the device itself does not describe there are its RxPDOs and InitCmds, too.
+        of_axis = [part for part in own if part.axis == axis] or [_on_axis(own[0], axis)]
         found[axis] = [[beside(part) for part in of_axis]]
         for module in plugged.get(axis, ()):
             alternative = [module.plugged] if module.plugged is not None else []
             yielded = [beside(yielding(part, declaring, module), *alternative) for part in of_axis]
             found[axis].append([*yielded, module])
     return found
+
+
+def _on_axis(part: Part, axis: int) -> Part:
+    """A part of the device as that of another axis, for which its profiles do not speak."""
+    return part._replace(axis_shift=axis * AXIS_STEP, profiles=())

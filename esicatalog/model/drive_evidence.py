@@ -3,7 +3,7 @@
 Ranks, scores and traps of ESI-FACTS section 16. Nothing here decides; :mod:`esicatalog.model.drive_modes` does.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Annotated, NamedTuple
 
 import msgspec
@@ -24,6 +24,7 @@ from esicatalog.model.cia402 import (
     STANDARD_BITS,
     SUPPORTED_DRIVE_MODES,
     DriveMode,
+    claimed_modes,
     denies,
     named_modes,
 )
@@ -88,10 +89,9 @@ class ModeEvidence(Record):
 
 
 def find_evidence(part: Part) -> Iterator[ModeEvidence]:
-    """All findings of a part that has CiA 402 evidence."""
+    """The findings of a part that has CiA 402 evidence, whatever it acts together with."""
     yield from _supported_modes(part)
     yield from _listed(part)
-    yield from _init_commands(part)
     yield from _named(part)
     yield from _mapped(part)
     yield from _mappable(part)
@@ -261,17 +261,24 @@ def _as_sint(number: int) -> int:
     return number - 0x100 if number in range(0x80, 0x100) else number
 
 
-def _init_commands(part: Part) -> Iterator[ModeEvidence]:
-    """The InitCmd whose mode code 0x6060 has after a start."""
-    index = part.at(MODES_OF_OPERATION)
-    command = start_command(part.init_cmds, index)
+def start_evidence(parts: Sequence[Part]) -> Iterator[ModeEvidence]:
+    """The mode whose code 0x6060 has after a start of parts that act together, a module last.
+
+    Of their InitCmds the last of a start counts, the device's before those of a module, and any of them may have the
+    RxPDO of the setpoint. A module that has either is what the finding rests on, and its name may say otherwise.
+    """
+    index = parts[-1].at(MODES_OF_OPERATION)
+    command = start_command([command for part in parts for command in part.init_cmds], index)
     mode = written_mode(command, index) if command is not None else None
     if command is None or mode is None:
         return
+    writing = next(part for part in reversed(parts) if any(item is command for item in part.init_cmds))
+    by_part = ((part, mapping_pdos(part, mode)) for part in (writing, *parts))
+    mapping, pdos = next((found for found in by_part if found[1]), (writing, ()))
+    part = mapping if writing.plugged is None else writing
     words = f"InitCmd {'/'.join(command.transitions)} writes 0x{index:04X} = {mode.code} ({mode.name})"
-    pdos = mapping_pdos(part, mode) or mapping_pdos(part._replace(rx_pdos=part.beside), mode)
-    if listed := other_named_modes(part.name, mode):
-        text = f"{words}, but the module's name {part.name!r} lists {listed}"
+    if against := name_against(part.name, mode):
+        text = f"{words}, but the module's name {part.name!r} {against}"
         yield _finding(part, mode, "C3", text, conflict=True, object_index=index)
     elif pdos or not mode.setpoints:
         mapped = f"; {mapping_words(pdos)} its setpoint {setpoint_words(part, mode)}" if pdos else ""
@@ -280,6 +287,11 @@ def _init_commands(part: Part) -> Iterator[ModeEvidence]:
     else:
         text = f"{words}, but no RxPDO maps its setpoint {setpoint_words(part, mode)}"
         yield _finding(part, mode, "C2", text, conflict=True, object_index=index)
+
+
+def writes_mode(part: Part) -> bool:
+    """Whether InitCmds of a part write 0x6060 in the course of a start."""
+    return start_command(part.init_cmds, part.at(MODES_OF_OPERATION)) is not None
 
 
 def written_mode(command: InitCmd, index: int) -> DriveMode | None:
@@ -298,22 +310,24 @@ def module_names(module: Module) -> str:
     return f"{module.type or ''} / {display_text(module.names) or ''}"
 
 
-def other_named_modes(name: str, mode: DriveMode) -> str:
-    """The modes that a module's name lists where a mode that its command writes is none of them, else empty."""
-    named = named_modes(name)
-    return ", ".join(sorted(named)) if mode.name not in named else ""
+def name_against(name: str, mode: DriveMode) -> str | None:
+    """What a module's name says of modes, where it names some and does not claim the one that a command writes."""
+    named = ", ".join(sorted(named_modes(name)))
+    if not named or mode.name in claimed_modes(name):
+        return None
+    return f"names {named} and denies one" if denies(name) else f"lists {named}"
 
 
 def _named(part: Part) -> Iterator[ModeEvidence]:
     """Names of the module or of a PDO that spell a mode whose setpoint is mapped there."""
-    for name in sorted(named_modes(part.name)):
+    for name in sorted(claimed_modes(part.name)):
         mode = DRIVE_MODES[name]
         pdos = mapping_pdos(part, mode)
         if pdos:
             text = f"module name {part.name!r} names {name}; {mapping_words(pdos)} {setpoint_words(part, mode)}"
             yield _finding(part, mode, "C1", text, pdo_index=pdos[0].pdo_index)
     for pdo in part.rx_pdos:
-        for name in sorted(named_modes(display_text(pdo.names) or "")):
+        for name in sorted(claimed_modes(display_text(pdo.names) or "")):
             mode = DRIVE_MODES[name]
             if maps_setpoint(part, pdo, mode.setpoints):
                 text = f"{pdo_words(pdo)} {display_text(pdo.names)!r} names {name} and maps its setpoint"

@@ -15,11 +15,27 @@ from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.axes import may_be_commanded
-from esicatalog.model.cia402 import CIA402, DRIVE_MODES, DriveMode, denies, named_modes
+from esicatalog.model.cia402 import CIA402, DRIVE_MODES, DriveMode, claimed_modes
 from esicatalog.model.dictionary import enum_values
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews
-from esicatalog.model.drive_configurations import configurations, device_parts, module_parts, slots_declaring
-from esicatalog.model.drive_evidence import NO, RANKS, YES, ModeEvidence, axis_alone, find_evidence, module_names
+from esicatalog.model.drive_configurations import (
+    configurations,
+    device_parts,
+    module_parts,
+    never_alone,
+    slots_declaring,
+)
+from esicatalog.model.drive_evidence import (
+    NO,
+    RANKS,
+    YES,
+    ModeEvidence,
+    axis_alone,
+    find_evidence,
+    module_names,
+    start_evidence,
+    writes_mode,
+)
 from esicatalog.model.drive_parts import Part, is_drive, mapping_pdos, marked_objects, yielding
 from esicatalog.model.drive_recipe import mode_recipe
 from esicatalog.model.drive_setup import ConfiguredDrive
@@ -89,13 +105,17 @@ def drive_modes(
     plugged = module_parts(device, modules if own_axes else drives, views)
     groups = configurations(device, own, plugged, declaring, there)
     by_part = _findings([part for sets in groups.values() for parts in sets for part in parts], own_axes)
-    evidence = list(dict.fromkeys(chain.from_iterable(by_part.values())))
+    speaking = [part for part in chain(*plugged.values()) if by_part.get(id(part)) or writes_mode(part)]
+    for axis in never_alone(device, modules, speaking) if speaking else ():
+        del groups[axis][0]
+    found = {axis: [_Configuration(parts, _said(parts, by_part)) for parts in sets] for axis, sets in groups.items()}
+    evidence = list(dict.fromkeys(item for sets in found.values() for one in sets for item in one.findings))
     evidence += _axes_alone(groups, {item.axis for item in evidence})
     defaults = {(item.slot_number, item.module.module_ident) for item in there}
     drive = ConfiguredDrive(device, there, images)
     judged = [
-        _best(drive, axis, mode, sets, by_part, defaults)
-        for axis, sets in sorted(groups.items())
+        _best(drive, axis, mode, sets, defaults)
+        for axis, sets in sorted(found.items())
         for mode in DRIVE_MODES.values()
     ]
     verdicts = [verdict for verdict in judged if verdict is not None]
@@ -107,9 +127,23 @@ def drive_modes(
 def _findings(parts: Iterable[Part], own_axes: Container[int]) -> dict[int, list[ModeEvidence]]:
     """Findings of the parts that are drives, by the part's identity."""
     return {
-        number: list(find_evidence(part)) if part.axis in own_axes or is_drive(part) else []
+        number: list(find_evidence(part))
         for number, part in {id(part): part for part in parts}.items()
+        if part.axis in own_axes or is_drive(part)
     }
+
+
+class _Configuration(NamedTuple):
+    """Parts that act together, a module last, and all that is found for them."""
+
+    parts: list[Part]
+    findings: list[ModeEvidence]
+
+
+def _said(parts: list[Part], by_part: Mapping[int, Sequence[ModeEvidence]]) -> list[ModeEvidence]:
+    """What is found for parts that act together; nothing where none of them is a drive."""
+    found = [by_part[id(part)] for part in parts if id(part) in by_part]
+    return [*chain.from_iterable(found), *start_evidence(parts)] if found else []
 
 
 def _axes_alone(groups: Mapping[int, list[list[Part]]], told: Container[int]) -> Iterator[ModeEvidence]:
@@ -144,13 +178,12 @@ def _best(
     drive: ConfiguredDrive,
     axis: int,
     mode: DriveMode,
-    configurations: list[list[Part]],
-    by_part: dict[int, list[ModeEvidence]],
+    configurations: Iterable[_Configuration],
     defaults: set[tuple[int, int | None]],
 ) -> DriveModeVerdict | None:
     judged: list[_Judged] = []
-    for parts in configurations:
-        findings = [item for part in parts for item in by_part[id(part)] if item.mode == mode.name]
+    for parts, said in configurations:
+        findings = [item for item in said if item.mode == mode.name]
         verdict = _verdict(axis, mode, findings) if findings else None
         if verdict is not None:
             module = next((part for part in reversed(parts) if part.module_ident is not None), None)
@@ -267,8 +300,7 @@ def _listed_modes(view: DictionaryView) -> dict[str, tuple[int, str]]:
         name: [
             (mode, text)
             for text in [display_text(item.texts) or "" for item in enum_values(name, types)]
-            if not denies(text)
-            for mode in sorted(named_modes(text))
+            for mode in sorted(claimed_modes(text))
         ]
         for name in types
     }

@@ -48,8 +48,8 @@ class Part(NamedTuple):
     """The module that it is about, None for the device itself."""
     name: str = ""
     """Names of a module: type and name."""
-    beside: tuple[Pdo, ...] = ()
-    """RxPDOs of the device that are there beside a module's."""
+    slots: tuple[int, ...] = ()
+    """All slots in which the module drives this axis, the one that it is in first."""
     replaced: frozenset[int] = frozenset()
     """Objects of the device in whose place those of modules count."""
 
@@ -107,9 +107,9 @@ def single_value(part: Part, index: int) -> ObjectEntry | None:
 
 
 def single_values(part: Part, index: int) -> list[ObjectEntry]:
-    """The same in every dictionary that has the object."""
-    resolved = [view.resolved(index) for view in declaring_views(part, index)]
-    return [item.entries[0] for item in resolved if item is not None and item.entries]
+    """The same in every dictionary that has it."""
+    found = [view.single(index) for view in declaring_views(part, index)]
+    return [entry for entry in found if entry is not None]
 
 
 def may_be_mapped(part: Part, index: int) -> bool:

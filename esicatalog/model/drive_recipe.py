@@ -53,8 +53,9 @@ def mode_recipe(drive: ConfiguredDrive, mode: DriveMode, parts: Sequence[Part], 
 
 
 def _usable(part: Part, mode: DriveMode, setup: DriveSetup) -> Part:
-    """The part with what is assigned in a setup, and without the RxPDOs of the setpoint that cannot be."""
-    in_setup = part._replace(assigned=assigned_rx_pdos(setup.images, part.slot_number))
+    """The part with what is assigned once in a setup, and without the RxPDOs of the setpoint that cannot be."""
+    assigned = assigned_rx_pdos(setup.images, part.slot_number)
+    in_setup = part._replace(assigned=tuple([pdo for pdo in assigned if pdo.pdo_index not in setup.repeated]))
     setpoint = {part.at(index) for index in mode.setpoints}
     ruled_out = [
         pdo
@@ -82,6 +83,8 @@ def _setpoint(mode: DriveMode, parts: Sequence[Part], usable: Sequence[Part], se
         words = f"{mapping_words(pdos)} the setpoint"
         if all(pdo in part.assigned for pdo in pdos):
             return words
+        if any(pdo.pdo_index in setup.repeated for pdo in pdos):
+            return f"{words}; assigned twice {setup.assigning}, which no export makes: choose it once"
         subject = "it is not" if len(pdos) == 1 else "not all are"
         doubt = "" if declares_pdo_assign(setup.device) else f", and {NO_PDO_ASSIGN}"
         return f"{words}; {subject} assigned {setup.assigning}{doubt}"

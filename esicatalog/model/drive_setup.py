@@ -7,7 +7,7 @@ from itertools import chain
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.pdo import RX_PDO, Pdo
 from esicatalog.model.assignable_pdos import (
     AvailablePdo,
     assignment_place,
@@ -18,7 +18,7 @@ from esicatalog.model.assignable_pdos import (
 from esicatalog.model.cia402 import DriveMode
 from esicatalog.model.drive_parts import Part
 from esicatalog.model.pdo_facts import mapped_entries, symmetric_exclusions
-from esicatalog.model.process_image import SmImage, process_image
+from esicatalog.model.process_image import SmImage, process_image, repeated_indices
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.start_up import written_places, yields
 from esicatalog.model.sync import asked_op_modes, default_position, op_mode_at, op_mode_choice, positions_with_sync0
@@ -41,6 +41,17 @@ class DriveSetup:
         if self._images is not None:
             return self._images
         return process_image(self.device, self._plugged, op_mode_at(self.device.op_modes, self._position))
+
+    @cached_property
+    def commanded(self) -> frozenset[int | None]:
+        """The objects that its RxPDOs map."""
+        rx_pdos = (placed.pdo for image in self.images for placed in image.pdos if placed.direction == RX_PDO)
+        return frozenset([entry.entry_index for pdo in rx_pdos for entry in pdo.entries])
+
+    @cached_property
+    def repeated(self) -> Collection[int]:
+        """Indices that it assigns twice, which no export makes: they have to be chosen."""
+        return repeated_indices(self.images)
 
     @cached_property
     def exclusions(self) -> dict[int | None, tuple[int, ...]]:
@@ -80,7 +91,7 @@ class DriveSetup:
         return "by default" if is_default or self.op_mode_words is None else f"with {self.op_mode_words}"
 
     def obstacle(self, pdo: Pdo) -> str | None:
-        """Why an RxPDO that is not in the process image cannot be chosen beside it, None when it can."""
+        """Why an RxPDO cannot be chosen beside what stays of the process image, None when it can."""
         meant = meant_by_index(self._available, pdo.pdo_index)
         if meant.found is None:
             return meant.obstacle
@@ -122,7 +133,14 @@ class ConfiguredDrive:
         others = {item.slot_number: item for item in self._there}
         plugged = others if chosen is None else others | {chosen.slot_number: chosen}
         by_slot = [plugged[number] for number in sorted(plugged)]
-        position = self._position(mode, [chosen, *by_slot] if chosen is not None else by_slot)
+        positions = self._positions(mode, [chosen, *by_slot] if chosen is not None else by_slot)
+        setups = [self._in_op_mode(position, chosen, by_slot) for position in positions]
+        setpoint = {parts[-1].at(index) for index in mode.setpoints}
+        return next((setup for setup in setups if setpoint <= setup.commanded), setups[0])
+
+    def _in_op_mode(
+        self, position: int | None, chosen: PluggedModule | None, by_slot: Sequence[PluggedModule]
+    ) -> DriveSetup:
         key = (chosen.slot_number, id(chosen.module), position) if chosen is not None else (None, 0, position)
         if key not in self._setups:
             is_default = all(item in self._there for item in by_slot)
@@ -130,14 +148,17 @@ class ConfiguredDrive:
             self._setups[key] = DriveSetup(self.device, by_slot, position, images)
         return self._setups[key]
 
-    def _position(self, mode: DriveMode, plugged: Sequence[PluggedModule]) -> int | None:
-        """Of the OpMode that a module asks for, else for cyclic modes the first one with SYNC0, else the default."""
+    def _positions(self, mode: DriveMode, plugged: Sequence[PluggedModule]) -> Sequence[int | None]:
+        """Of the OpMode that a module asks for, else for cyclic modes of those with SYNC0, else of the default.
+
+        Of several the first counts that assigns the setpoint, without any such the first.
+        """
         modules = [item.module for item in plugged]
         asked = asked_op_modes(self.device.op_modes, modules).values()
         with_sync0 = positions_with_sync0(self.device) if mode.cyclic else []
         if with_sync0 and all(position is None for position in asked):
-            return with_sync0[0]
-        return default_position(self.device.op_modes, modules)
+            return with_sync0
+        return [default_position(self.device.op_modes, modules)]
 
 
 def _assigns_alike(device: Device, one: int | None, other: int | None) -> bool:

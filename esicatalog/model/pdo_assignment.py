@@ -12,8 +12,8 @@ from typing import NamedTuple
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.pdo import TX_PDO, Pdo
-from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos, group_order
-from esicatalog.model.pdo_facts import PDO_MAPPINGS
+from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos, group_order, without_rivals
+from esicatalog.model.pdo_facts import PDO_MAPPINGS, symmetric_exclusions
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import may_transport, sm_role
 from esicatalog.words import index_words
@@ -40,6 +40,32 @@ class PdoAssignment(NamedTuple):
     sync_managers: list[SmAssignment]
     factors: Mapping[int, int | None]
     """Oversampling factors by PDO index, None for a PDO that the OpMode lists without; empty without such lists."""
+
+
+class Rivals:
+    """PDOs that exclude each other, be they of one SyncManager or of several.
+
+    Mandatory ones stay, those first that a list names; then what a list names stays beside what is assigned by its Sm
+    alone (ESI-FACTS 0.5: the lists win); else what comes first.
+    """
+
+    def __init__(self, assignments: Iterable[SmAssignment]) -> None:
+        known = [(item.pdo, of_sm.listed or ()) for of_sm in assignments for item in of_sm.pdos]
+        self._exclusions = symmetric_exclusions(pdo for pdo, _ in known)
+        order = {
+            pdo.pdo_index: (not pdo.mandatory, pdo.pdo_index not in listed)
+            for pdo, listed in known
+            if pdo.pdo_index is not None and (pdo.mandatory or pdo.pdo_index in listed)
+        }
+        self._taken: set[int | None] = {*without_rivals(sorted(order, key=order.__getitem__), self._exclusions)}
+
+    def rival(self, pdo: Pdo) -> int | None:
+        """What excludes a PDO: one that was taken before, or one that stays in any case."""
+        return next((index for index in self._exclusions.get(pdo.pdo_index, ()) if index in self._taken), None)
+
+    def take(self, pdo: Pdo) -> None:
+        """A PDO is assigned."""
+        self._taken.add(pdo.pdo_index)
 
 
 def assigned_pdos(

@@ -6,6 +6,7 @@ further. How long a PDO with variable content is, one with an entry without BitL
 described, is not known, nor where lies what follows it; nor what follows the PDOs of a required module that is missing.
 """
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import takewhile
 from typing import NamedTuple
@@ -19,9 +20,9 @@ from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Entry, Pdo
 from esicatalog.esi.records.slots import ModulePdoGroup
 from esicatalog.esi.unreadable import reason_words
 from esicatalog.identity import MAX_INDEX
-from esicatalog.model.assignable_pdos import AvailablePdo, declares_pdo_upload, without_rivals
-from esicatalog.model.pdo_assignment import Assignment, SmAssignment, assigned_pdos, has_default_image
-from esicatalog.model.pdo_facts import has_length, is_described, pdo_bits, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.assignable_pdos import AvailablePdo, declares_pdo_upload
+from esicatalog.model.pdo_assignment import Assignment, Rivals, SmAssignment, assigned_pdos, has_default_image
+from esicatalog.model.pdo_facts import has_length, is_described, pdo_bits, pdos_by_direction
 from esicatalog.model.required_slots import MissingPdos, missing_pdos
 from esicatalog.model.slots import PluggedModule, default_modules
 from esicatalog.model.sm_facts import transfer_direction
@@ -193,39 +194,35 @@ def process_image(
     OpMode's oversampling factors count whoever assigns the PDO, since its SYNC0 runs that often.
     """
     assigned = assigned_pdos(device, plugged, op_mode, assignment)
-    rivals = _Rivals(assigned.sync_managers)
+    rivals = Rivals(assigned.sync_managers)
     has_module_pdos = any(item.module.rx_pdos or item.module.tx_pdos for item in plugged)
-    return [_image(device, of_sm, assigned.factors, rivals, has_module_pdos) for of_sm in assigned.sync_managers]
+    images = [_image(device, of_sm, assigned.factors, rivals, has_module_pdos) for of_sm in assigned.sync_managers]
+    for index in repeated_indices(images):
+        images = [
+            image._replace(remarks=(*image.remarks, repeated_words(index)))
+            if any(placed.pdo.pdo_index == index for placed in image.pdos)
+            else image
+            for image in images
+        ]
+    return images
 
 
-class _Rivals:
-    """PDOs that exclude each other, be they of one SyncManager or of several."""
+def repeated_indices(images: Iterable[SmImage]) -> list[int]:
+    """Indices that are assigned again, as modules have them whose slots do not move them: no export makes that."""
+    times = Counter(placed.pdo.pdo_index for image in images for placed in image.pdos)
+    return [index for index, count in times.items() if count > 1 and index is not None]
 
-    def __init__(self, assignments: Iterable[SmAssignment]) -> None:
-        known = [(item.pdo, of_sm.listed or ()) for of_sm in assignments for item in of_sm.pdos]
-        self._exclusions = symmetric_exclusions(pdo for pdo, _ in known)
-        mandatory = {
-            pdo.pdo_index: pdo.pdo_index not in listed
-            for pdo, listed in known
-            if pdo.mandatory and pdo.pdo_index is not None
-        }
-        staying = without_rivals(sorted(mandatory, key=mandatory.__getitem__), self._exclusions)
-        self._taken: set[int | None] = {*staying}
 
-    def rival(self, pdo: Pdo) -> int | None:
-        """What excludes a PDO: one that was taken before, or a mandatory one that stays."""
-        return next((index for index in self._exclusions.get(pdo.pdo_index, ()) if index in self._taken), None)
-
-    def take(self, pdo: Pdo) -> None:
-        """A PDO is assigned."""
-        self._taken.add(pdo.pdo_index)
+def repeated_words(index: int) -> str:
+    """What is wrong with such an index."""
+    return f"PDO 0x{index:04X} is assigned twice, and devices and masters tell PDOs apart by their index"
 
 
 def _image(
     device: Device,
     assigned: SmAssignment,
     factors: Mapping[int, int | None],
-    rivals: _Rivals,
+    rivals: Rivals,
     has_module_pdos: bool,
 ) -> SmImage:
     number, sm = assigned.number, assigned.sync_manager
@@ -289,7 +286,7 @@ class _ImageBuilder:
     """Puts PDOs one behind the other, bit by bit; groups of module PDOs end on their alignment."""
 
     def __init__(
-        self, device: Device, factors: Mapping[int, int | None], rivals: _Rivals, assigned: SmAssignment
+        self, device: Device, factors: Mapping[int, int | None], rivals: Rivals, assigned: SmAssignment
     ) -> None:
         self._factors = factors
         self._groups = device.module_pdo_groups
@@ -305,7 +302,7 @@ class _ImageBuilder:
         self.excluded: list[tuple[AvailablePdo, int]] = []
 
     def place(self, candidate: AvailablePdo) -> None:
-        """Add a PDO unless it is excluded by one that came before or by a mandatory one that stays."""
+        """Add a PDO unless it is excluded by one that came before or by one that stays in any case."""
         pdo = candidate.pdo
         rival = self._rivals.rival(pdo)
         if rival is not None:

@@ -36,12 +36,13 @@ def mode_against_name(subject: ModuleSubject) -> Iterator[Found]:
         if item.rank == _AGAINST_NAME
     }
     for _, item in sorted(against.items()):
-        place: Place = ("mailbox", "coe_init_cmds", _writing(subject, item))
+        number = _writing(subject, item)
+        place: Place = ("mailbox", "coe_init_cmds", number) if number is not None else ()
         yield Found(f"{item.evidence}: correct the command or the name", place)
 
 
-def _writing(subject: ModuleSubject, item: ModeEvidence) -> int:
-    """Position of the InitCmd that writes the mode.
+def _writing(subject: ModuleSubject, item: ModeEvidence) -> int | None:
+    """Position of the InitCmd that writes the mode, None where that is one of the device.
 
     In a slot above 0 the evidence rests on another index than the one that stands in the module.
     """
@@ -52,7 +53,7 @@ def _writing(subject: ModuleSubject, item: ModeEvidence) -> int:
         and (mode := written_mode(command, index)) is not None
         and mode.name == item.mode
     }
-    return min(written, key=lambda number: written[number] != item.object_index, default=0)
+    return min(written, key=lambda number: written[number] != item.object_index, default=None)
 
 
 @rule("L58", WARNING, "CiA 402: 0x6040, 0x6041, 0x6060 and 0x6502 are mandatory")
@@ -85,7 +86,7 @@ def _doubtful_modes(subject: Owner) -> Iterator[Found]:
             declared = view.by_index.get(index)
             if declared is None or declared.overwritten_by_module:
                 continue
-            entry = (view.entries(index) or {}).get(0)
+            entry = view.single(index)
             if entry is None or (shift and subject.own.entries(CONTROLWORD + shift) is None):
                 continue
             modes = supported_modes(entry)
