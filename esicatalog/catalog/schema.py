@@ -11,7 +11,7 @@ import sqlalchemy as sa
 from esicatalog.catalog import types
 from esicatalog.catalog.mapping import TABLE_RECORDS, codec
 
-SCHEMA_VERSION = "0012"
+SCHEMA_VERSION = "0013"
 """Revision of the newest migration."""
 
 metadata = sa.MetaData(
