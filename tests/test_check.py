@@ -170,7 +170,7 @@ DAMAGES = {
         "1 devices have other values than their documents brought",
     ),
     "a byte of an InitCmd": (
-        ["UPDATE initcmds SET data = data || '00' WHERE id = (SELECT min(id) FROM initcmds WHERE device_id IS NOT NULL)"],
+        ["UPDATE initcmds SET data = data || '00' WHERE device_id = 3"],
         "1 devices have other values than their documents brought",
     ),
     "a value of a module": (

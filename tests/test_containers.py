@@ -100,6 +100,34 @@ def test_an_archive_whose_names_have_backslashes(tmp_path):
     assert (both.repeated, both.read("ESI/a.xml")) == (["ESI/a.xml"], b"2")
 
 
+@pytest.mark.parametrize(("encoding", "is_flagged"), [("utf-8", True), ("utf-8", False), ("cp437", False)])
+def test_names_of_members_in_any_encoding(encoding, is_flagged):
+    """The flag says UTF-8; the usual ``zip`` of Unix writes UTF-8 without it, programs of DOS their code page."""
+
+    class Info(zipfile.ZipInfo):
+        def _encodeFilenameFlags(self):  # noqa: N802
+            return self.filename.encode(encoding), self.flag_bits | 0x800 * is_flagged
+
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        archive.writestr(Info("Geräte/Wörter.xml"), b"1")
+        archive.writestr(Info("Geräte/Gerät.xml"), b"2")
+    archive = Archive(stream.getvalue())
+    assert archive.members() == [("Geräte/Gerät.xml", 1), ("Geräte/Wörter.xml", 1)]
+    assert archive.read("Geräte/Wörter.xml") == b"1"
+    assert resolve_reference(archive, "Geräte/Gerät.xml", "wörter.xml") == "Geräte/Wörter.xml"
+
+
+def test_accented_letters_may_be_made_up_of_two_characters(tmp_path):
+    """As macOS writes names; a name that is written as in the document comes first."""
+    one, two = "W\u00f6rter.xml", "Wo\u0308rter.xml"
+    for container in containers_with(tmp_path, two):
+        assert resolve_reference(container, "EL.xml", one) == two
+        assert resolve_reference(container, "EL.xml", two.upper()) == two
+    for container in containers_with(tmp_path / "both", one, two):
+        assert [resolve_reference(container, "EL.xml", name) for name in (one, two)] == [one, two]
+
+
 @pytest.mark.parametrize(
     "reference",
     [

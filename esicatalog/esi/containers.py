@@ -12,6 +12,7 @@ import io
 import os
 import posixpath
 import stat
+import unicodedata
 import zipfile
 from collections import Counter
 from collections.abc import Iterable
@@ -34,8 +35,8 @@ MAX_NESTING = 3
 _SMALL_BYTES = 1024 * 1024
 """Members up to here may have any ratio."""
 _MAX_DIRECTORY_BYTES = 256 * MAX_MEMBERS
-_ENCRYPTED = 0x1
-"""Bit of a member's flags."""
+_ENCRYPTED, _IN_UTF_8 = 0x1, 0x800
+"""Bits of a member's flags."""
 NESTED = "!"
 """Separates an archive from its member: ``vendor.zip!EL/EL1xxx.xml``."""
 
@@ -69,8 +70,13 @@ def resolve_reference(container: Container, document: str, reference: str) -> st
     return container.find(joined)
 
 
+def _letters(name: str) -> str:
+    """What names have in common that differ in letter case, or in how an accented letter is made up, alone."""
+    return unicodedata.normalize("NFC", name).lower()
+
+
 def _closest_first(member: str, fitting: Iterable[str]) -> list[str]:
-    """Paths that differ from ``member`` in letter case alone; first those whose first steps are written as there."""
+    """Paths that have the letters of ``member``; first those whose first steps are written as there."""
     steps = member.split("/")
     return sorted(
         fitting, key=lambda path: [(name != step, name) for name, step in zip(path.split("/"), steps, strict=False)]
@@ -150,7 +156,7 @@ class Folder:
             fitting = [
                 posixpath.join(folder, name)
                 for folder in found.values()
-                for name in self._listing(folder).get(step.lower(), ())
+                for name in self._listing(folder).get(_letters(step), ())
             ]
             # By where they lead: symbolic links could multiply the ways without end.
             found = {os.path.realpath(self.root / path): path for path in reversed(_closest_first(member, fitting))}
@@ -163,13 +169,13 @@ class Folder:
         return files[-1] if files else None
 
     def _listing(self, folder: str) -> dict[str, list[str]]:
-        """The names in a folder, by what they are in lower case."""
+        """The names in a folder, by their letters."""
         listing = self._listings.get(folder)
         if listing is None:
             listing = self._listings[folder] = {}
             with contextlib.suppress(OSError):
                 for entry in (self.root / folder).iterdir():
-                    listing.setdefault(entry.name.lower(), []).append(entry.name)
+                    listing.setdefault(_letters(entry.name), []).append(entry.name)
         return listing
 
 
@@ -201,9 +207,7 @@ class Archive:
             hidden = error.__context__
             refused = hidden if isinstance(hidden, OSError) and is_unreadable(hidden) else error
             raise _refusal(refused, InputError, "not a usable zip archive") from error
-        # Archives that Windows programs packed may have backslashes: zipfile turns them into slashes on Windows only.
-        named = [(info.filename.replace("\\", "/"), info) for info in self._zip.infolist()]
-        named = [(name, info) for name, info in named if not name.endswith("/")]
+        named = [(name, info) for info in self._zip.infolist() if not (name := _member_name(info)).endswith("/")]
         if len(named) > MAX_MEMBERS:
             raise InputError(f"archive with more than {MAX_MEMBERS} members")
         self.expanded_bytes = sum(info.file_size for _, info in named)
@@ -212,9 +216,9 @@ class Archive:
         self._infos = dict(named)
         self.repeated = sorted(name for name, count in Counter(name for name, _ in named).items() if count > 1)
         """Names that several members have; the last one is meant, as in a folder that the archive is unpacked to."""
-        self._by_lower: dict[str, list[str]] = {}
+        self._by_letters: dict[str, list[str]] = {}
         for name in self._infos:
-            self._by_lower.setdefault(name.lower(), []).append(name)
+            self._by_letters.setdefault(_letters(name), []).append(name)
 
     def members(self) -> list[tuple[str, int]]:
         """Names and expanded sizes in bytes of all members, sorted by name."""
@@ -262,7 +266,20 @@ class Archive:
 
     def find(self, member: str) -> str | None:
         """The member with this path, else the closest one in another letter case."""
-        return next(iter(_closest_first(member, self._by_lower.get(member.lower(), ()))), None)
+        return next(iter(_closest_first(member, self._by_letters.get(_letters(member), ()))), None)
+
+
+def _member_name(info: zipfile.ZipInfo) -> str:
+    """The path of a member.
+
+    Programs of Unix write names in UTF-8 without saying so, which zipfile takes for those of code page 437; programs of
+    Windows write backslashes, which zipfile turns into slashes on Windows only.
+    """
+    name = info.filename
+    if not info.flag_bits & _IN_UTF_8:
+        with contextlib.suppress(UnicodeError):
+            name = name.encode("cp437").decode("utf-8")
+    return name.replace("\\", "/")
 
 
 def open_container(root: str, in_archive: bool, nested: Iterable[str] = ()) -> Container:
