@@ -204,7 +204,9 @@ def test_a_bus_from_a_listing(data_db, tmp_path):
     for name in ("L6N_0_POSITION 0", "ECX_D808_1_POSITION 1", "L6N_2_POSITION 2"):
         assert f"#define {name}\n" in result.stdout
     assert result.stdout == run("igh", "--scan", "-", db=data_db, stdin=BUS).stdout
-    assert "#ifndef LINE_H" in run("igh", "--scan", listing, "--name", "line", db=data_db).stdout
+    named = run("igh", "--scan", listing, "--name", "line", db=data_db).stdout
+    assert "#ifndef LINE_H\n" in named and "#define LINE_L6N_0_POSITION 0\n" in named
+    assert "a bus cycle of 0 ns cannot be" in error_line(run("igh", "--scan", listing, "--cycle-ns", 0, db=data_db), 2)
 
 
 def test_what_is_not_understood_of_a_listing_is_told(data_db):

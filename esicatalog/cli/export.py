@@ -153,14 +153,15 @@ def igh(inputs: Inputs, scan: Path | None) -> str:
 
     PDO tables, offsets, registration, typed accessors, start-up commands, distributed clocks, checks at compile time.
     --scan makes one header for all slaves of a bus; the header and stderr name those that it leaves out, and what of
-    the listing is missing or was not understood.
+    the listing is missing or was not understood. It is made for one cycle, that of --cycle-ns or 1 ms. With
+    --name the names of its devices have PREFIX before their types, as headers of two buses in one program need it.
     """
     from esicatalog.export.igh import igh_bus_header, igh_header
 
     if scan is None:
         return igh_header(inputs.configuration())
     bus = configurations_of_scan(inputs, scan)
-    header = igh_bus_header(bus, _bus_name(inputs.choice.name))
+    header = igh_bus_header(bus, inputs.choice.name)
     for words in (*bus.left_out, *bus.unread):
         click.echo(f"esicatalog: {words}", err=True)
     return header
@@ -293,12 +294,6 @@ def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: 
         beside.parent.mkdir(parents=True, exist_ok=True)
         _write(made, str(beside))
     return first[1]
-
-
-def _bus_name(name: str | None) -> str:
-    from esicatalog.export.names import checked_prefix
-
-    return checked_prefix(name) if name is not None else "bus"
 
 
 def _write(result: str | bytes, output: str | None) -> None:
