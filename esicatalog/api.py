@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from esicatalog.catalog.identified_bus import BusReport
     from esicatalog.catalog.identity import IdentityLookup
     from esicatalog.catalog.listing import Listing
-    from esicatalog.catalog.results import FoundDevice, Identification
+    from esicatalog.catalog.results import FoundDevice, Identification, UnreachedModules
     from esicatalog.catalog.snapshot import Snapshot
     from esicatalog.esi.records.device import Device
     from esicatalog.esi.records.module import Module
@@ -263,6 +263,17 @@ class Catalog:
             return [
                 _export_subject(connection, number, found) for number, found in devices_of_vendor(connection, vendor_id)
             ]
+
+    def unreached_modules(self, vendor_id: int) -> "UnreachedModules":
+        """The modules of a vendor that no slot of any device reaches, which :meth:`export_subjects` lacks therefore.
+
+        Raises :class:`~esicatalog.errors.InputError` for what is no number of 32 bits.
+        """
+        checked_number(vendor_id, "vendor")
+        from esicatalog.catalog.document_parts import unreached_modules
+
+        with self._connection() as connection:
+            return unreached_modules(connection, vendor_id)
 
     def content_hash(self) -> str | None:
         """SHA-256 over all descriptions and the documents that carry them, as the last ingest stored it.

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from snippets import device, esi, only_device, pdo, read, write
+from snippets import device, esi, one, only_device, pdo, read, rows, write
 from test_export_configuration import dc, times
 
 from esicatalog import Catalog
@@ -204,7 +204,9 @@ def test_a_bus_from_a_listing(data_db, tmp_path):
     for name in ("L6N_0_POSITION 0", "ECX_D808_1_POSITION 1", "L6N_2_POSITION 2"):
         assert f"#define {name}\n" in result.stdout
     assert result.stdout == run("igh", "--scan", "-", db=data_db, stdin=BUS).stdout
-    assert "#ifndef LINE_H" in run("igh", "--scan", listing, "--name", "line", db=data_db).stdout
+    named = run("igh", "--scan", listing, "--name", "line", db=data_db).stdout
+    assert "#ifndef LINE_H\n" in named and "#define LINE_L6N_0_POSITION 0\n" in named
+    assert "a bus cycle of 0 ns cannot be" in error_line(run("igh", "--scan", listing, "--cycle-ns", 0, db=data_db), 2)
 
 
 def test_what_is_not_understood_of_a_listing_is_told(data_db):
@@ -295,6 +297,46 @@ def test_the_export_of_a_vendor_names_the_descriptions_that_it_leaves_out(tmp_pa
         "esicatalog: 0x00000e5c:0x00000002:0x00000001: 1 more description, @2",
     ]
     assert run("esi", "0xe5c:3", db=db).stderr == ""
+
+
+def _module(ident: int, module_class: str, name: str) -> str:
+    return f"<Module><Type ModuleIdent='{ident}' ModuleClass='{module_class}'>{name}</Type><Name>{name}</Name></Module>"
+
+
+def test_the_export_of_a_vendor_has_the_modules_that_no_slot_reaches(tmp_path):
+    """The coupler takes the class C; further modules, of which it would take one, stand in a document of modules.
+
+    Of another vendor there are only modules.
+    """
+    slots = "<Slots><Slot MinInstances='0' MaxInstances='1'><ModuleClass><Class>C</Class></ModuleClass></Slot></Slots>"
+    of_modules = _module(2, "C", "M2") + _module(3, "D", "M3")
+    documents = {
+        "coupler.xml": esi(device(slots), _module(1, "C", "M1")),
+        "modules.xml": esi("", of_modules),
+        "other.xml": esi("", _module(4, "C", "M4"), vendor="<Id>7</Id><Name>Other</Name>"),
+    }
+    given, again = tmp_path / "given.db", tmp_path / "again.db"
+    with Catalog.open(given, create=True) as catalog:
+        catalog.ingest([write(tmp_path / "in", documents)], jobs=1)
+    alone = run("esi", "--vendor", "0xe5c", db=given)
+    assert [item.type for item in read(alone.stdout).document.infos[0].modules] == ["M1", "M3"]
+    assert alone.stderr == (
+        "esicatalog: left out: 1 module that no description reaches, because a device here would take them or another "
+        "module has their ModuleIdent; --with-files -o OUT writes them too: 'M2' (0x00000002)\n"
+    )
+    out = tmp_path / "out"
+    out.mkdir()
+    for vendor, name in (("0xe5c", "a.xml"), ("7", "b.xml")):
+        result = run("esi", "--vendor", vendor, "--with-files", "-o", out / name, db=given)
+        assert (result.exit_code, result.stderr) == (0, "")
+    assert sorted(path.name for path in out.iterdir()) == ["a-2.xml", "a.xml", "b.xml"]
+    with Catalog.open(again, create=True) as catalog:
+        catalog.ingest([out], jobs=1)
+    for table in ("devices", "modules"):
+        hashes = f"SELECT content_hash FROM {table} ORDER BY 1"
+        assert rows(again, hashes) == rows(given, hashes)
+    assert one(again, "SELECT name FROM vendors WHERE vendor_id = 7") == "Other"
+    assert "vendor 0x00000008 has no device and no module" in error_line(run("esi", "--vendor", 8, db=given), 1)
 
 
 def test_cstruct_remarks_on_stderr_what_its_text_cannot_hold(tmp_path):

@@ -13,7 +13,7 @@ from esicatalog.export.soem import soem_header
 
 
 def igh_bus(found: Configuration) -> str:
-    return igh_bus_header(BusConfigurations([found], [], []), "bus")
+    return igh_bus_header(BusConfigurations([found], [], []))
 
 
 TARGETS = [igh_header, igh_bus, soem_header, pysoem_module, ros2_slave, linuxcnc_configuration]

@@ -16,7 +16,7 @@ from esicatalog.esi.records.document import EsiInfo, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.records.slots import Slot, SlotModuleClass, SlotModuleIdent
-from esicatalog.export.esi import DeviceWithModules, content_of, export_esi, export_esi_files
+from esicatalog.export.esi import DeviceWithModules, content_of, export_esi, export_esi_files, export_vendor_esi
 from esicatalog.export.subject import subjects_of_document
 from esicatalog.model.slots import reachable_modules
 
@@ -154,6 +154,24 @@ def test_the_first_of_several_modules_with_one_ident_stays_the_first():
     both = [DeviceWithModules(modular("T1", 0x10), [one, two]), DeviceWithModules(modular("T2", 0x10), [two, one])]
     infos = [info_of(content) for content in export_esi_files("a.xml", VENDOR, (), both).values()]
     assert [info.modules for info in infos] == [(one, two), (two, one)]
+
+
+def test_modules_that_no_slot_reaches_stand_where_no_slot_would_take_them():
+    """One slot is for the class C; of a ModuleIdent there is one module in a document."""
+    coupler, plugged = modular("T1", module_class="C"), module(0x10, "M1", "C")
+    free, nameless = module(0x11, "free", "D"), module(0x12, "no class")
+    of_ident, of_class, again = module(0x10, "ident", "D"), module(0x13, "class", "C"), module(0x11, "again", "D")
+    content = (VENDOR, (), [DeviceWithModules(coupler, [plugged])])
+    unreached = (free, of_ident, of_class, nameless, again)
+    written = export_vendor_esi(*content, unreached)
+    assert info_of(written.document).modules == (plugged, free, nameless)
+    assert written.left_out == (of_ident, of_class, again)
+    files = export_esi_files("all.xml", *content, unreached)
+    assert list(files) == ["all.xml", "all-2.xml"]
+    infos = [info_of(text) for text in files.values()]
+    assert [info.devices for info in infos] == [(coupler,), ()]
+    assert [info.modules for info in infos] == [(plugged, free, nameless), (of_ident, of_class, again)]
+    assert {info.vendor for info in infos} == {VENDOR}
 
 
 # Dictionaries and diagnosis texts

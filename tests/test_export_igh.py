@@ -516,7 +516,7 @@ def bus(data) -> list[Configuration]:
 
 @needs_gcc
 def test_a_bus_in_one_header(data, tmp_path):
-    text = igh_bus_header(BusConfigurations(bus(data), ["position 3: 0x1:0x2 is unknown"], []), "bus")
+    text = igh_bus_header(BusConfigurations(bus(data), ["position 3: 0x1:0x2 is unknown"], []))
     assert "- position 3: 0x1:0x2 is unknown" in text
     assert text.count("static ec_sync_info_t ") == 2, "equal devices share their tables"
     assert re.findall(r"#define (\w+_POSITION) (\d)", text) == [
@@ -534,19 +534,33 @@ def test_a_bus_in_one_header(data, tmp_path):
     assert lines[-2:] == ["0", "7"]
 
 
+@needs_gcc
+def test_a_name_begins_all_names_of_a_bus(data, tmp_path):
+    """So headers of two buses go into one program; the cycle and the helpers for bits are common to all headers."""
+    headers = [igh_bus_header(BusConfigurations(bus(data), [], []), name) for name in ("left", "Right")]
+    check_syntax(tmp_path, headers, IGH_16)
+    left = set(re.findall(r"#define (\w+)", headers[0])) - {"CYCLE_NS", "ESICATALOG_BITS", "_Static_assert"}
+    assert {"LEFT_H", "LEFT_L6N_VENDOR_ID", "LEFT_L6N_1_POSITION", "LEFT_ECX_D808_2_POSITION"} < left
+    assert [name for name in left if not name.startswith("LEFT_")] == []
+    assert "static inline int right_l6n_config(ec_slave_config_t *sc)\n" in headers[1]
+    assert "static right_l6n_offsets_t right_l6n_1_offsets;\n" in headers[1]
+    with pytest.raises(InputError, match="'a b' cannot begin names"):
+        igh_bus_header(BusConfigurations(bus(data), [], []), "a b")
+
+
 def test_a_bus_that_cannot_be():
     with pytest.raises(InputError, match="no slave of the bus"):
-        igh_bus_header(BusConfigurations([], [], []), "bus")
+        igh_bus_header(BusConfigurations([], [], []))
     one = configured(SMS)
     with pytest.raises(InputError, match="two slaves stand at alias 0, position 0"):
-        igh_bus_header(BusConfigurations([one, one], [], []), "bus")
+        igh_bus_header(BusConfigurations([one, one], [], []))
 
 
 @needs_gcc
 def test_equal_types_of_different_devices_on_a_bus(tmp_path):
     first = configure(subject(SMS + pdo("RxPdo", "#x1600", 8, attributes='Sm="2"')), Choice(position=0))
     second = configure(subject(SMS + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')), Choice(position=1))
-    check_syntax(tmp_path, [igh_bus_header(BusConfigurations([first, second], [], []), "bus")], IGH_16)
+    check_syntax(tmp_path, [igh_bus_header(BusConfigurations([first, second], [], []))], IGH_16)
 
 
 TYPES_OF_C = [f"{sign}int{bits}_t" for sign in ("u", "") for bits in (8, 16, 32, 64)]

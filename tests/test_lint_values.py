@@ -39,6 +39,33 @@ def test_l06_knows_how_wide_a_field_is(tmp_path, content, place, bits):
     assert re.fullmatch(rf"{place}: '[#\w]+' does not fit into {bits} bits; read as \d+", found["message"])
 
 
+_VAR = dictionary("", declared("#x7000", "UINT", 16))
+_MAPPED = "<RxPdo Fixed='1'><Index>#x1600</Index><Name>R</Name><Entry>{}</Entry></RxPdo>"
+
+
+@pytest.mark.parametrize(
+    ("rule_id", "text", "empty"),
+    [
+        ("L08", esi(device(), vendor="{}<Name>V</Name>"), "<Id></Id>"),
+        ("L10", esi(device().replace('RevisionNo="#x1"', "{}")), 'RevisionNo=" "'),
+        ("L26", esi(device("<Sm StartAddress='#x1000' ControlByte='#x26' {}>MBoxOut</Sm>")), 'DefaultSize=""'),
+        ("L33", esi(device(_MAPPED.format("<Index>#x7000</Index><SubIndex>1</SubIndex>{}"))), "<BitLen/>"),
+        ("L33", esi(device(_MAPPED.format("{}<BitLen>8</BitLen>"))), "<Index> </Index>"),
+        ("L37", esi(device(_MAPPED.format("<Index>#x7000</Index>{}<BitLen>8</BitLen>") + _VAR)), "<SubIndex/>"),
+        ("L49", esi(device("<Dc><OpMode><Name>DC</Name>{}</OpMode></Dc>")), "<AssignActivate/>"),
+    ],
+)
+def test_an_empty_text_is_what_an_absent_value_is(tmp_path, rule_id, text, empty):
+    """Beside L06 it gives the findings that an absent value gives."""
+    found = []
+    for kind, given in (("empty", empty), ("absent", "")):
+        folder = write(tmp_path / kind, {"a.xml": text.replace("{}", given)})
+        found.append({item["rule"]: item["message"] for item in findings(folder)})
+    assert found[0].pop("L06").endswith("; an empty text counts as absent")
+    assert found[0] == found[1]
+    assert rule_id in found[0]
+
+
 @pytest.mark.parametrize(
     ("rule_id", "words"), [("L06", "Type/@ProductCode: '0x1' has a C prefix"), ("L03", "RxPdo/@Fixed: 'yes' is not")]
 )

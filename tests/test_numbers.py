@@ -228,10 +228,18 @@ def test_floats_that_are_not_finite(text):
     assert FLOAT.read(text) == (None, text, ("L03", "W", f"{text!r} is not a finite number; kept as text"))
 
 
-@pytest.mark.parametrize("text", ["nan", "inf", "infinity", "1,5", "", "1_000.5", "1_0", "١.٥", "0x10"])
+@pytest.mark.parametrize("text", ["nan", "inf", "infinity", "1,5", "1_000.5", "1_0", "١.٥", "0x10"])
 def test_what_is_no_float(text):
     """XML Schema knows ASCII digits, no separators between them, and one spelling of each special value."""
     assert FLOAT.read(text) == (None, text, ("L03", "W", f"{text!r} is not a number; kept as text"))
+
+
+@pytest.mark.parametrize("scalar", [HEX, HEX16, DEC8, DEC64, IDENTITY, INT, INTEGER, SWITCH, BOOL, FLOAT])
+def test_an_empty_text_counts_as_absent(scalar):
+    for text in ("", " \n"):
+        value, raw, remark = scalar.read(text)
+        assert (value, raw) == (None, "")
+        assert remark.message.endswith("; an empty text counts as absent")
 
 
 @pytest.mark.parametrize(

@@ -102,6 +102,21 @@ def test_exports_say_nothing_of_what_none_of_them_uses(content):
     assert configured(SMS + content).remarks == ()
 
 
+def test_an_object_without_subindex_is_its_subindex_0_and_that_is_said():
+    """Absent or empty; a text that cannot be read is refused. Gaps and IDNs have none."""
+    words = "PDO 0x1600 maps 0x7000 without SubIndex, which says 0: check that this is the object that is meant"
+    for given in ("", "<SubIndex></SubIndex>"):
+        content = SMS + rx("#x1600", entry("#x7000", 16).replace("<SubIndex>0</SubIndex>", given))
+        found = configured(content)
+        assert found.remarks == (words,)
+        assert "{0x7000, 0x00, 16}" in igh_header(found)
+        stored = "Objects mapped without SubIndex, which says 0; check that these are the objects that are meant: "
+        assert f"{stored}0x7000:00 of PDO 0x1600." in in_image(content)
+        assert configured(content.replace("#x7000", "0")).remarks == ()
+        assert configured(content + "<Mailbox><SoE/></Mailbox>").remarks == ()
+    assert configured(SMS + rx("#x1600", entry("#x7000", 16))).remarks == ()
+
+
 def test_timeouts_count_for_the_master_that_takes_them():
     content = "<Info><StateMachine><Timeout><PreopTimeout>3 s</PreopTimeout></Timeout></StateMachine></Info>"
     words = f"- Info/StateMachine/Timeout/PreopTimeout: '3 s' is not an integer{ABSENT}"

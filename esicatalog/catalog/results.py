@@ -1,10 +1,12 @@
 """What lookups return: plain values that the shell, Python and HTTP print alike."""
 
 import json
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 
+from esicatalog.esi.records.document import Vendor
+from esicatalog.esi.records.module import Module
 from esicatalog.identity import Identity, identity_text
 from esicatalog.model.revisions import ACCEPTED, EXACT, NEWER, OLDER, PRODUCT
 from esicatalog.words import hex32
@@ -68,6 +70,14 @@ class FoundDevice(msgspec.Struct, frozen=True):
             "hidden": self.hidden,
             "evidence": list(self.evidence),
         }
+
+
+class UnreachedModules(NamedTuple):
+    """The modules of a vendor that no slot of any description reaches."""
+
+    vendor: Vendor
+    """As the first of their documents writes it."""
+    modules: tuple[Module, ...]
 
 
 class DeviceSource(msgspec.Struct, frozen=True):

@@ -23,7 +23,7 @@ from esicatalog.cli.common import (
     read_as,
     reporting_errors,
 )
-from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, subjects_of_vendor
+from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, content_of_vendor, left_out_words
 from esicatalog.errors import InputError
 from esicatalog.export.choice import DEFAULT_CYCLE_NS, HEEDED, Choice, check_numbers, parse_pdo_choice
 from esicatalog.export.soem import VERSIONS
@@ -153,14 +153,15 @@ def igh(inputs: Inputs, scan: Path | None) -> str:
 
     PDO tables, offsets, registration, typed accessors, start-up commands, distributed clocks, checks at compile time.
     --scan makes one header for all slaves of a bus; the header and stderr name those that it leaves out, and what of
-    the listing is missing or was not understood.
+    the listing is missing or was not understood. It is made for one cycle, that of --cycle-ns or 1 ms. With
+    --name the names of its devices have PREFIX before their types, as headers of two buses in one program need it.
     """
     from esicatalog.export.igh import igh_bus_header, igh_header
 
     if scan is None:
         return igh_header(inputs.configuration())
     bus = configurations_of_scan(inputs, scan)
-    header = igh_bus_header(bus, _bus_name(inputs.choice.name))
+    header = igh_bus_header(bus, inputs.choice.name)
     for words in (*bus.left_out, *bus.unread):
         click.echo(f"esicatalog: {words}", err=True)
     return header
@@ -259,7 +260,7 @@ def sii(inputs: Inputs, merge: Path | None, fit: bool, language: int | None) -> 
         "--vendor",
         metavar="V",
         type=NUMBER,
-        help="All devices of this vendor in place of one, preferred descriptions only.",
+        help="All devices and modules of this vendor in place of one device, preferred descriptions only.",
     ),
     click.option("--with-files", is_flag=True, help="Dictionary files beside OUT where the description has them."),
 )
@@ -268,24 +269,23 @@ def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: 
     """ESI XML of the device, made from the catalog alone: vendor, group, device, modules.
 
     Also of a device without revision (V:P:-). --vendor takes all devices, those without any codes too, each by its
-    preferred description; stderr names the others.
+    preferred description, and the modules that no slot of any device reaches; stderr names what is left out.
     """
-    from esicatalog.export.esi import content_of, export_esi, export_esi_files
+    from esicatalog.export.esi import content_of, export_esi_files, export_vendor_esi
 
-    if vendor is None:
-        subjects = [inputs.subject()]
+    if vendor is not None:
+        content, unreached = content_of_vendor(inputs, vendor)
     else:
-        inputs.check_no_device("--vendor")
-        subjects, further = subjects_of_vendor(inputs.db, vendor)
-        inputs.notes.extend(further)
-    content = content_of(subjects)
+        content, unreached = content_of([inputs.subject()]), ()
     if not with_files:
-        return export_esi(*content)
+        written = export_vendor_esi(*content, unreached)
+        inputs.notes.extend(left_out_words(written.left_out))
+        return written.document
     output = context.params["output"]
     if output is None:
         raise InputError("--with-files writes several files; say where with -o OUT")
     path = Path(output)
-    first, *others = export_esi_files(path.name, *content).items()
+    first, *others = export_esi_files(path.name, *content, unreached).items()
     for name, _ in others:
         inputs.check_output(path.parent / name)
     for name, made in others:
@@ -293,12 +293,6 @@ def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: 
         beside.parent.mkdir(parents=True, exist_ok=True)
         _write(made, str(beside))
     return first[1]
-
-
-def _bus_name(name: str | None) -> str:
-    from esicatalog.export.names import checked_prefix
-
-    return checked_prefix(name) if name is not None else "bus"
 
 
 def _write(result: str | bytes, output: str | None) -> None:

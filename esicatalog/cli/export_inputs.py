@@ -1,6 +1,6 @@
 """Where the devices of ``esicatalog export`` come from: the catalog, an ESI file, the listing of a bus."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -14,7 +14,9 @@ from esicatalog.words import counted, hex32
 
 if TYPE_CHECKING:
     from esicatalog.catalog.results import FoundDevice
+    from esicatalog.esi.records.module import Module
     from esicatalog.export.configuration import Configuration
+    from esicatalog.export.esi import EsiContent
     from esicatalog.export.scan_bus import BusConfigurations
     from esicatalog.export.subject import Subject
 
@@ -93,20 +95,33 @@ def configurations_of_scan(inputs: Inputs, file: Path) -> "BusConfigurations":
     return found
 
 
-def subjects_of_vendor(db: str, vendor_id: int) -> "tuple[list[Subject], list[str]]":
-    """The preferred description of every device of a vendor, and words about the others.
+def content_of_vendor(inputs: Inputs, vendor_id: int) -> "tuple[EsiContent, tuple[Module, ...]]":
+    """The preferred description of every device of a vendor, and the modules that no slot of any device reaches.
 
-    Raises :class:`NotFound` when there is none.
+    The other descriptions are noted. Raises :class:`NotFound` when there is neither.
     """
     from esicatalog.api import Catalog
     from esicatalog.catalog.device_filter import DeviceFilter
+    from esicatalog.export.esi import EsiContent, content_of
 
-    with Catalog.open(db) as catalog:
-        found = catalog.export_subjects(vendor_id)
+    inputs.check_no_device("--vendor")
+    with Catalog.open(inputs.db) as catalog:
+        subjects, unreached = catalog.export_subjects(vendor_id), catalog.unreached_modules(vendor_id)
         listed = catalog.find(DeviceFilter(vendor_id=vendor_id, all_variants=True, include_hidden=True))
-    if not found:
-        raise NotFound(f"vendor {hex32(vendor_id)} has no device in the catalog")
-    return found, list(_further_descriptions(listed))
+    if not subjects and not unreached.modules:
+        raise NotFound(f"vendor {hex32(vendor_id)} has no device and no module in the catalog")
+    inputs.notes.extend(_further_descriptions(listed))
+    return content_of(subjects) if subjects else EsiContent(unreached.vendor, (), ()), unreached.modules
+
+
+def left_out_words(modules: "Sequence[Module]") -> "Iterator[str]":
+    """That modules are not in the one document that is written; nothing where all are."""
+    if modules:
+        named = ", ".join(f"{module.type!r} ({hex32(module.module_ident)})" for module in modules)
+        yield (
+            f"left out: {counted(len(modules), 'module')} that no description reaches, because a device here would "
+            f"take them or another module has their ModuleIdent; --with-files -o OUT writes them too: {named}"
+        )
 
 
 def _further_descriptions(listed: "Iterable[FoundDevice]") -> "Iterator[str]":

@@ -28,6 +28,7 @@ _BOOLEANS = {"1": True, "true": True, "0": False, "false": False}
 
 KEPT_AS_TEXT = "; kept as text"
 """Ends the words of a remark about a text that has no value."""
+_SAYS_NOTHING = "; an empty text counts as absent"
 
 
 class Remark(NamedTuple):
@@ -94,6 +95,11 @@ def _quoted(text: str) -> str:
     return repr(text if len(text) <= 80 else text[:80] + "…")
 
 
+def _no_value(rule: str, severity: str, text: str, problem: str) -> tuple[None, Remark]:
+    """What comes of a text that has no value; an empty one says nothing, as if it were not there."""
+    return None, Remark(rule, severity, f"{_quoted(text)} {problem}{KEPT_AS_TEXT if text else _SAYS_NOTHING}")
+
+
 def parse_hex_dec(text: str) -> int | None:
     """The value of a HexDecValue (``402``, ``#x1A00``; tolerated: ``0x1a00``, ``#x0x1a00``, ``#X1A00``), or None."""
     match = _HEX_DEC.fullmatch(text.strip())
@@ -109,9 +115,9 @@ def _hex_dec(limit: int, bits: int | None = None) -> Callable[[str], tuple[int |
     def parse(text: str) -> tuple[int | None, Remark | None]:
         value = parse_hex_dec(text)
         if value is None:
-            return None, Remark("L06", "E", f"{_quoted(text)} is not a HexDecValue{KEPT_AS_TEXT}")
+            return _no_value("L06", "E", text, "is not a HexDecValue")
         if value > limit or (value < 0 and limit == UINT32_MAX) or value < -limit:
-            return None, Remark("L06", "E", f"{_quoted(text)} is out of range{KEPT_AS_TEXT}")
+            return _no_value("L06", "E", text, "is out of range")
         if fitting is not None and value not in fitting:
             return value, Remark("L06", "E", f"{_quoted(text)} does not fit into {bits} bits; read as {value}")
         if text[:1] == "#" and text[2:4].lower() == "0x":
@@ -163,7 +169,7 @@ def parse_real(text: str) -> float | None:
 def _integer(text: str) -> tuple[int | None, Remark | None]:
     value = parse_hex_dec(text)
     if value is None or abs(value) > MAX_STORED:
-        return None, Remark("L06", "E", f"{_quoted(text)} is not an integer{KEPT_AS_TEXT}")
+        return _no_value("L06", "E", text, "is not an integer")
     if text[:1] in "#0" and text[1:2].lower() == "x":
         return value, Remark(
             "L06", "W", f"{_quoted(text)} is hexadecimal where the schema asks for decimal; read as {value}"
@@ -181,7 +187,7 @@ def _int(text: str) -> tuple[int | None, Remark | None]:
 def _boolean(text: str) -> tuple[bool | None, Remark | None]:
     value = _BOOLEANS.get(text.lower())
     if value is None:
-        return None, Remark("L03", "W", f"{_quoted(text)} is not a boolean{KEPT_AS_TEXT}")
+        return _no_value("L03", "W", text, "is not a boolean")
     if text not in _BOOLEANS:  # xs:boolean knows small letters only
         return value, Remark("L03", "W", f"{_quoted(text)} is not spelled as a boolean; read as {text.lower()}")
     return value, None
@@ -192,7 +198,7 @@ def _float(text: str) -> tuple[float | None, Remark | None]:
     if value is not None:
         return value, None
     is_real = text in _NOT_FINITE or _REAL.fullmatch(text) is not None  # the latter where it is too large
-    return None, Remark("L03", "W", f"{_quoted(text)} is not a {'finite ' if is_real else ''}number{KEPT_AS_TEXT}")
+    return _no_value("L03", "W", text, f"is not a {'finite ' if is_real else ''}number")
 
 
 def _hex_binary(text: str) -> tuple[str, Remark | None]:

@@ -24,6 +24,7 @@ from esicatalog.export.process_image_remarks import (
     order_remarks,
     own_remarks,
     repeat_remarks,
+    subindex_remarks,
     swap_remarks,
 )
 from esicatalog.export.sm_configuration import SmConfiguration, configured_sync_managers, pdo_objects, rewritten_objects
@@ -125,6 +126,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *assignment_remarks(device, plugged, op_mode, default, images),
         *order_remarks(device, objects, images),
         *own_remarks(images, missing is not None),
+        *subindex_remarks(device, images),
         *swap_remarks(images),
         *memory_remarks(device, subject.modules, images),
         *programmed.remarks,

@@ -2,7 +2,7 @@
 
 A device needs in its document the modules that its slots reach, and no other module that they would reach too:
 vendors give one ModuleIdent to different modules in different documents. Devices that would disturb each other so
-are kept apart in documents of their own.
+are kept apart in documents of their own. Modules that no slot reaches stand where no slot would take them.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -48,12 +48,29 @@ def content_of(subjects: Sequence[Subject]) -> EsiContent:
     )
 
 
+class VendorEsi(NamedTuple):
+    """A document of a vendor, and of the modules that no slot reaches those that cannot stand in it."""
+
+    document: bytes
+    left_out: tuple[Module, ...]
+
+
 def export_esi(vendor: Vendor, groups: Iterable[Group], devices: Iterable[DeviceWithModules]) -> bytes:
     """One EtherCATInfo document of devices, their modules and the groups they name, everything inline.
 
     ``groups`` may hold more than is needed; the first of a type counts. Raises :class:`InputError` when devices
     plug different modules under one ModuleIdent or ModuleClass and so cannot share a document, and for a module that a
     slot takes as another vendor's only.
+    """
+    return export_vendor_esi(vendor, groups, devices, ()).document
+
+
+def export_vendor_esi(
+    vendor: Vendor, groups: Iterable[Group], devices: Iterable[DeviceWithModules], unreached: Iterable[Module]
+) -> VendorEsi:
+    """The document of :func:`export_esi` with the modules that no slot reaches, as far as they can stand in it.
+
+    One cannot that a slot of these devices would take, or whose ModuleIdent another module of the document has.
     """
     documents = _documents(devices)
     if len(documents) > 1:
@@ -62,21 +79,27 @@ def export_esi(vendor: Vendor, groups: Iterable[Group], devices: Iterable[Device
             f"device {other.type!r} cannot share a document with the others: modules of the same ModuleIdent or "
             "ModuleClass would fit its slots or theirs; write several documents: --with-files -o OUT"
         )
-    return write_esi(_info(vendor, tuple(groups), documents[0], None))
+    left_out = tuple([module for module in unreached if not documents[0].take_unreached(module)])
+    return VendorEsi(write_esi(_info(vendor, tuple(groups), documents[0], None)), left_out)
 
 
 def export_esi_files(
-    name: str, vendor: Vendor, groups: Iterable[Group], devices: Iterable[DeviceWithModules]
+    name: str,
+    vendor: Vendor,
+    groups: Iterable[Group],
+    devices: Iterable[DeviceWithModules],
+    unreached: Iterable[Module] = (),
 ) -> dict[str, bytes]:
     """The documents of devices with the dictionaries and diagnosis texts beside them, by relative file name.
 
-    The first file is ``name``; devices that cannot share it follow in ``…-2.xml`` and so on. A profile that names a
+    The first file is ``name``; devices, and modules that no slot reaches, that cannot share it follow in ``…-2.xml``
+    and so on. A profile that names a
     DictionaryFile or a single DiagFile gets that file under the vendor's own path. It is written inline instead where
     the path leads outside of the folder, or means the file of another device with other content, and where several
     DiagFiles share the texts (records do not tell which text came from which). Raises :class:`InputError` for a module
     that a slot takes as another vendor's only.
     """
-    documents, known_groups = _documents(devices), tuple(groups)
+    documents, known_groups = _documents(devices, unreached), tuple(groups)
     names = [name, *(_numbered(name, number) for number in range(2, len(documents) + 1))]
     beside = _FilesBeside()
     for taken in (*names, *_missing_files(documents)):
@@ -114,19 +137,35 @@ class _Document:
         self.modules = together
         return True
 
+    def take_unreached(self, module: Module) -> bool:
+        """Take a module in, unless a device that is here would reach it or another module has its ModuleIdent."""
+        idents = {held.module_ident for held in self.modules.values()} - {None}
+        if module.module_ident in idents or any(reachable_modules(device, [module]) for device in self.devices):
+            return False
+        self.modules[_key(module)] = module
+        return True
+
+
+def _key(module: Module) -> bytes:
+    return digest(msgspec.msgpack.encode(module))
+
 
 def _by_ident(modules: dict[bytes, Module]) -> list[bytes]:
     """Modules by ModuleIdent, those that share one in their order: the first of them is the default."""
     return sorted(modules, key=lambda key: modules[key].module_ident or 0)
 
 
-def _documents(devices: Iterable[DeviceWithModules]) -> list[_Document]:
+def _documents(devices: Iterable[DeviceWithModules], unreached: Iterable[Module] = ()) -> list[_Document]:
     documents = [_Document()]
     for device, modules in devices:
-        own = {digest(msgspec.msgpack.encode(module)): module for module in modules}
+        own = {_key(module): module for module in modules}
         if not any(document.take(device, own) for document in documents):
             documents.append(_Document())
             documents[-1].take(device, own)
+    for module in unreached:
+        if not any(document.take_unreached(module) for document in documents):
+            documents.append(_Document())
+            documents[-1].take_unreached(module)
     return documents
 
 

@@ -10,7 +10,7 @@ from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import RX_PDO
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, carries_value
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, carries_value, lacks_subindex
 from esicatalog.model.pdo_mapping import assigned_by_dictionary
 from esicatalog.model.process_image import SmImage, default_process_image, process_image
 from esicatalog.model.slots import PluggedModule
@@ -74,6 +74,17 @@ def own_remarks(images: Iterable[SmImage], are_modules_missing: bool) -> Iterato
     for image in images:
         known = (image.missing_modules, image.left_open_words if are_modules_missing else None)
         yield from (words for words in image.remarks if words not in known)
+
+
+def subindex_remarks(device: Device, images: Iterable[SmImage]) -> Iterator[str]:
+    """Objects that are mapped without SubIndex."""
+    for placed in (placed for image in images for placed in image.pdos):
+        for item in placed.entries:
+            if lacks_subindex(placed.module or device, item.entry):
+                yield (
+                    f"PDO {index_words(placed.pdo.pdo_index)} maps {index_words(item.entry.entry_index)} without "
+                    "SubIndex, which says 0: check that this is the object that is meant"
+                )
 
 
 def swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:

@@ -5,7 +5,7 @@ from typing import NamedTuple, Protocol
 
 from esicatalog.catalog.results import Identification
 from esicatalog.errors import InputError, NotFound
-from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice
+from esicatalog.export.choice import DEFAULT_CYCLE_NS, Choice, check_numbers
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.igh_limits import check_limits
 from esicatalog.export.subject import Subject
@@ -55,13 +55,14 @@ def bus_configurations(
 ) -> BusConfigurations:
     """Configurations of the slaves that are described and that IgH can hold, with all that is default.
 
-    Raises :class:`InputError` for a listing of several buses, and :class:`NotFound` naming the slaves of which another
-    revision is described that is not accepted.
+    Raises :class:`InputError` for a listing of several buses and a cycle that cannot be, and :class:`NotFound` naming
+    the slaves of which another revision is described that is not accepted.
     """
     buses = {slave.bus for slave in scan.slaves}
     if len(buses) > 1:
         raise InputError(f"the listing holds {len(buses)} buses; give one of them")
     choice = Choice(cycle_ns=cycle_ns if cycle_ns is not None else DEFAULT_CYCLE_NS)
+    check_numbers(choice)
     slaves = sorted(scan.slaves, key=lambda slave: slave.position)
     left_out: list[str] = []
     configurations = list(_configured(descriptions, slaves, accept_revision, choice, left_out))

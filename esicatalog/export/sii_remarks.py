@@ -25,7 +25,7 @@ from esicatalog.export.sii_merge import PDI_BYTES
 from esicatalog.export.sii_texts import storable
 from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
-from esicatalog.model.pdo_facts import entry_facts, entry_words, has_length, has_object
+from esicatalog.model.pdo_facts import entry_facts, entry_words, has_length, has_object, lacks_subindex
 from esicatalog.model.ports import port_kind
 from esicatalog.model.sm_facts import SM_ROLES, mailbox_sync_managers, sm_facts, sm_usages
 from esicatalog.sii.checksum import CHECKSUM_OFFSET
@@ -311,6 +311,12 @@ _REMARKS: tuple[tuple[Callable[[Device], Iterable[object]], str], ...] = (
         _entries_without(has_object, lambda number, entry: f"entry {number}"),
         "Entries without a usable Index or SubIndex, stored as gaps or with subindex 0; do not write this image, its "
         "PDOs are wrong: {}.",
+    ),
+    (
+        lambda device: _entries_without(
+            lambda entry: not lacks_subindex(device, entry), lambda number, entry: entry_words(entry)
+        )(device),
+        "Objects mapped without SubIndex, which says 0; check that these are the objects that are meant: {}.",
     ),
     (
         _entries_without(has_length, lambda number, entry: entry_words(entry)),

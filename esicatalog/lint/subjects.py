@@ -33,8 +33,8 @@ FIRST_OBJECT = 0x1000
 
 
 def is_absent(record: Record, field: str) -> bool:
-    """Whether a value is not given at all; what is given and cannot be read is the reader's finding."""
-    return getattr(record, field) is None and field not in (record.spelling or {})
+    """Whether a value is not given at all, or by an empty text; what cannot be read is the reader's finding."""
+    return getattr(record, field) is None and not (record.spelling or {}).get(field)
 
 
 def is_off(record: Record, field: str) -> bool:

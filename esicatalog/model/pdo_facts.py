@@ -138,6 +138,14 @@ def has_object(entry: Entry) -> bool:
     return is_padding or (entry.entry_index is not None and unreadable(entry, "subindex") is None)
 
 
+def lacks_subindex(owner: Device | Module, entry: Entry) -> bool:
+    """Whether an entry of an owner maps an object without SubIndex, which then is 0 (ESI-FACTS section 9).
+
+    IDNs have none; one that cannot be read is not lacking.
+    """
+    return bool(entry.entry_index) and entry.subindex is None and has_object(entry) and not has_idns(owner)
+
+
 def entry_words(entry: Entry) -> str:
     """What an entry maps, e.g. ``0x6041:00``."""
     if entry_facts(entry).is_padding:
