@@ -93,11 +93,10 @@ def export_esi_files(
     """The documents of devices with the dictionaries and diagnosis texts beside them, by relative file name.
 
     The first file is ``name``; devices, and modules that no slot reaches, that cannot share it follow in ``…-2.xml``
-    and so on. A profile that names a
-    DictionaryFile or a single DiagFile gets that file under the vendor's own path. It is written inline instead where
-    the path leads outside of the folder, or means the file of another device with other content, and where several
-    DiagFiles share the texts (records do not tell which text came from which). Raises :class:`InputError` for a module
-    that a slot takes as another vendor's only.
+    and so on. A profile that names a DictionaryFile or a single DiagFile gets that file under the vendor's own path. It
+    is written inline instead where the path leads outside of the folder, or means the file of another device with other
+    content, and where several DiagFiles share the texts (records do not tell which text came from which). Raises
+    :class:`InputError` for a module that a slot takes as another vendor's only.
     """
     documents, known_groups = _documents(devices, unreached), tuple(groups)
     names = [name, *(_numbered(name, number) for number in range(2, len(documents) + 1))]
