@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from esicatalog.catalog.identified_bus import BusReport
     from esicatalog.catalog.identity import IdentityLookup
     from esicatalog.catalog.listing import Listing
+    from esicatalog.catalog.reader import RecordReader
     from esicatalog.catalog.results import FoundDevice, Identification, UnreachedModules
     from esicatalog.catalog.snapshot import Snapshot
     from esicatalog.esi.records.device import Device
@@ -258,10 +259,13 @@ class Catalog:
         """
         checked_number(vendor_id, "vendor")
         from esicatalog.catalog.devices import devices_of_vendor
+        from esicatalog.catalog.reader import RecordReader
 
         with self._connection() as connection:
+            reader = RecordReader(connection)
             return [
-                _export_subject(connection, number, found) for number, found in devices_of_vendor(connection, vendor_id)
+                _export_subject(connection, reader, number, found)
+                for number, found in devices_of_vendor(connection, vendor_id)
             ]
 
     def unreached_modules(self, vendor_id: int) -> "UnreachedModules":
@@ -391,22 +395,24 @@ def _lookup_on(connection: "sa.Connection") -> "IdentityLookup":
 
 def _subject_among_variants(connection: "sa.Connection", wanted: Identity) -> "Subject":
     from esicatalog.catalog.devices import find_device, variants_with_slots
+    from esicatalog.catalog.reader import RecordReader
 
     number, found, variants = find_device(connection, wanted)
     with_slots = variants_with_slots(connection, found, len(variants))
     is_open = wanted.variant is None and len(variants) > 1
     differing = _lookup_on(connection).other_variants(found) if is_open else None
     words = f"{found.identity_text} has several descriptions; @1 is taken, append @N to choose another: {differing}"
-    subject = _export_subject(connection, number, found)
+    subject = _export_subject(connection, RecordReader(connection), number, found)
     return subject.beside(with_slots, words if differing is not None else None)
 
 
-def _export_subject(connection: "sa.Connection", number: int, found: "FoundDevice") -> "Subject":
+def _export_subject(
+    connection: "sa.Connection", reader: "RecordReader", number: int, found: "FoundDevice"
+) -> "Subject":
     from esicatalog.catalog.document_parts import document_parts
-    from esicatalog.catalog.reader import RecordReader
     from esicatalog.export.subject import subject_of_description
 
-    reader, parts = RecordReader(connection), document_parts(connection, number)
+    parts = document_parts(connection, number)
     (described,) = _lookup_on(connection).with_sources([(number, found)])
     modules = reader.modules_of(number)
     return subject_of_description(found, described.sources, reader.device(number), modules).of_document(
