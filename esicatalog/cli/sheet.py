@@ -1,6 +1,7 @@
 """The sheet of one device as text."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import groupby
 from typing import Any
 
 from esicatalog.catalog.description import DeviceDescription
@@ -8,13 +9,13 @@ from esicatalog.catalog.results import FoundDevice
 from esicatalog.cli.common import table_lines
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.mailbox import Mailbox, init_cmds
+from esicatalog.esi.records.mailbox import InitCmd, init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import ModuleChoice
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
-from esicatalog.model.device_words import eeprom_words, head_facts, init_cmd_target
+from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels, slot_offers
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
@@ -41,7 +42,8 @@ def device_sheet_lines(description: DeviceDescription, choice: Mapping[int, Modu
     yield from _slots(description, choice)
     for module, label in zip(description.modules, module_labels(description.modules), strict=True):
         yield from _module(module, label)
-    yield from _init_cmds(description.device.mailbox, "InitCmds")
+    for owner, items in groupby(description.init_cmds(choice), lambda item: item.owner):
+        yield from _init_cmds([(item.protocol, item.command) for item in items], f"InitCmds of the {owner}")
     yield from _dc_modes(description.device, description.default_position(choice))
     yield from _drive_modes(derived.modes)
     eeprom = eeprom_words(description.device)
@@ -237,14 +239,14 @@ def _module(module: Module, label: str) -> Iterator[str]:
     title = f"Module {_hex(module.module_ident)}  {label}  {display_text(module.names) or ''}".rstrip()
     yield ""
     yield title
-    yield from _pdos(module, module_sms(module), "  PDOs of the module")
-    yield from _init_cmds(module.mailbox, "  InitCmds of the module")
+    yield from _pdos(module, module_sms(module), f"  PDOs of the module, {WITHOUT_SLOT}")
+    yield from _init_cmds(init_cmds(module.mailbox), f"  InitCmds of the module, {WITHOUT_SLOT}")
 
 
-def _init_cmds(mailbox: Mailbox | None, title: str) -> Iterator[str]:
+def _init_cmds(commands: Iterable[tuple[str, InitCmd]], title: str) -> Iterator[str]:
     rows = [
         [protocol, " ".join(cmd.transitions), init_cmd_target(cmd), cmd.data or "", cmd.comment or ""]
-        for protocol, cmd in init_cmds(mailbox)
+        for protocol, cmd in commands
     ]
     yield from _section(title, ("", "transition", "target", "data (as sent)", "comment"), rows)
 

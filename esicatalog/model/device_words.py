@@ -12,6 +12,9 @@ from esicatalog.words import counted, index_words
 
 MAILBOX_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
 
+WITHOUT_SLOT = "indices without the offsets of a slot"
+"""What stands beside lists of a module that is in no slot (ESI-FACTS section 12.1)."""
+
 _COE_DETAILS = {
     "coe_sdo_info": "SdoInfo",
     "coe_pdo_assign": "PdoAssign",

@@ -1,7 +1,8 @@
 """The device page: what a description declares and implies, in sections."""
 
 import asyncio
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import groupby
 from typing import Any
 
 from esicatalog.api import Catalog
@@ -11,7 +12,7 @@ from esicatalog.errors import EsiCatalogError, InputError, NotFound
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.mailbox import InitCmd, Mailbox, init_cmds
+from esicatalog.esi.records.mailbox import InitCmd, init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.export.choice import Choice
 from esicatalog.export.configuration import configure
@@ -21,7 +22,7 @@ from esicatalog.export.sii_summary import WHY_MERGE
 from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
-from esicatalog.model.device_words import eeprom_words, head_facts, init_cmd_target
+from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target
 from esicatalog.model.module_choice import module_labels, module_name, slot_offers
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
@@ -134,10 +135,11 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "pdos": _pdos(device, assigned_sms(derived.images)),
         "assignments": predefined_assignments(device),
         "modules": _modules(description.modules),
+        "without_slot": WITHOUT_SLOT,
         "verdicts": derived.modes.verdicts,
         "evidence": derived.modes.evidence,
         "op_modes": _op_modes(device, description.default_position(choice)),
-        "commands": _commands(device.mailbox),
+        "commands": _commands_by_owner(description, choice),
         "objects": object_counts(description, choice),
         "eeprom": eeprom_words(device),
         **_beside_exports(description, choice),
@@ -193,7 +195,7 @@ def _modules(modules: Sequence[Module]) -> list[dict[str, Any]]:
             "label": label,
             "name": module_name(module),
             "pdos": _pdos(module, module_sms(module)),
-            "commands": _commands(module.mailbox),
+            "commands": _commands(init_cmds(module.mailbox)),
         }
         for module, label in zip(modules, module_labels(modules), strict=True)
     ]
@@ -302,7 +304,16 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
     ]
 
 
-def _commands(mailbox: Mailbox | None) -> list[dict[str, Any]]:
+def _commands_by_owner(
+    description: DeviceDescription, choice: Mapping[int, ModuleChoice]
+) -> dict[str, list[dict[str, Any]]]:
+    return {
+        owner: _commands((item.protocol, item.command) for item in items)
+        for owner, items in groupby(description.init_cmds(choice), lambda item: item.owner)
+    }
+
+
+def _commands(commands: Iterable[tuple[str, InitCmd]]) -> list[dict[str, Any]]:
     return [
         {
             "protocol": protocol,
@@ -311,7 +322,7 @@ def _commands(mailbox: Mailbox | None) -> list[dict[str, Any]]:
             "value": _value(cmd),
             "cmd": cmd,
         }
-        for protocol, cmd in init_cmds(mailbox)
+        for protocol, cmd in commands
     ]
 
 

@@ -1,0 +1,76 @@
+"""Sheet, page and JSON of a device tell the same: what is sent at start, assigned, marked, sampled."""
+
+import json
+from pathlib import Path
+
+from snippets import device, esi
+from test_cli import run
+from test_pages import page, texts
+from test_search import catalog_of
+
+PATH = "/-/esi/device/0xe5c/0x1/0x1"
+IDENTITY = "0xe5c:1:1"
+
+
+def section(db: Path, title: str, *words: str) -> list[list[str]]:
+    """The cells of the lines below a title of the sheet, without the heading; two spaces part them."""
+    lines = run("show", IDENTITY, *words, db=db).stdout.splitlines()
+    start = next(number for number, line in enumerate(lines) if line.startswith(title)) + 2
+    rows = lines[start : lines.index("", start) if "" in lines[start:] else None]
+    return [[cell.strip() for cell in row.split("  ") if cell.strip()] for row in rows]
+
+
+def init_cmd(index: str, data: str, comment: str, attributes: str = "", depend: str = "") -> str:
+    return (
+        f"<InitCmd {attributes}><Transition>PS</Transition><Index {depend}>{index}</Index><SubIndex>1</SubIndex>"
+        f"<Data>{data}</Data><Comment>{comment}</Comment></InitCmd>"
+    )
+
+
+async def test_start_up_commands_are_told_as_they_are_sent(tmp_path):
+    """ESI-FACTS 12, 12.1: 0x8001 is 0x8801 in slot 1; the marked 0x8801:01 of the device yields to it, 0x8000 stays."""
+    own = init_cmd("#x8000", "02", "own", "OverwrittenByModule='1'")
+    own += init_cmd("#x8801", "0100", "placeholder", "OverwrittenByModule='1'")
+    slots = (
+        "<Slots SlotIndexIncrement='#x800'><Slot MinInstances='0' MaxInstances='2'><Name>S</Name>"
+        "<ModuleIdent>#x10</ModuleIdent></Slot></Slots>"
+    )
+    of_module = init_cmd("#x8001", "0500", "of the module", depend="DependOnSlot='1'")
+    module = (
+        f"<Module><Type ModuleIdent='#x10'>M</Type><Name>M</Name><Mailbox><CoE>{of_module}</CoE></Mailbox></Module>"
+    )
+    db = catalog_of(tmp_path, esi(device(f"<Mailbox><CoE>{own}</CoE></Mailbox>{slots}"), module))
+
+    assert section(db, "InitCmds of the device") == [
+        ["CoE", "PS", "0x8000:01", "02", "own"],
+        ["CoE", "PS", "0x8801:01", "0100", "placeholder"],
+    ]
+    plugged = ("--module", "1=0x10")
+    assert section(db, "InitCmds of the device", *plugged) == [["CoE", "PS", "0x8000:01", "02", "own"]]
+    assert section(db, "InitCmds of the module in slot 1", *plugged) == [
+        ["CoE", "PS", "0x8801:01", "0500", "of the module"]
+    ]
+    assert section(db, "  InitCmds of the module, indices without the offsets of a slot") == [
+        ["CoE", "PS", "0x8001:01", "0500", "of the module"]
+    ]
+
+    tree = await page(db, f"{PATH}?module=1%3D0x10")
+    commands = "section[aria-labelledby=commands]"
+    assert texts(tree, f"{commands} tbody td:nth-child(3)") == ["0x8000:01", "0x8801:01"]
+    assert texts(tree, f"{commands} h3") == ["Of the module in slot 1"]
+    assert "Modules: indices without the offsets of a slot" in texts(tree, "section[aria-labelledby=pdos] > p")
+
+    answer = json.loads(run("show", IDENTITY, *plugged, "--format", "json", db=db).stdout)
+    assert [
+        (item["slot"], item["protocol"], item["transitions"], item["target"], item["object_index"], item["data"])
+        for item in answer["init_cmds"]
+    ] == [(None, "CoE", ["PS"], "0x8000:01", 0x8000, "02"), (1, "CoE", ["PS"], "0x8801:01", 0x8801, "0500")]
+
+
+async def test_a_device_whose_modules_alone_have_start_up_commands(data_db):
+    """The example drive with two axes: mode 8 (CSP) of axis 0 by default, 9 (CSV) at 0x6060 + 0x800 of axis 1."""
+    tree = await page(data_db, "/-/esi/device/0xe5c/0xa202/0x10002?module=1%3D0x10900")
+    rows = "section[aria-labelledby=commands] tbody"
+    assert texts(tree, f"{rows} td:nth-child(3)") == ["0x6060:00", "0x6860:00"]
+    assert texts(tree, f"{rows} td:nth-child(4)") == ["08", "09"]
+    assert texts(tree, "nav.toc a[href='#commands']") == ["Start-up commands"]
