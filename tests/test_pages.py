@@ -17,7 +17,7 @@ from esicatalog import Catalog
 from esicatalog.catalog.filter_texts import PARAMETERS
 from esicatalog.identity import parse_identity
 from esicatalog.sii.checksum import crc8
-from esicatalog.web.cells import decimal_filters
+from esicatalog.web.cells import stored_filters
 
 HOSTILE = "&lt;script&gt;alert(1)&lt;/script&gt;"
 ATTRIBUTE = '"onmouseover=alert(1) x="'
@@ -481,7 +481,7 @@ async def test_images_are_shown(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("query", "decimal"),
+    ("query", "stored"),
     [
         ("product_code=0x10", "product_code=16"),
         ("a=1&entry_index__in=0x10,%23x11&b=0x1", "a=1&entry_index__in=16,17&b=0x1"),
@@ -493,10 +493,20 @@ async def test_images_are_shown(tmp_path):
         ("product_code__contains=0x10", None),
         ("product_code=0xzz", None),
         ("", None),
+        ("object_index_hex=0x60FF", "object_index_hex=0x60ff"),
+        ("object_index_hex__exact=%23x60FF", "object_index_hex__exact=0x60ff"),
+        ("product_code_hex__gte=4247", "product_code_hex__gte=0x00001097"),
+        ("vendor_id_hex__in=0x2,%23xE5C", "vendor_id_hex__in=0x00000002,0x00000e5c"),
+        ("other_vendor_id_hex=0x2", "other_vendor_id_hex=0x00000002"),
+        ("object_index_hex=0x60ff", None),
+        ("object_index_hex__contains=0x60", None),
+        ("object_index_hex__startswith=0x6", None),
+        ("object_index_hex=60FF", None),
+        ("name_hex=0x1", None),
     ],
 )
-def test_hex_in_filters(query, decimal):
-    assert decimal_filters(query) == decimal
+def test_numbers_in_filters(query, stored):
+    assert stored_filters(query) == stored
 
 
 EXPORTS = {
