@@ -3,7 +3,7 @@
 import json
 from pathlib import Path
 
-from snippets import device, esi
+from snippets import device, esi, pdo
 from test_cli import run
 from test_pages import page, texts
 from test_search import catalog_of
@@ -74,3 +74,32 @@ async def test_a_device_whose_modules_alone_have_start_up_commands(data_db):
     assert texts(tree, f"{rows} td:nth-child(3)") == ["0x6060:00", "0x6860:00"]
     assert texts(tree, f"{rows} td:nth-child(4)") == ["08", "09"]
     assert texts(tree, "nav.toc a[href='#commands']") == ["Start-up commands"]
+
+
+SMS = "<Sm>MBoxOut</Sm><Sm>MBoxIn</Sm><Sm ControlByte='#x64'>Outputs</Sm><Sm ControlByte='#x20'>Inputs</Sm>"
+
+
+async def test_a_predefined_assignment_that_is_marked_default_is_not_the_image(tmp_path):
+    """EL2212: the PDOs' own Sm assigns 0x1602, the assignment that its file marks Default 0x1600."""
+    mappings = "".join(
+        f"<AlternativeSmMapping {mark}><Name>{name}</Name><Sm No='2'><Pdo>{pdo}</Pdo></Sm>"
+        "<Sm No='3'><Pdo>#x1A00</Pdo></Sm></AlternativeSmMapping>"
+        for name, mark, pdo in (("Standard", "Default='1'", "#x1600"), ("Extended", "", "#x1602"))
+    )
+    pdos = pdo("RxPdo", "#x1600", 8) + pdo("RxPdo", "#x1602", 8, attributes="Sm='2'")
+    pdos += pdo("TxPdo", "#x1A00", 8, attributes="Sm='3'")
+    info = f"<Info><VendorSpecific><TwinCAT>{mappings}</TwinCAT></VendorSpecific></Info>"
+    differ = "the default process image and exports, which go by Sm of the PDOs and by OpMode, differ on SM2"
+    marked = f"marked Default in the file; {differ}"
+    db = catalog_of(tmp_path, esi(device(info + SMS + pdos)))
+    assert section(db, "Predefined PDO assignments") == [
+        ["Standard", "SM2: 0x1600; SM3: 0x1A00", marked],
+        ["Extended", "SM2: 0x1602; SM3: 0x1A00"],
+    ]
+    assert texts(await page(db, PATH), "section[aria-labelledby=image] > ul > li") == [
+        f"Standard ({marked}): SM2 0x1600 SM3 0x1A00",
+        "Extended: SM2 0x1602 SM3 0x1A00",
+    ]
+
+    same = catalog_of(tmp_path / "same", esi(device(info.replace("#x1600", "#x1602") + SMS + pdos)))
+    assert section(same, "Predefined PDO assignments")[0][2] == "marked Default in the file"

@@ -15,7 +15,7 @@ from esicatalog.identity import ModuleChoice
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
-from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target
+from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels, slot_offers
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
@@ -37,7 +37,7 @@ def device_sheet_lines(description: DeviceDescription, choice: Mapping[int, Modu
     yield from _identity(description, derived.facts)
     yield from _sync_managers(description)
     yield from _process_image(images, "Process image" if choice else "Default process image")
-    yield from _assignments(description)
+    yield from _assignments(description.device, derived.images)
     yield from _pdos(description.device, assigned_sms(images), "PDOs of the device")
     yield from _slots(description, choice)
     for module, label in zip(description.modules, module_labels(description.modules), strict=True):
@@ -54,16 +54,16 @@ def device_sheet_lines(description: DeviceDescription, choice: Mapping[int, Modu
     yield from _neighbours(description)
 
 
-def _assignments(description: DeviceDescription) -> Iterator[str]:
+def _assignments(device: Device, default_images: list[SmImage]) -> Iterator[str]:
     rows = [
         [
-            "*" if item.is_default else "",
             item.name,
             "; ".join(f"SM{sm}: {' '.join(map(_hex, indices)) or 'none'}" for sm, indices in item.pdo_indices.items()),
+            predefined_words(item, default_images),
         ]
-        for item in predefined_assignments(description.device)
+        for item in predefined_assignments(device)
     ]
-    yield from _section("Predefined PDO assignments (* = default)", ("", "name", "PDOs"), rows)
+    yield from _section("Predefined PDO assignments", ("name", "PDOs", ""), rows)
 
 
 def _drive_modes(found: DriveModes) -> Iterator[str]:

@@ -22,7 +22,7 @@ from esicatalog.export.sii_summary import WHY_MERGE
 from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
-from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target
+from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
 from esicatalog.model.module_choice import module_labels, module_name, slot_offers
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
@@ -133,7 +133,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         ],
         "memory_map": memory_map_svg(device, images) if device.sync_managers else "",
         "pdos": _pdos(device, assigned_sms(derived.images)),
-        "assignments": predefined_assignments(device),
+        "assignments": [(item, predefined_words(item, derived.images)) for item in predefined_assignments(device)],
         "modules": _modules(description.modules),
         "without_slot": WITHOUT_SLOT,
         "verdicts": derived.modes.verdicts,
