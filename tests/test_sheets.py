@@ -96,7 +96,7 @@ async def test_a_predefined_assignment_that_is_marked_default_is_not_the_image(t
         ["Standard", "SM2: 0x1600; SM3: 0x1A00", marked],
         ["Extended", "SM2: 0x1602; SM3: 0x1A00"],
     ]
-    assert texts(await page(db, PATH), "section[aria-labelledby=image] > ul > li") == [
+    assert texts(await page(db, PATH), "section[aria-labelledby=image] h3 + ul > li") == [
         f"Standard ({marked}): SM2 0x1600 SM3 0x1A00",
         "Extended: SM2 0x1602 SM3 0x1A00",
     ]
