@@ -1272,10 +1272,14 @@ def test_a_coupler_that_only_measures_delays_is_no_sure_reference_clock(tmp_path
 def test_a_master_configuration(data_db, tmp_path):
     eni = (
         "<EtherCATConfig><Config><Slave><Info><Name>Term</Name><PhysAddr>1001</PhysAddr><VendorId>3676</VendorId>"
-        "<ProductCode>218630152</ProductCode><RevisionNo>1114112</RevisionNo></Info></Slave></Config></EtherCATConfig>"
+        "<ProductCode>218630152</ProductCode><RevisionNo>1114112</RevisionNo></Info>"
+        "<DC><ReferenceClock>1</ReferenceClock></DC></Slave></Config></EtherCATConfig>"
     )
     (tmp_path / "bus.xml").write_text(eni)
     (found,) = json.loads(run("identify", "--eni", str(tmp_path / "bus.xml"), "--format", "json", db=data_db).stdout)
+    assert (found["slave"]["reference_clock"], found["slave"]["potential_reference_clock"]) == (True, None)
+    lines = run("identify", "--eni", tmp_path / "bus.xml", db=data_db).stdout.splitlines()
+    assert "  reference clock  slave 0 is configured as reference clock" in lines
     assert (found["match"], found["device"]["type"], found["slave"]["name"]) == ("exact", "ECX-D808", "Term")
 
 
