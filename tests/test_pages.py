@@ -390,8 +390,8 @@ async def test_virtual_sync_managers_are_named_so(tmp_path):
     content = '<Sm ControlByte="#x64">Outputs</Sm><Sm ControlByte="#x64" Virtual="1">Outputs</Sm>'
     db = catalog_of(tmp_path, esi(device(content)))
     tree = await page(db, "/-/esi/device/0xe5c/1/1")
-    usages = texts(tree, "[aria-label='Sync managers'] tbody td:nth-child(2)")
-    assert usages == ["Outputs", "Outputs (virtual)"]
+    flags = texts(tree, "[aria-label='Sync managers'] tbody td:nth-child(7)")
+    assert flags == ["watchdog", "watchdog virtual"]
     sheet = run("show", "0xe5c:1:1", db=db).stdout.splitlines()
     assert ["virtual" in line for line in sheet if line.startswith(("  SM0", "  SM1"))] == [False, True]
 
@@ -1155,7 +1155,10 @@ async def test_op_modes_that_newer_tools_ignore_are_marked(tmp_path):
     assert superseded.startswith("DC (superseded: newer tools ignore it) AssignActivate 0x0700")
     assert default.startswith("DC (default) AssignActivate 0x0300")
     options = [(option.get("value"), option.text) for option in tree.cssselect("select[name=op-mode] option")]
-    assert options[1:3] == [("#1", "DC (0x0300)"), ("#0", "DC (0x0700)")]
+    assert options[1:3] == [
+        ("#1", "DC (0x0300) (default)"),
+        ("#0", "DC (0x0700) (superseded: newer tools ignore it)"),
+    ]
     heading = run("export", "soem", "0xe5c:1:1", db=db).stdout
     assert " ignored by newer tools: 0 'DC'\n" in heading
     assert "others:" not in heading

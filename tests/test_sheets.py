@@ -103,3 +103,26 @@ async def test_a_predefined_assignment_that_is_marked_default_is_not_the_image(t
 
     same = catalog_of(tmp_path / "same", esi(device(info.replace("#x1600", "#x1602") + SMS + pdos)))
     assert section(same, "Predefined PDO assignments")[0][2] == "marked Default in the file"
+
+
+async def test_flags_of_sync_managers_and_pdos(tmp_path):
+    """Sm/@OpOnly beside the watchdog (ControlByte bit 6); OSFac 2: the image has two samples of the 24 bits."""
+    sms = SMS.replace("<Sm ControlByte='#x64'>", "<Sm ControlByte='#x64' OpOnly='1'>")
+    pdos = pdo("RxPdo", "#x1600", 8, attributes="Sm='2' Fixed='1'")
+    pdos += pdo("TxPdo", "#x1A00", 24, attributes="Sm='3' OSFac='2'")
+    db = catalog_of(tmp_path, esi(device(sms + pdos)))
+    assert section(db, "Sync managers")[2][-1] == "watchdog OpOnly"
+    assert [row[5] for row in section(db, "PDOs of the device")] == ["fixed", "OSFac 2"]
+    tree = await page(db, PATH)
+    flags = texts(tree, "section[aria-labelledby=sync-managers] tbody td:nth-child(7)")
+    assert flags == ["", "", "watchdog OpOnly", ""]
+    summaries = texts(tree, "section[aria-labelledby=pdos] summary .small")
+    assert summaries == ["8 bits, SM2 by default, fixed", "24 bits, SM3 by default, OSFac 2"]
+    assert texts(tree, "section[aria-labelledby=image] h3")[1] == "SM3 Inputs: 6 bytes (48 bits)"
+
+
+async def test_what_is_generated_of_the_whole_description_is_told_apart(tmp_path):
+    """EEPROM images and ESI documents depend on no choice."""
+    tree = await page(catalog_of(tmp_path, esi(device(SMS + pdo("TxPdo", "#x1A00", 8, attributes="Sm='3'")))), PATH)
+    words = texts(tree, "section[aria-labelledby=exports] > p")[0]
+    assert words.startswith("For the default PDOs; EEPROM image and ESI XML: the description as a whole")

@@ -18,10 +18,10 @@ from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels, slot_offers
-from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import bits_words, entry_words, pdo_flags, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
-from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.sm_facts import sm_facts, sm_flags
 from esicatalog.model.sync import generated_signals
 from esicatalog.model.twincat import is_superseded, predefined_assignments
 from esicatalog.sii.codes import signal_names
@@ -147,7 +147,6 @@ def _sync_managers(description: DeviceDescription) -> Iterator[str]:
     rows = []
     for number, sm in enumerate(description.device.sync_managers):
         facts = sm_facts(sm)
-        flags = [name for name, on in (("watchdog", facts.watchdog_trigger), ("virtual", sm.virtual)) if on]
         rows.append(
             [
                 f"SM{number}",
@@ -156,7 +155,7 @@ def _sync_managers(description: DeviceDescription) -> Iterator[str]:
                 _hex(sm.control_byte, 2),
                 facts.buffer_mode or "",
                 facts.transfer_direction or "",
-                " ".join(flags),
+                " ".join(sm_flags(sm)),
                 _text(sm.min_size),
                 _text(sm.default_size),
                 _text(sm.max_size),
@@ -210,7 +209,6 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
     for direction, pdos in pdos_by_direction(owner):
         for position, pdo in enumerate(pdos):
             sm = sms.get((direction, position))
-            flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
             rows.append(
                 [
                     direction,
@@ -218,7 +216,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
                     f"SM{sm}" if sm is not None else "no",
                     str(len(pdo.entries)),
                     bits_words(pdo),
-                    " ".join(flags),
+                    " ".join(pdo_flags(pdo)),
                     " ".join(map(_hex, exclusions.get(pdo.pdo_index, ()))),
                     display_text(pdo.names) or "",
                 ]

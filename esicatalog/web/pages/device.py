@@ -24,10 +24,10 @@ from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
 from esicatalog.model.module_choice import module_labels, module_name, slot_offers
-from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import bits_words, entry_words, pdo_flags, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
-from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.sm_facts import sm_facts, sm_flags
 from esicatalog.model.sync import generated_signals
 from esicatalog.model.twincat import is_superseded, predefined_assignments
 from esicatalog.model.values import number_words
@@ -129,7 +129,8 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         **_module_picker(description, choice),
         "images": [_image(image) for image in images],
         "sync_managers": [
-            {"number": number, "sm": sm, "facts": sm_facts(sm)} for number, sm in enumerate(device.sync_managers)
+            {"number": number, "sm": sm, "facts": sm_facts(sm), "flags": sm_flags(sm)}
+            for number, sm in enumerate(device.sync_managers)
         ],
         "memory_map": memory_map_svg(device, images) if device.sync_managers else "",
         "pdos": _pdos(device, assigned_sms(derived.images)),
@@ -245,6 +246,7 @@ def _exports(description: DeviceDescription, has_process_data: bool) -> dict[str
     return {
         "labels": {name: target.label for name, target in targets.items()},
         "exports": [(name, "module" in parameters_of(name)) for name in offered],
+        "whole": [targets[name].label for name in offered if "module" not in parameters_of(name)],
         "export_forms": [
             (" or ".join(_FORM_FIELDS[field] for field in heeded), heeded, names)
             for heeded, names in forms.items()
@@ -287,7 +289,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
             "name": display_text(pdo.names) or "",
             "sm": sms.get((direction, position)),
             "bits": bits_words(pdo),
-            "flags": [flag for flag in ("fixed", "mandatory", "virtual") if getattr(pdo, flag)],
+            "flags": pdo_flags(pdo),
             "excludes": exclusions.get(pdo.pdo_index, ()),
             "entries": [
                 {
