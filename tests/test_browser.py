@@ -63,7 +63,7 @@ def test_search_filter_and_open(page: Page):
 def test_module_picker(page: Page):
     page.goto(EYOU)
     before = page.locator("section[aria-labelledby=image] details tbody").first.text_content() or ""
-    page.get_by_label("Slot 0").select_option("0=0x219800")
+    page.get_by_role("combobox", name="Slot 0").select_option("0=0x219800")
     page.get_by_role("button", name="Show with these modules").click()
     expect(page.get_by_role("heading", name="Process image with the chosen modules")).to_be_visible()
     expect(page.locator("section[aria-labelledby=image] details tbody").first).not_to_have_text(before)
