@@ -85,8 +85,8 @@ def _as_it_stands(command: InitCmd, name: str) -> int | str | None:
 def predefined_words(assignment: PredefinedAssignment, images: Iterable[SmImage]) -> str:
     """Whether a predefined assignment is marked Default, and in what the default process images are another one.
 
-    These go by Sm of the PDOs and the lists of the OpMode (ESI-FACTS section 0); files mark what differs. Empty for one
-    that is not marked.
+    These go by Sm of the PDOs and the lists of the OpMode (ESI-FACTS section 0); files mark what differs (section 14).
+    Empty for one that is not marked.
     """
     if not assignment.is_default:
         return ""
