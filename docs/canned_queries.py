@@ -29,12 +29,13 @@ _ACCEPTED, _ACCEPTED_STRICTLY = _texts(accepted_verdicts()), _texts(accepted_ver
 _HIDDEN_DOC = "include_hidden: 1 = also revisions that another description supersedes (empty = without them)."
 
 
-def _readable(*names: str) -> str:
+def _readable(*names: str, **read_as: str) -> str:
     """A condition that ends the statement with words where ``esicatalog devices`` refuses a parameter.
 
-    No function of SQLite but those about JSON tells of what it was given; it tells of a path that is none.
+    ``read_as`` are parameters that are read as one of another name. No function of SQLite but those about JSON tells of
+    what it was given; it tells of a path that is none.
     """
-    given = ", ".join(f"'{name}', :{name}" for name in names)
+    given = ", ".join(f"'{kind}', :{name}" for name, kind in (dict(zip(names, names, strict=True)) | read_as).items())
     return f"json_extract('{{}}', refusal({given})) is null"
 
 
@@ -89,7 +90,7 @@ order by {_ORDER}
         "title": "Devices with DC SYNC1",
         "description": (
             "Devices with an OpMode whose AssignActivate generates SYNC1; op_modes names them with the word. "
-            "vendor: part of one of the vendor's names (empty = all). "
+            "vendor: vendor id as 0x1097, #x1097 or 4247, or a part of one of the vendor's names (empty = all). "
             f"{_HIDDEN_DOC}"
         ),
         "params": ["vendor", "include_hidden"],
@@ -97,10 +98,11 @@ order by {_ORDER}
 select device_id, {_IDENTITY},
   group_concat(ifnull(name || ' ', '') || assign_activate_hex, ', ') as op_modes, max(is_default) as in_default_mode
 from device_dc_modes
-where {_readable("include_hidden")}
+where {_readable("include_hidden", vendor="maker")}
   and sync1 = 1 and device_id in (select device_id from device_facts where supports_sync1 = 1)
   and variant = 1 and {_SHOWN}
-  and (:vendor = '' or vendor_id in (select vendor_id from vendor_names where instr(lower(name), lower(:vendor))))
+  and (:vendor = '' or vendor_id = parse_hex(:vendor) or parse_hex(:vendor) is null
+    and vendor_id in (select vendor_id from vendor_names where instr(lower(name), lower(:vendor))))
 group by device_id
 order by {_ORDER}
 """,

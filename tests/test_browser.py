@@ -63,7 +63,7 @@ def test_search_filter_and_open(page: Page):
 def test_module_picker(page: Page):
     page.goto(EYOU)
     before = page.locator("section[aria-labelledby=image] details tbody").first.text_content() or ""
-    page.get_by_label("Slot 0").select_option("0=0x219800")
+    page.get_by_role("combobox", name="Slot 0").select_option("0=0x219800")
     page.get_by_role("button", name="Show with these modules").click()
     expect(page.get_by_role("heading", name="Process image with the chosen modules")).to_be_visible()
     expect(page.locator("section[aria-labelledby=image] details tbody").first).not_to_have_text(before)
@@ -97,9 +97,18 @@ def test_objects_that_cannot_be_had_are_asked_for_again(page: Page):
 
 
 def test_the_page_of_objects_alone_is_filtered(page: Page):
+    """By the object and by its entries: Calc and copy time is in 0x1C32 and 0x1C33, Sync0 cycle time is 0x1C32:10."""
     page.goto(f"{EYOU}/objects")
-    page.get_by_label("Filter by index, name or type").fill("0x6502")
-    expect(page.locator("[data-shown]")).to_have_text("1 object")
+    box = page.get_by_label("Filter by index, name or type")
+    for sought, words in (
+        ("0x6502", "1 object"),
+        ("CALC and copy", "2 objects"),
+        ("0x1c32:0A sync0", "1 object"),
+        ("0x1C32:0E", "0 objects"),
+    ):
+        box.fill(sought)
+        expect(page.locator("[data-shown]")).to_have_text(words)
+    box.fill("0x6502")
     expect(page.locator("details[data-object]:visible")).to_have_count(1)
 
 

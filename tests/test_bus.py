@@ -134,6 +134,14 @@ def test_what_the_vendor_says_of_the_reference_clock_counts():
     assert clocks(CLOCK, DRIVE, at0={"dc_capable": True, "dc_system_time": False}) == (1, ())
 
 
+def test_what_a_configuration_says_of_the_reference_clock_counts():
+    """ENI (ETG.2100): the first slave with clocks cannot be it, the last one is it."""
+    excluded = {"dc_capable": True, "potential_reference_clock": False, "reference_clock": False}
+    assert clocks(CLOCK, CLOCK, CLOCK, at0=excluded) == (1, ())
+    _, summary = bus(CLOCK, CLOCK, CLOCK, at0=excluded, at2={"dc_capable": True, "reference_clock": True})
+    assert (summary.reference_clock_candidate, summary.reference_clock_at) == (1, (2,))
+
+
 def test_a_slave_of_which_nothing_is_known_may_be_the_reference_clock():
     assert clocks(SILENT, None, DRIVE, SILENT) == (2, (0, 1))
     assert clocks(SILENT, None) == (None, (0, 1))

@@ -11,6 +11,7 @@ from test_search import catalog_of
 from web_client import client
 
 from esicatalog import Catalog
+from esicatalog.catalog.filter_texts import filter_of_texts
 from esicatalog.identity import Identity
 from esicatalog.resources import resource
 
@@ -74,8 +75,8 @@ async def test_what_has_no_product_code_can_hide_a_revision(tmp_path, codes):
     assert found == [(1, "0x00000009" if codes else "-")]
 
 
-@pytest.mark.parametrize("part", ["_", "%", "TEST", "other", "nobody"])
-async def test_a_part_of_the_name_of_a_vendor_finds_what_the_command_finds(tmp_path, part):
+@pytest.mark.parametrize("part", ["_", "%", "TEST", "other", "nobody", "0xE5C", "#xe5c", "3676", "0x3676", "3S"])
+async def test_a_vendor_or_a_part_of_its_name_finds_what_the_command_finds(tmp_path, part):
     """The same id under two names, of which one is shown: both are looked at, and no letter stands for others."""
     spelled = [f"<Id>#xE5C</Id><Name>{name}</Name>" for name in ("Test vendor", "Test vendor", "Other name")]
     documents = [esi(device(_DRIVE, product=f"#x{n}"), vendor=vendor) for n, vendor in enumerate(spelled, 1)]
@@ -83,9 +84,17 @@ async def test_a_part_of_the_name_of_a_vendor_finds_what_the_command_finds(tmp_p
     asked = {"vendor": part, "include_hidden": "", "_shape": "array"}
     answer = await (await client(db)).get("/catalog/devices_with_dc_sync1.json", params=asked)
     with Catalog.open(db) as catalog:
-        listed = [f"0x{found.product_code:08x}" for found in catalog.devices(vendor=part, sync="sync1")]
+        wanted = filter_of_texts({"vendor": [part], "sync": ["sync1"]})
+        listed = [f"0x{found.product_code:08x}" for found in catalog.find(wanted)]
     assert [row["product_code_hex"] for row in answer.json()] == listed
-    assert len(listed) == (3 if part in ("TEST", "other") else 0)
+    assert len(listed) == (3 if part in ("TEST", "other", "0xE5C", "#xe5c", "3676") else 0)
+
+
+async def test_a_vendor_that_is_meant_as_a_number_is_refused_when_it_is_none(data_db):
+    """A slip (O for 0) is told instead of being looked for among the names."""
+    asked = {"vendor": "0x1O97", "include_hidden": ""}
+    answer = await (await client(data_db)).get("/catalog/devices_with_dc_sync1.json", params=asked)
+    assert (answer.status_code, "0x1O97" in answer.text) == (400, True)
 
 
 async def test_the_mode_matrix_counts_makers_of_one_vendor_id_apart(tmp_path):

@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from urllib.parse import quote
 
 import pytest
 from lxml import html
@@ -65,3 +66,12 @@ async def test_the_device_of_the_same_layout_is_linked(modular_db):
     other = one(modular_db, "SELECT id FROM devices WHERE product_code = 2")
     assert f"/-/esi/row/{other}" in addresses
     assert len(addresses) == 2
+
+
+@pytest.mark.parametrize("given", ["0X60ff", "0x60FF", "#x60FF", "24831", "0x060FF"])
+async def test_columns_of_hex_text_are_filtered_in_any_notation(data_db, given):
+    """SQL compares texts, and views spell them ``0x60ff``."""
+    count = one(data_db, "SELECT count(*) FROM device_objects WHERE object_index = 0x60FF")
+    query = f"object_index_hex={quote(given)}&_shape=array&_size=max"
+    answer = await (await client(data_db)).get(f"/catalog/device_objects.json?{query}")
+    assert len(answer.json()) == count > 0

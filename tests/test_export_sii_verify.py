@@ -78,6 +78,14 @@ def test_ports_and_current_that_are_not_said_are_no_difference():
             "bytes of the bootstrap send mailbox: the image has 128; described",
         ),
         (WHOLE.replace("0508", "0000"), "PDI control: the image has 0x0805; described is 0x0000"),
+        (
+            WHOLE.replace("<Mailbox><CoE/></Mailbox>", "<Mailbox/>"),
+            "mailbox protocols: the image has CoE; described is none",
+        ),
+        (
+            without("<Mailbox><CoE/></Mailbox>"),
+            "mailbox protocols: the image has CoE; the description has no Mailbox element",
+        ),
         (WHOLE.replace("Inputs</Fmmu>", "Outputs</Fmmu>"), "FMMU1: the image has Inputs; described is Outputs"),
         (
             WHOLE.replace("UINT", "INT"),

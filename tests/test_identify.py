@@ -672,14 +672,26 @@ async def test_cors_only_where_datasette_has_it(data_db):
         assert (await plain.request("OPTIONS", path)).status_code == 405
 
 
-async def test_who_may_not_see_the_database_gets_no_answer(data_db):
+_ROOT = {"allow": {"id": "root"}}
+
+
+@pytest.mark.parametrize(
+    "denied",
+    [_ROOT, {"tables": {"pdos": _ROOT, "devices": {"allow": True}}}, {"tables": {"Device_Overview": {"allow": False}}}],
+    ids=["the database", "a table", "a view, to all"],
+)
+async def test_who_may_not_see_the_database_or_a_table_gets_no_answer(data_db, denied):
     application = datasette_app(data_db)
-    denied = {"databases": {"catalog": {"allow": {"id": "root"}}}}
     # 0.65 takes permissions from the metadata, 1.0 from the configuration
-    setattr(application, "config" if hasattr(application, "config") else "_metadata_local", denied)
+    configured = {"databases": {"catalog": denied}}
+    setattr(application, "config" if hasattr(application, "config") else "_metadata_local", configured)
     await application.invoke_startup()
-    assert (await application.client.get(f"{ROUTE}?vendor=1&product=1")).status_code == 403
-    assert (await application.client.get("/-/esi/openapi.json")).status_code == 403
+    device = "/-/esi/device/0x1097/0x2406/0x8f"
+    paths = (f"{ROUTE}?vendor=1&product=1", "/-/esi/openapi.json", "/-/esi/", device, f"{device}.json")
+    assert {(await application.client.get(path)).status_code for path in paths} == {403}
+    cookies = {"ds_actor": application.sign({"a": {"id": "root"}}, "actor")}
+    answer = await application.client.get(device, cookies=cookies)
+    assert answer.status_code == (200 if _ROOT in (denied, *denied.get("tables", {}).values()) else 403)
 
 
 def test_the_server_cannot_write(data_db, tmp_path):
@@ -1260,10 +1272,14 @@ def test_a_coupler_that_only_measures_delays_is_no_sure_reference_clock(tmp_path
 def test_a_master_configuration(data_db, tmp_path):
     eni = (
         "<EtherCATConfig><Config><Slave><Info><Name>Term</Name><PhysAddr>1001</PhysAddr><VendorId>3676</VendorId>"
-        "<ProductCode>218630152</ProductCode><RevisionNo>1114112</RevisionNo></Info></Slave></Config></EtherCATConfig>"
+        "<ProductCode>218630152</ProductCode><RevisionNo>1114112</RevisionNo></Info>"
+        "<DC><ReferenceClock>1</ReferenceClock></DC></Slave></Config></EtherCATConfig>"
     )
     (tmp_path / "bus.xml").write_text(eni)
     (found,) = json.loads(run("identify", "--eni", str(tmp_path / "bus.xml"), "--format", "json", db=data_db).stdout)
+    assert (found["slave"]["reference_clock"], found["slave"]["potential_reference_clock"]) == (True, None)
+    lines = run("identify", "--eni", tmp_path / "bus.xml", db=data_db).stdout.splitlines()
+    assert "  reference clock  slave 0 is configured as reference clock" in lines
     assert (found["match"], found["device"]["type"], found["slave"]["name"]) == ("exact", "ECX-D808", "Term")
 
 

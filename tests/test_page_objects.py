@@ -122,3 +122,77 @@ async def test_what_has_no_index_is_not_shown_as_that_of_index_0(tmp_path):
     summaries = [" ".join(e.text_content().split()) for e in tree.cssselect("section[aria-labelledby=pdos] summary")]
     assert summaries[0].startswith("TxPdo without index P")
     assert summaries[1].startswith("Module without ident")
+
+
+_OPERATION_MODES = (
+    "<DataType><Name>DT0802EN04</Name><BaseType>USINT</BaseType><BitSize>8</BitSize>"
+    "<EnumInfo><Text>Automatic</Text><Enum>0</Enum></EnumInfo>"
+    "<EnumInfo><Text>Velocity direct</Text><Enum>1</Enum></EnumInfo></DataType>"
+)
+
+
+def _member(subindex: int, name: str, type_name: str, bit_offset: int) -> str:
+    return (
+        f"<SubItem><SubIdx>{subindex}</SubIdx><Name>{name}</Name><Type>{type_name}</Type><BitSize>8</BitSize>"
+        f"<BitOffs>{bit_offset}</BitOffs></SubItem>"
+    )
+
+
+async def test_meanings_of_the_values_of_members_are_told(tmp_path):
+    """Most listed values are those of members of records; a type that two members have lists its values once."""
+    types = (
+        _OPERATION_MODES
+        + "<DataType><Name>DT8012</Name><BitSize>40</BitSize>"
+        + _member(1, "Operation mode", "DT0802EN04", 16)
+        + _member(2, "Fallback mode", "DT0802EN04", 24)
+        + _member(3, "Other", "USINT", 32)
+        + "</DataType>"
+    )
+    values = "".join(
+        f"<SubItem><Name>{name}</Name><Info><DefaultData>{data}</DefaultData></Info></SubItem>"
+        for name, data in (("Operation mode", "00"), ("Fallback mode", "07"), ("Other", "01"))
+    )
+    objects = (
+        "<Object><Index>#x8012</Index><Name>Settings</Name><Type>DT8012</Type><BitSize>40</BitSize>"
+        f"<Info>{values}</Info></Object>"
+        "<Object><Index>#x2000</Index><Name>Alone</Name><Type>DT0802EN04</Type><BitSize>8</BitSize>"
+        "<Info><DefaultData>01</DefaultData></Info></Object>"
+    )
+    db = catalog_of(tmp_path, esi(device(dictionary(types, objects))))
+    answer = await (await client(db)).get(f"{PATH}/objects", headers=PART)
+    record, alone = html.fromstring(answer.text).cssselect("details[data-object]")
+    assert [[cell.text_content() for cell in row.cssselect("td")[:7:6]] for row in record.cssselect("tbody tr")] == [
+        ["1", "0 = Automatic"],
+        ["2", "7"],
+        ["3", "1"],
+    ]
+    assert [item.text_content() for item in record.cssselect("p")] == ["DT0802EN04: 0 = Automatic; 1 = Velocity direct"]
+    assert alone.cssselect("td")[6].text_content() == "1 = Velocity direct"
+    assert [item.text_content() for item in alone.cssselect("p")] == ["DT0802EN04: 0 = Automatic; 1 = Velocity direct"]
+
+
+async def test_objects_that_yield_to_those_of_modules_are_left_out(tmp_path):
+    """OverwrittenByModule (ESI-FACTS 12): 0x6000 + 1 x 16 is 0x6010 in slot 1; nobody brings 0x7000 or, marked, 0x6020.
+
+    What bears no mark stays beside the module's.
+    """
+    marked = "<Object><Index OverwrittenByModule='1'>{}</Index><Name>Of the device</Name><Type>UINT</Type></Object>"
+    own = "".join(map(marked.format, ("#x6000", "#x6010", "#x6020"))) + _object("#x7000", "Of the device")
+    slots = (
+        "<Slots SlotIndexIncrement='16'><Slot MinInstances='2' MaxInstances='2'><Name>S</Name>"
+        "<ModuleIdent Default='1'>#x10</ModuleIdent></Slot></Slots>"
+    )
+    module = _module("#x10", _object("#x6000", "Of the module", "DependOnSlot='1'"), _object("#x7000", "Of the module"))
+    db = catalog_of(tmp_path, esi(device(dictionary(_TYPES, own) + slots), module))
+    lines, _ = await _listed(db)
+    assert lines == [
+        "0x6020 Of the device UINT",
+        "0x7000 Of the device UINT",
+        "0x6000 Of the module UINT module 0x10 in slot 0",
+        "0x7000 Of the module UINT module 0x10 in slot 0",
+        "0x6010 Of the module UINT module 0x10 in slot 1",
+        "0x7000 Of the module UINT module 0x10 in slot 1",
+    ]
+    tree = html.fromstring((await (await client(db)).get(PATH)).text)
+    (summary,) = tree.cssselect("section[aria-labelledby=objects] summary")
+    assert summary.text_content() == "6 objects, 4 of them of plugged modules"

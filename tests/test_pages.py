@@ -17,7 +17,7 @@ from esicatalog import Catalog
 from esicatalog.catalog.filter_texts import PARAMETERS
 from esicatalog.identity import parse_identity
 from esicatalog.sii.checksum import crc8
-from esicatalog.web.cells import decimal_filters
+from esicatalog.web.cells import stored_filters
 
 HOSTILE = "&lt;script&gt;alert(1)&lt;/script&gt;"
 ATTRIBUTE = '"onmouseover=alert(1) x="'
@@ -178,7 +178,7 @@ async def test_objects_come_on_demand(data_db):
     declared = one(data_db, "SELECT count(*) FROM device_objects WHERE vendor_id = 0x1097")
     plugged = one(data_db, "SELECT count(*) FROM module_objects WHERE module_ident = 0x119800")
     assert len(tree.cssselect("details[data-object]")) == declared + plugged
-    (modes,) = [item for item in tree.cssselect("details") if item.get("data-object").startswith("0x6502")]
+    (modes,) = [item for item in tree.cssselect("details") if item.text_content().strip().startswith("0x6502")]
     assert "256 (0x100)" in modes.text_content()
 
 
@@ -390,8 +390,8 @@ async def test_virtual_sync_managers_are_named_so(tmp_path):
     content = '<Sm ControlByte="#x64">Outputs</Sm><Sm ControlByte="#x64" Virtual="1">Outputs</Sm>'
     db = catalog_of(tmp_path, esi(device(content)))
     tree = await page(db, "/-/esi/device/0xe5c/1/1")
-    usages = texts(tree, "[aria-label='Sync managers'] tbody td:nth-child(2)")
-    assert usages == ["Outputs", "Outputs (virtual)"]
+    flags = texts(tree, "[aria-label='Sync managers'] tbody td:nth-child(7)")
+    assert flags == ["watchdog", "watchdog virtual"]
     sheet = run("show", "0xe5c:1:1", db=db).stdout.splitlines()
     assert ["virtual" in line for line in sheet if line.startswith(("  SM0", "  SM1"))] == [False, True]
 
@@ -481,7 +481,7 @@ async def test_images_are_shown(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("query", "decimal"),
+    ("query", "stored"),
     [
         ("product_code=0x10", "product_code=16"),
         ("a=1&entry_index__in=0x10,%23x11&b=0x1", "a=1&entry_index__in=16,17&b=0x1"),
@@ -493,10 +493,20 @@ async def test_images_are_shown(tmp_path):
         ("product_code__contains=0x10", None),
         ("product_code=0xzz", None),
         ("", None),
+        ("object_index_hex=0x60FF", "object_index_hex=0x60ff"),
+        ("object_index_hex__exact=%23x60FF", "object_index_hex__exact=0x60ff"),
+        ("product_code_hex__gte=4247", "product_code_hex__gte=0x00001097"),
+        ("vendor_id_hex__in=0x2,%23xE5C", "vendor_id_hex__in=0x00000002,0x00000e5c"),
+        ("other_vendor_id_hex=0x2", "other_vendor_id_hex=0x00000002"),
+        ("object_index_hex=0x60ff", None),
+        ("object_index_hex__contains=0x60", None),
+        ("object_index_hex__startswith=0x6", None),
+        ("object_index_hex=60FF", None),
+        ("name_hex=0x1", None),
     ],
 )
-def test_hex_in_filters(query, decimal):
-    assert decimal_filters(query) == decimal
+def test_numbers_in_filters(query, stored):
+    assert stored_filters(query) == stored
 
 
 EXPORTS = {
@@ -1145,7 +1155,10 @@ async def test_op_modes_that_newer_tools_ignore_are_marked(tmp_path):
     assert superseded.startswith("DC (superseded: newer tools ignore it) AssignActivate 0x0700")
     assert default.startswith("DC (default) AssignActivate 0x0300")
     options = [(option.get("value"), option.text) for option in tree.cssselect("select[name=op-mode] option")]
-    assert options[1:3] == [("#1", "DC (0x0300)"), ("#0", "DC (0x0700)")]
+    assert options[1:3] == [
+        ("#1", "DC (0x0300) (default)"),
+        ("#0", "DC (0x0700) (superseded: newer tools ignore it)"),
+    ]
     heading = run("export", "soem", "0xe5c:1:1", db=db).stdout
     assert " ignored by newer tools: 0 'DC'\n" in heading
     assert "others:" not in heading

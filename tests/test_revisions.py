@@ -71,6 +71,24 @@ def test_the_order_of_candidates(found, described, match, position):
     assert best(found, *described) == (match, position)
 
 
+_OF_VISIBLE = " of those that its vendor does not hide"
+
+
+@pytest.mark.parametrize(
+    ("found", "described", "because"),
+    [
+        (0x001300FB, {0x001300FA: True, 0x00121482: False}, f"0x00121482 is the nearest older one{_OF_VISIBLE}"),
+        (0x001300FB, {0x00110000: True, 0x00121482: False}, "0x00121482 is the nearest older one"),
+        (0x0FFFFF, {0x100000: True, 0x110000: False}, f"only newer ones are described, next 0x00110000{_OF_VISIBLE}"),
+        (0x0FFFFF, {0x120000: True, 0x110000: False}, "only newer ones are described, next 0x00110000"),
+    ],
+)
+def test_a_hidden_revision_that_is_nearer_is_not_denied(found, described, because):
+    """The choice passes over what a vendor hides; the reason does not call it not described."""
+    ranked = rank(found, [Described(revision, None, hidden) for revision, hidden in described.items()])
+    assert ranked[0].reason == f"no exact ESI; nearest shown because {because}"
+
+
 def test_anything_but_exact_says_so():
     reasons = [
         item.reason for item in rank(5, [Described(r, c, h) for r, c, h in ((4, None, False), (9, "LW_EQ", True))])

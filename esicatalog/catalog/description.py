@@ -18,10 +18,12 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
+from esicatalog.model.device_words import init_cmd_target
 from esicatalog.model.module_choice import SlotOffer, chosen_modules, slot_offers
 from esicatalog.model.pdo_facts import has_object
 from esicatalog.model.process_image import SmImage, whole_process_image
-from esicatalog.model.slots import PluggedModule
+from esicatalog.model.slots import PluggedModule, expand_module
+from esicatalog.model.start_up import OwnedInitCmd, all_init_cmds
 from esicatalog.model.sync import default_position
 
 _MOST_FINDINGS = 200
@@ -84,6 +86,13 @@ class DeviceDescription(NamedTuple):
         Raises :class:`InputError` for a choice that does not fit.
         """
         return whole_process_image(self.device, self.modules, self.plugged(choice))
+
+    def init_cmds(self, choice: Mapping[int, ModuleChoice]) -> list[OwnedInitCmd]:
+        """InitCmds of the device and of these modules in place of the default ones, as they are sent.
+
+        Raises :class:`InputError` for a choice that does not fit.
+        """
+        return list(all_init_cmds(self.device, (expand_module(self.device, item) for item in self.plugged(choice))))
 
 
 def read_description(connection: sa.Connection, lookup: IdentityLookup, identity: Identity) -> DeviceDescription:
@@ -159,7 +168,8 @@ def _in_lines() -> sa.ColumnElement[bool]:
 
 
 def description_json(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
-    """Identity, sources, variants, process image, slots, facts, drive modes, and the records of device and modules.
+    """Identity, sources, variants, process image, slots, InitCmds, facts, drive modes, and the records of device and
+    modules.
 
     Records hold what their document says, and leave out what it does not; what is derived is complete.
     """
@@ -174,6 +184,7 @@ def description_json(description: DeviceDescription, choice: Mapping[int, Module
             _slots_json(offer)
             for offer in slot_offers(description.device, description.modules, description.plugged(choice))
         ],
+        "init_cmds": [_init_cmd_json(item) for item in description.init_cmds(choice)],
         "facts": _complete(derived.facts),
         "drive_modes": [_complete(verdict) for verdict in derived.modes.verdicts],
         "mode_evidence": [_complete(evidence) for evidence in derived.modes.evidence],
@@ -202,6 +213,23 @@ def _slots_json(offer: SlotOffer) -> dict[str, Any]:
             {"choice": str(module.choice), "name": module.name, "plugged": module.is_plugged}
             for module in offer.fitting
         ],
+    }
+
+
+def _init_cmd_json(item: OwnedInitCmd) -> dict[str, Any]:
+    command = item.command
+    return {
+        "slot": item.slot_number,
+        "protocol": item.protocol,
+        "transitions": list(command.transitions),
+        "target": init_cmd_target(command),
+        "object_index": command.object_index,
+        "subindex": command.subindex,
+        "idn": command.idn,
+        "channel": command.channel,
+        "complete_access": bool(command.complete_access),
+        "data": command.data,
+        "comment": command.comment,
     }
 
 

@@ -86,6 +86,8 @@ class IdentifiedSlave(NamedTuple):
             "failed": slave.failed,
             "al_status_code": slave.al_status_code,
             "master_device": slave.master_device,
+            "reference_clock": slave.reference_clock,
+            "potential_reference_clock": slave.potential_reference_clock,
             "line": slave.line,
         }
         return {
@@ -144,8 +146,11 @@ def _alias_words(duplicates: Mapping[int, Sequence[int]]) -> str:
 
 
 def _reference_clock_words(bus: BusReport) -> str:
-    """Which slave can be the reference clock, and of which ones before it nothing is known or described."""
+    """Which slave is configured as reference clock, else which can be it and of which before it nothing is known."""
     summary = bus.summary
+    if summary.reference_clock_at:
+        is_one = len(summary.reference_clock_at) == 1
+        return f"{slave_words(summary.reference_clock_at)} {'is' if is_one else 'are'} configured as reference clock"
     clock, unknown = summary.reference_clock_candidate, summary.clock_unknown_at
     if clock is None:
         known = ["no candidate known" if unknown else "no candidate"]

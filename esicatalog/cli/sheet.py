@@ -1,6 +1,7 @@
 """The sheet of one device as text."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import groupby
 from typing import Any
 
 from esicatalog.catalog.description import DeviceDescription
@@ -8,19 +9,19 @@ from esicatalog.catalog.results import FoundDevice
 from esicatalog.cli.common import table_lines
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.mailbox import Mailbox, init_cmds
+from esicatalog.esi.records.mailbox import InitCmd, init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import ModuleChoice
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
-from esicatalog.model.device_words import eeprom_words, head_facts, init_cmd_target
+from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels, slot_offers
-from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import bits_words, entry_words, pdo_flags, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
-from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.sm_facts import sm_facts, sm_flags
 from esicatalog.model.sync import generated_signals
 from esicatalog.model.twincat import is_superseded, predefined_assignments
 from esicatalog.sii.codes import signal_names
@@ -36,12 +37,13 @@ def device_sheet_lines(description: DeviceDescription, choice: Mapping[int, Modu
     yield from _identity(description, derived.facts)
     yield from _sync_managers(description)
     yield from _process_image(images, "Process image" if choice else "Default process image")
-    yield from _assignments(description)
+    yield from _assignments(description.device, derived.images)
     yield from _pdos(description.device, assigned_sms(images), "PDOs of the device")
     yield from _slots(description, choice)
     for module, label in zip(description.modules, module_labels(description.modules), strict=True):
         yield from _module(module, label)
-    yield from _init_cmds(description.device.mailbox, "InitCmds")
+    for owner, items in groupby(description.init_cmds(choice), lambda item: item.owner):
+        yield from _init_cmds([(item.protocol, item.command) for item in items], f"InitCmds of the {owner}")
     yield from _dc_modes(description.device, description.default_position(choice))
     yield from _drive_modes(derived.modes)
     eeprom = eeprom_words(description.device)
@@ -52,16 +54,16 @@ def device_sheet_lines(description: DeviceDescription, choice: Mapping[int, Modu
     yield from _neighbours(description)
 
 
-def _assignments(description: DeviceDescription) -> Iterator[str]:
+def _assignments(device: Device, default_images: list[SmImage]) -> Iterator[str]:
     rows = [
         [
-            "*" if item.is_default else "",
             item.name,
             "; ".join(f"SM{sm}: {' '.join(map(_hex, indices)) or 'none'}" for sm, indices in item.pdo_indices.items()),
+            predefined_words(item, default_images),
         ]
-        for item in predefined_assignments(description.device)
+        for item in predefined_assignments(device)
     ]
-    yield from _section("Predefined PDO assignments (* = default)", ("", "name", "PDOs"), rows)
+    yield from _section("Predefined PDO assignments", ("name", "PDOs", ""), rows)
 
 
 def _drive_modes(found: DriveModes) -> Iterator[str]:
@@ -145,7 +147,6 @@ def _sync_managers(description: DeviceDescription) -> Iterator[str]:
     rows = []
     for number, sm in enumerate(description.device.sync_managers):
         facts = sm_facts(sm)
-        flags = [name for name, on in (("watchdog", facts.watchdog_trigger), ("virtual", sm.virtual)) if on]
         rows.append(
             [
                 f"SM{number}",
@@ -154,7 +155,7 @@ def _sync_managers(description: DeviceDescription) -> Iterator[str]:
                 _hex(sm.control_byte, 2),
                 facts.buffer_mode or "",
                 facts.transfer_direction or "",
-                " ".join(flags),
+                " ".join(sm_flags(sm)),
                 _text(sm.min_size),
                 _text(sm.default_size),
                 _text(sm.max_size),
@@ -208,7 +209,6 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
     for direction, pdos in pdos_by_direction(owner):
         for position, pdo in enumerate(pdos):
             sm = sms.get((direction, position))
-            flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
             rows.append(
                 [
                     direction,
@@ -216,7 +216,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
                     f"SM{sm}" if sm is not None else "no",
                     str(len(pdo.entries)),
                     bits_words(pdo),
-                    " ".join(flags),
+                    " ".join(pdo_flags(pdo)),
                     " ".join(map(_hex, exclusions.get(pdo.pdo_index, ()))),
                     display_text(pdo.names) or "",
                 ]
@@ -237,14 +237,14 @@ def _module(module: Module, label: str) -> Iterator[str]:
     title = f"Module {_hex(module.module_ident)}  {label}  {display_text(module.names) or ''}".rstrip()
     yield ""
     yield title
-    yield from _pdos(module, module_sms(module), "  PDOs of the module")
-    yield from _init_cmds(module.mailbox, "  InitCmds of the module")
+    yield from _pdos(module, module_sms(module), f"  PDOs of the module, {WITHOUT_SLOT}")
+    yield from _init_cmds(init_cmds(module.mailbox), f"  InitCmds of the module, {WITHOUT_SLOT}")
 
 
-def _init_cmds(mailbox: Mailbox | None, title: str) -> Iterator[str]:
+def _init_cmds(commands: Iterable[tuple[str, InitCmd]], title: str) -> Iterator[str]:
     rows = [
         [protocol, " ".join(cmd.transitions), init_cmd_target(cmd), cmd.data or "", cmd.comment or ""]
-        for protocol, cmd in init_cmds(mailbox)
+        for protocol, cmd in commands
     ]
     yield from _section(title, ("", "transition", "target", "data (as sent)", "comment"), rows)
 

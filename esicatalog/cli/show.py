@@ -33,9 +33,10 @@ def command(identity: "Identity", db: str, modules: "tuple[tuple[int, ModuleChoi
     findings.
 
     IDENTITY is VENDOR:PRODUCT[:REVISION][@VARIANT]; without REVISION the latest, with - as REVISION the description
-    that names none. JSON has every fact, drive mode and evidence complete, with null for what is not known or not
-    there; its records of the document (device, modules) leave out what has its default. Where it has several variants,
-    these are descriptions of the identity that contradict each other.
+    that names none. InitCmds are listed as they are sent: those of the plugged modules at their indices in the slots,
+    without those of the device that yield to them. JSON has every fact, drive mode and evidence complete, with null for
+    what is not known or not there; its records of the document (device, modules) leave out what has its default. Where
+    it has several variants, these are descriptions of the identity that contradict each other.
     """
     from esicatalog.api import Catalog
     from esicatalog.catalog.description import description_json

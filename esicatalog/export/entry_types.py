@@ -7,7 +7,13 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.model.base_types import BaseType
 from esicatalog.model.dictionary import ObjectEntry, resolve_base
-from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews, EntriesBySubindex, counting_view
+from esicatalog.model.dictionary_views import (
+    DictionaryView,
+    DictionaryViews,
+    EntriesBySubindex,
+    counting_view,
+    object_yields,
+)
 from esicatalog.model.resolver import TypeSet
 from esicatalog.model.slots import ExpandedModule
 
@@ -71,9 +77,9 @@ class ObjectTable:
 
     def entries(self, index: int) -> EntriesBySubindex:
         """The resolved entries of an object by subindex, none when no dictionary declares it."""
-        own = counting_view(self._own, index)
-        if own is None or own.by_index[index].overwritten_by_module:
-            own = counting_view(self._brought, index) or own
+        own, brought = (counting_view(views, index) for views in (self._own, self._brought))
+        if own is None or (brought is not None and object_yields(own.by_index[index], brought.by_index)):
+            own = brought
         return (own.entries(index) if own is not None else None) or {}
 
     def base_type(self, entry: Entry, slot_number: int | None) -> BaseType | None:

@@ -7,11 +7,10 @@ from typing import Generic, NamedTuple, TypeVar
 
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.mailbox import InitCmd, init_cmds
 from esicatalog.model.device_words import soe_target
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
-from esicatalog.model.start_up import TRANSITIONS, transition_of, unusable_part, written_places, yields
+from esicatalog.model.start_up import TRANSITIONS, OwnedInitCmd, all_init_cmds, transition_of, unusable_part
 from esicatalog.words import one_line
 
 MODULE_IDENT_LIST = 0xF030
@@ -96,17 +95,13 @@ def start_commands(
     """All commands by transition, those of the device before those of its modules, and remarks about odd ones."""
     remarks = [_ADDRESS_LIST] if device.download_module_address_list and plugged else []
     commands = list(_module_list(device, plugged))
-    of_modules = [(f"module in slot {item.slot_number}", item.module.mailbox) for item in expanded]
-    replaced = written_places(item.module for item in expanded)
-    for owner, mailbox in (("device", device.mailbox), *of_modules):
-        for protocol, command in init_cmds(mailbox):
-            if owner == "device" and yields(command, replaced):
-                continue
-            commands.extend(_at_transitions(owner, protocol, command, remarks))
+    for item in all_init_cmds(device, expanded):
+        commands.extend(_at_transitions(item, remarks))
     return tuple(sorted(commands, key=lambda command: TRANSITIONS.index(command.transition))), tuple(remarks)
 
 
-def _at_transitions(owner: str, protocol: str, command: InitCmd, remarks: list[str]) -> Iterator[StartCommand]:
+def _at_transitions(item: OwnedInitCmd, remarks: list[str]) -> Iterator[StartCommand]:
+    owner, protocol, command = item.owner, item.protocol, item.command
     if protocol in _WITHOUT_GENERATOR:
         remarks.append(f"{protocol} InitCmd of the {owner} is left out: it is no parameter of the device")
         return

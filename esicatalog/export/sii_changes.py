@@ -57,6 +57,7 @@ _IDENTITY: Labels = {
     "revision_no": ("revision number", 8),
     "serial_no": ("serial number", 8),
 }
+PROTOCOLS = "mailbox protocols"
 _MAILBOXES: Labels = {
     "standard_receive_mailbox_offset": ("offset of the receive mailbox", 4),
     "standard_receive_mailbox_size": ("bytes of the receive mailbox", 0),
@@ -66,7 +67,7 @@ _MAILBOXES: Labels = {
     "bootstrap_receive_mailbox_size": ("bytes of the bootstrap receive mailbox", 0),
     "bootstrap_send_mailbox_offset": ("offset of the bootstrap send mailbox", 4),
     "bootstrap_send_mailbox_size": ("bytes of the bootstrap send mailbox", 0),
-    "mailbox_protocols": ("mailbox protocols", 0),
+    "mailbox_protocols": (PROTOCOLS, 0),
 }
 _OTHER_WORDS: Labels = {
     "execution_delay": ("word 0x10, a delay", 0),

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 from esicatalog.catalog.results import FoundDevice, Identification
-from esicatalog.export.sii_changes import CHECK_SUM, NOT_CONFIGURED, UNREADABLE, Change, image_changes
+from esicatalog.export.sii_changes import CHECK_SUM, NOT_CONFIGURED, PROTOCOLS, UNREADABLE, Change, image_changes
 from esicatalog.export.sii_completed import described_images
 from esicatalog.export.sii_header import NOT_COMPUTED
 from esicatalog.export.subject import Subject
@@ -17,6 +17,7 @@ from esicatalog.words import counted
 _OWN = {"serial number", "station alias", CHECK_SUM}
 """What is the device's own and in no description, and the check sum over it, which is held against the image itself."""
 _REFUSED = "wrong: a slave controller refuses the configuration words"
+_NO_MAILBOX = "the description has no Mailbox element"
 _USED_PARTS = {"identity", "mailboxes", "SyncManagers", "FMMUs", "PDOs", "OpModes", UNREADABLE}
 _USED_OF_GENERAL = {"flags", "CoE"}
 
@@ -40,9 +41,10 @@ def verify_image(image: SiiImage, subject: Subject) -> tuple[ImageDifference, ..
     """
     refused = () if is_loaded(image.header) else (ImageDifference(CHECK_SUM, _REFUSED, True),)
     uncomputed = {category_title(number) for number, (_, is_said) in NOT_COMPUTED.items() if is_said(subject.device)}
+    described_as = {PROTOCOLS: _NO_MAILBOX} if subject.device.mailbox is None else {}
     changes = min((image_changes(described, image) for described in described_images(subject, image)), key=len)
     return refused + tuple(
-        ImageDifference(change.part, _words(change, uncomputed), _is_used(change))
+        ImageDifference(change.part, _words(change, uncomputed, described_as.get(change.label)), _is_used(change))
         for change in changes
         if change.label not in _OWN
     )
@@ -127,7 +129,9 @@ def _weight(differences: tuple[ImageDifference, ...]) -> tuple[int, int]:
     return sum(item.used_by_master for item in differences), len(differences)
 
 
-def _words(change: Change, uncomputed: set[str]) -> str:
+def _words(change: Change, uncomputed: set[str], described_as: str | None) -> str:
+    if described_as is not None:
+        return f"{change.label}: the image has {change.after}; {described_as}"
     if change.label in uncomputed and change.before is None:
         return f"{change.label}: the image has {change.after}; described, not computed here"
     if change.before is None:

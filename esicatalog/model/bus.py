@@ -71,6 +71,8 @@ class BusSummary(NamedTuple):
     output_bytes: int
     input_bytes: int
     bytes_unknown_at: tuple[int, ...]
+    reference_clock_at: tuple[int, ...]
+    """Slaves that the configuration makes the reference clock, normally one."""
     reference_clock_candidate: int | None
     """The first slave that is known to have distributed clocks, and not to be excluded as reference clock."""
     system_time_known: bool
@@ -231,10 +233,11 @@ def _on_e_bus(slave: ScannedSlave, device: DeviceAtBus | None) -> bool | None:
 def _can_be_reference_clock(slave: ScannedSlave, device: DeviceAtBus | None, has_clock: bool | None) -> bool | None:
     """Whether a slave can give the bus its time; None = unknown.
 
-    It needs a system time, of which the scan tells more surely than the description; what the vendor excludes with
-    PotentialReferenceClock is excluded.
+    It needs a system time, of which the scan tells more surely than the description; what the vendor or an ENI excludes
+    with PotentialReferenceClock is excluded.
     """
-    if slave.dc_system_time is False or (device is not None and device.potential_reference_clock is False):
+    excluded = (slave.dc_system_time, slave.potential_reference_clock, device and device.potential_reference_clock)
+    if False in excluded:
         return False
     return has_clock
 
@@ -269,6 +272,7 @@ def _summary(
         output_bytes=sum(report.output_bytes or 0 for report in reports),
         input_bytes=sum(report.input_bytes or 0 for report in reports),
         bytes_unknown_at=tuple(sorted((*not_listed, *unknown))),
+        reference_clock_at=tuple(slave.position for slave, _ in bus if slave.reference_clock),
         reference_clock_candidate=candidate,
         system_time_known=candidate is not None and told[candidate],
         clock_unknown_at=tuple(position for position, can in before if can is None),

@@ -1,16 +1,23 @@
 """Words that every sheet and page uses for what a description declares."""
 
+from collections.abc import Iterable
+
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.unreadable import unreadable
 from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.pdo_facts import subindex_words
+from esicatalog.model.process_image import SmImage
 from esicatalog.model.profile_facts import profile_numbers
 from esicatalog.model.sm_facts import mailbox_sync_managers
+from esicatalog.model.twincat import PredefinedAssignment
 from esicatalog.sii.codes import signal_names
 from esicatalog.words import counted, index_words
 
 MAILBOX_PROTOCOLS = ("coe", "eoe", "foe", "soe", "aoe", "voe")
+
+WITHOUT_SLOT = "indices without the offsets of a slot"
+"""What stands beside lists of a module that is in no slot (ESI-FACTS section 12.1)."""
 
 _COE_DETAILS = {
     "coe_sdo_info": "SdoInfo",
@@ -73,6 +80,28 @@ def _as_it_stands(command: InitCmd, name: str) -> int | str | None:
     """A number, else the text that stands there and cannot be read, else None."""
     value: int | None = getattr(command, name)
     return (command.spelling or {})[name] if unreadable(command, name) is not None else value
+
+
+def predefined_words(assignment: PredefinedAssignment, images: Iterable[SmImage]) -> str:
+    """Whether a predefined assignment is marked Default, and in what the default process images are another one.
+
+    These go by Sm of the PDOs and the lists of the OpMode (ESI-FACTS section 0); files mark what differs (section 14).
+    Empty for one that is not marked.
+    """
+    if not assignment.is_default:
+        return ""
+    assigned = {
+        image.sm: tuple(
+            [pdo.pdo.pdo_index for pdo in image.pdos if pdo.module is None and pdo.pdo.pdo_index is not None]
+        )
+        for image in images
+    }
+    other = [f"SM{sm}" for sm, indices in assignment.pdo_indices.items() if indices != assigned.get(sm, ())]
+    marked = "marked Default in the file"
+    if not other:
+        return marked
+    shown = "the default process image and exports, which go by Sm of the PDOs and by OpMode"
+    return f"{marked}; {shown}, differ on {' and '.join(other)}"
 
 
 def profile_words(device: Device) -> list[str]:

@@ -1,6 +1,6 @@
 """Dictionaries looked at as a whole: objects by index, resolved when asked for; equal ones are looked at once."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any, TypeVar
 
 from esicatalog.esi.records.dictionary import Dictionary, Object
@@ -56,6 +56,11 @@ class DictionaryView:
         if found is None and (resolved := self.resolved(index)) is not None:
             found = self._entries[index] = {entry.subindex: entry for entry in reversed(resolved.entries)}
         return found
+
+
+def object_yields(declared: Object, of_modules: Collection[int | None]) -> bool:
+    """Whether an object of the device gives way to one of modules, whose indices are given (ESI-FACTS section 12)."""
+    return bool(declared.overwritten_by_module) and declared.object_index in of_modules
 
 
 def counting_view(views: Iterable[DictionaryView], index: int) -> DictionaryView | None:

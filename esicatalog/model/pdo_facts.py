@@ -75,6 +75,12 @@ def bits_words(pdo: Pdo) -> str:
     return f"at least {bits}" if bits else "?"
 
 
+def pdo_flags(pdo: Pdo) -> list[str]:
+    """What is set of a PDO, in the words of sheets and pages; OSFac says how often a cycle samples it by default."""
+    flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
+    return [*flags, *([f"OSFac {pdo.os_fac}"] if pdo.os_fac is not None else [])]
+
+
 def pdo_facts(pdo: Pdo) -> PdoFacts:
     """Size and number of entries of a PDO; a sum of 2^63 or more counts as none (ESI-FACTS section 1.1)."""
     bits = pdo_bits(pdo)

@@ -124,7 +124,8 @@ def rank(found: int | None, described: Sequence[Described]) -> list[Ranked]:
     """
     if found is None:
         return sorted(_latest(position, item) for position, item in enumerate(described))
-    return sorted(_ranked(position, item, found) for position, item in enumerate(described))
+    hidden = [item.revision_no for item in described if item.hidden and item.revision_no is not None]
+    return sorted(_ranked(position, item, found, hidden) for position, item in enumerate(described))
 
 
 def _latest(position: int, item: Described) -> Ranked:
@@ -137,11 +138,11 @@ def _latest(position: int, item: Described) -> Ranked:
     return Ranked((0, item.hidden, -revision, item.variant), PRODUCT, position, reason)
 
 
-def _ranked(position: int, item: Described, found: int) -> Ranked:
+def _ranked(position: int, item: Described, found: int, hidden_revisions: Sequence[int]) -> Ranked:
     configured = item.revision_no
     if configured == found:
         return Ranked((0, False, 0, item.variant), EXACT, position, EXACT_REASON)
-    step, distance, match, because = _not_exact(item, found)
+    step, distance, match, because = _not_exact(item, found, hidden_revisions)
     hidden = " (hidden by its vendor)" if item.hidden else ""
     reason = f"no exact ESI; nearest shown because {because}{hidden}"
     if not is_known(item.check_revision_no):
@@ -149,8 +150,11 @@ def _ranked(position: int, item: Described, found: int) -> Ranked:
     return Ranked((step, item.hidden, distance, item.variant), match, position, reason)
 
 
-def _not_exact(item: Described, found: int) -> tuple[int, int, str, str]:
-    """Step, distance, match and why, for another revision than the found one."""
+def _not_exact(item: Described, found: int, hidden_revisions: Sequence[int]) -> tuple[int, int, str, str]:
+    """Step, distance, match and why, for another revision than the found one.
+
+    A hidden one that is nearer is described all the same: then the nearest of the others is called that.
+    """
     configured = item.revision_no
     if configured is None:
         return 5, 0, PRODUCT, "its description names no revision"
@@ -160,8 +164,11 @@ def _not_exact(item: Described, found: int) -> tuple[int, int, str, str]:
         which = "" if is_older else "; it is newer than the device"
         because = f"{shown} accepts it by its CheckRevisionNo {item.check_revision_no}{which}"
         return 1, distance if is_older else distance + _ABOVE, ACCEPTED, because
+    between = range(configured + 1, found) if is_older else range(found + 1, configured)
+    passes_over = not item.hidden and any(revision in between for revision in hidden_revisions)
+    visible = " of those that its vendor does not hide" if passes_over else ""
     if not is_older:
-        return 4, distance, NEWER, f"only newer ones are described, next {shown}"
+        return 4, distance, NEWER, f"only newer ones are described, next {shown}{visible}"
     if configured & _LOW_WORD == found & _LOW_WORD:
         return 2, distance, OLDER, f"{shown} is older with the same low word"
-    return 3, distance, OLDER, f"{shown} is the nearest older one"
+    return 3, distance, OLDER, f"{shown} is the nearest older one{visible}"

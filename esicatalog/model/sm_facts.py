@@ -125,6 +125,16 @@ class SmFacts(Record):
     watchdog_trigger: Annotated[bool | None, Doc("Watchdog trigger, ControlByte bit 6")] = None
 
 
+def sm_flags(sync_manager: SyncManager) -> list[str]:
+    """What is set of a SyncManager, in the words of sheets and pages."""
+    flags = {
+        "watchdog": sm_facts(sync_manager).watchdog_trigger,
+        "virtual": sync_manager.virtual,
+        "OpOnly": sync_manager.op_only,
+    }
+    return [name for name, is_set in flags.items() if is_set]
+
+
 def sm_facts(sync_manager: SyncManager) -> SmFacts:
     """Decode the ControlByte; everything is None when it is not given."""
     return control_facts(sync_manager.control_byte)

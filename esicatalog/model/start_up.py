@@ -1,17 +1,19 @@
-"""What InitCmds have written when a device is in operation, and which of the device's own yield to those of modules.
+"""The InitCmds of a device with its modules, which of its own yield to those, and what they have written in operation.
 
 A command that does not tell where it writes to, what or when is sent by nobody, so it writes nothing.
 """
 
-from collections.abc import Collection, Hashable, Iterable
-from typing import TypeVar
+from collections.abc import Collection, Hashable, Iterable, Iterator
+from typing import NamedTuple, TypeVar
 
 from esicatalog.esi.numbers import decode_hex_binary
-from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
+from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds, init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.unreadable import reason_words
 from esicatalog.identity import MAX_INDEX
 from esicatalog.model.access import PREOP, SAFEOP
+from esicatalog.model.slots import ExpandedModule
 
 SENT_IN = {"IP": PREOP, "PS": PREOP, "SO": SAFEOP}
 """State of the device when commands are sent, by the transitions of a start in their order (ESI-FACTS section 10)."""
@@ -90,3 +92,29 @@ def _is_sent(command: InitCmd) -> bool:
 def yields(command: InitCmd, places: Collection[tuple[int | None, int]]) -> bool:
     """Whether a command of the device is left out for those of modules that write ``places`` (ESI-FACTS section 12)."""
     return bool(command.overwritten_by_module) and (command.object_index, command.subindex or 0) in places
+
+
+class OwnedInitCmd(NamedTuple):
+    """An InitCmd as it is sent, and whose it is: of the device, or of the module in a slot."""
+
+    slot_number: int | None
+    protocol: str
+    command: InitCmd
+    """With the index that it has in the slot."""
+
+    @property
+    def owner(self) -> str:
+        """Whose it is, in words."""
+        return "device" if self.slot_number is None else f"module in slot {self.slot_number}"
+
+
+def all_init_cmds(device: Device, expanded: Iterable[ExpandedModule]) -> Iterator[OwnedInitCmd]:
+    """Those of the device that do not yield, then those of its modules slot by slot; all in document order."""
+    modules = tuple(expanded)
+    replaced = written_places(item.module for item in modules)
+    for protocol, command in init_cmds(device.mailbox):
+        if not yields(command, replaced):
+            yield OwnedInitCmd(None, protocol, command)
+    for item in modules:
+        for protocol, command in init_cmds(item.module.mailbox):
+            yield OwnedInitCmd(item.slot_number, protocol, command)

@@ -133,7 +133,8 @@ def _clocks(element: etree._Element) -> dict[str, Any]:
     clocks = element.find("DC")
     if clocks is None:
         return {}
-    return {"dc_capable": True, "reference_clock": BOOL.read(clocks.findtext("ReferenceClock") or "").value}
+    told = {"reference_clock": "ReferenceClock", "potential_reference_clock": "PotentialReferenceClock"}
+    return {"dc_capable": True} | {field: BOOL.read(clocks.findtext(tag) or "").value for field, tag in told.items()}
 
 
 def _process_data(element: etree._Element, numbers: _Numbers) -> dict[str, Any]:

@@ -138,6 +138,8 @@ class ScannedSlave(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     """Propagation delay from the reference clock as printed."""
     reference_clock: bool | None = None
     """The ENI makes the slave the reference clock."""
+    potential_reference_clock: bool | None = None
+    """The ENI says whether the slave can be the reference clock."""
     not_lrw: bool | None = None
     """The slave cannot take LRW; it needs separate LRD and LWR commands."""
     mailbox_protocols: tuple[str, ...] | None = None

@@ -32,6 +32,10 @@ _TYPE_COLUMNS = {"devices": "type"}
 _VIEW_TYPE_COLUMN = "device_type"
 _SENTENCES = ("evidence", "fsoe_evidence", "recipe", "message")
 """Columns with names of documents among words and numbers."""
+_HEX_TEXT = "_hex"
+"""Views have the numbers of such columns as text, too, in columns of this ending."""
+_OTHER = "other_"
+"""What a view has of two devices begins so for the second one."""
 _OPERATORS = {"exact", "not", "gt", "gte", "lt", "lte", "in", "notin"}
 """Comparisons of Datasette's filters (``column__gt=…``) that take numbers."""
 
@@ -74,26 +78,33 @@ def _plain(number: Any) -> Any:
     return number["value"] if isinstance(number, Mapping) else number
 
 
-def decimal_filters(query: str) -> str | None:
-    """The query string of a table page with hex numbers of filters in decimal; None when there are none."""
+def stored_filters(query: str) -> str | None:
+    """The query string of a table page with the numbers of filters as the columns hold them; None when all are.
+
+    Hex numbers become decimal, and for columns of ``0x…`` text any number gets their digits: SQL compares texts.
+    """
     parts, changed = [], False
     for part in query.split("&"):
         name, equals, text = part.partition("=")
         column, _, operator = unquote(name).partition("__")
-        replaced = _decimal(column, operator, unquote(text.replace("+", " ")))
-        if equals and replaced is not None:
-            part, changed = f"{name}={replaced}", True
+        given = unquote(text.replace("+", " "))
+        stored = _stored(column, operator, given)
+        if equals and stored not in (None, given):
+            part, changed = f"{name}={stored}", True
         parts.append(part)
     return "&".join(parts) if changed else None
 
 
-def _decimal(column: str, operator: str, text: str) -> str | None:
-    if column not in HEX_DIGITS or (operator and operator not in _OPERATORS):
+def _stored(column: str, operator: str, text: str) -> str | None:
+    if operator and operator not in _OPERATORS:
         return None
-    if not any(mark in text.lower() for mark in ("0x", "#x")):
+    digits = HEX_DIGITS.get(column.removesuffix(_HEX_TEXT).removeprefix(_OTHER))
+    is_text = column.endswith(_HEX_TEXT)
+    if digits is None or not (is_text or any(mark in text.lower() for mark in ("0x", "#x"))):
         return None
     try:
         items = json.loads(text) if text.startswith("[") else text.split(",")
-        return ",".join(str(parse_number(str(item))) for item in items)
+        numbers = [parse_number(str(item)) for item in items]
     except (InputError, ValueError, RecursionError):
         return None
+    return ",".join(f"0x{number:0{digits}x}" if is_text else str(number) for number in numbers)

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from esicatalog.catalog.device_filter import MODES, one_of
-from esicatalog.catalog.filter_texts import parse_flag
+from esicatalog.catalog.filter_texts import parse_flag, parse_vendor
 from esicatalog.errors import InputError
 from esicatalog.identity import MAX_INDEX, parse_number, parse_subindex
 from esicatalog.model.device_words import MAILBOX_PROTOCOLS
@@ -42,6 +42,7 @@ def read_subindex(text: object) -> int | None:
 
 _PARAMETERS: dict[str, Callable[[str], Any]] = {
     **{name: partial(parse_number, what=name) for name in ("vendor", "product", "revision", "profile")},
+    "maker": parse_vendor,
     "index": partial(parse_number, what="index", limit=MAX_INDEX),
     "subindex": parse_subindex,
     "mode": lambda text: one_of("mode", text.strip().upper(), MODES),

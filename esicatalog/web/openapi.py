@@ -118,6 +118,15 @@ _SOURCE = _object({"member": {"type": "string"}, "line": {"type": "integer"}, "g
 _SLOT = {"type": "integer", "minimum": 0}
 _FITTING = _object({"choice": {"type": "string"}, "name": {"type": "string"}, "plugged": {"type": "boolean"}})
 _SLOTS = _object({"first": _SLOT, "last": _SLOT, "name": {"type": "string"}, "modules": _list(_FITTING)})
+_INIT_CMD = _object(
+    {
+        "slot": {**_SLOT, "type": ["integer", "null"], "description": "null for one of the device itself"},
+        "protocol": {"type": "string"},
+        "transitions": _list({"type": "string"}),
+        "target": {"type": "string"},
+        "data": _TEXT,
+    }
+)
 _ANSWER = {
     "query": _object(_IDENTITY),
     "match": {
@@ -171,6 +180,11 @@ _SCHEMAS = {
                 **_list(_SLOTS),
                 "description": "Slots from first to last that have the same module or none, and what fits them: "
                 "choice is the IDENT[/TYPE] of module",
+            },
+            "init_cmds": {
+                **_list(_INIT_CMD),
+                "description": "Start-up commands of the device and of the plugged modules, at their indices in the "
+                "slots; those of the device that yield to a module's are left out",
             },
             "device": {"type": "object"},
         }

@@ -1,7 +1,8 @@
 """The device page: what a description declares and implies, in sections."""
 
 import asyncio
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import groupby
 from typing import Any
 
 from esicatalog.api import Catalog
@@ -11,7 +12,7 @@ from esicatalog.errors import EsiCatalogError, InputError, NotFound
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.mailbox import InitCmd, Mailbox, init_cmds
+from esicatalog.esi.records.mailbox import InitCmd, init_cmds
 from esicatalog.esi.records.module import Module
 from esicatalog.export.choice import Choice
 from esicatalog.export.configuration import configure
@@ -21,12 +22,12 @@ from esicatalog.export.sii_summary import WHY_MERGE
 from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
-from esicatalog.model.device_words import eeprom_words, head_facts, init_cmd_target
+from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
 from esicatalog.model.module_choice import module_labels, module_name, slot_offers
-from esicatalog.model.pdo_facts import bits_words, entry_words, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import bits_words, entry_words, pdo_flags, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
-from esicatalog.model.sm_facts import sm_facts
+from esicatalog.model.sm_facts import sm_facts, sm_flags
 from esicatalog.model.sync import generated_signals
 from esicatalog.model.twincat import is_superseded, predefined_assignments
 from esicatalog.model.values import number_words
@@ -128,16 +129,18 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         **_module_picker(description, choice),
         "images": [_image(image) for image in images],
         "sync_managers": [
-            {"number": number, "sm": sm, "facts": sm_facts(sm)} for number, sm in enumerate(device.sync_managers)
+            {"number": number, "sm": sm, "facts": sm_facts(sm), "flags": sm_flags(sm)}
+            for number, sm in enumerate(device.sync_managers)
         ],
         "memory_map": memory_map_svg(device, images) if device.sync_managers else "",
         "pdos": _pdos(device, assigned_sms(derived.images)),
-        "assignments": predefined_assignments(device),
+        "assignments": [(item, predefined_words(item, derived.images)) for item in predefined_assignments(device)],
         "modules": _modules(description.modules),
+        "without_slot": WITHOUT_SLOT,
         "verdicts": derived.modes.verdicts,
         "evidence": derived.modes.evidence,
         "op_modes": _op_modes(device, description.default_position(choice)),
-        "commands": _commands(device.mailbox),
+        "commands": _commands_by_owner(description, choice),
         "objects": object_counts(description, choice),
         "eeprom": eeprom_words(device),
         **_beside_exports(description, choice),
@@ -193,7 +196,7 @@ def _modules(modules: Sequence[Module]) -> list[dict[str, Any]]:
             "label": label,
             "name": module_name(module),
             "pdos": _pdos(module, module_sms(module)),
-            "commands": _commands(module.mailbox),
+            "commands": _commands(init_cmds(module.mailbox)),
         }
         for module, label in zip(modules, module_labels(modules), strict=True)
     ]
@@ -243,6 +246,7 @@ def _exports(description: DeviceDescription, has_process_data: bool) -> dict[str
     return {
         "labels": {name: target.label for name, target in targets.items()},
         "exports": [(name, "module" in parameters_of(name)) for name in offered],
+        "whole": [targets[name].label for name in offered if "module" not in parameters_of(name)],
         "export_forms": [
             (" or ".join(_FORM_FIELDS[field] for field in heeded), heeded, names)
             for heeded, names in forms.items()
@@ -285,7 +289,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
             "name": display_text(pdo.names) or "",
             "sm": sms.get((direction, position)),
             "bits": bits_words(pdo),
-            "flags": [flag for flag in ("fixed", "mandatory", "virtual") if getattr(pdo, flag)],
+            "flags": pdo_flags(pdo),
             "excludes": exclusions.get(pdo.pdo_index, ()),
             "entries": [
                 {
@@ -302,7 +306,16 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
     ]
 
 
-def _commands(mailbox: Mailbox | None) -> list[dict[str, Any]]:
+def _commands_by_owner(
+    description: DeviceDescription, choice: Mapping[int, ModuleChoice]
+) -> dict[str, list[dict[str, Any]]]:
+    return {
+        owner: _commands((item.protocol, item.command) for item in items)
+        for owner, items in groupby(description.init_cmds(choice), lambda item: item.owner)
+    }
+
+
+def _commands(commands: Iterable[tuple[str, InitCmd]]) -> list[dict[str, Any]]:
     return [
         {
             "protocol": protocol,
@@ -311,7 +324,7 @@ def _commands(mailbox: Mailbox | None) -> list[dict[str, Any]]:
             "value": _value(cmd),
             "cmd": cmd,
         }
-        for protocol, cmd in init_cmds(mailbox)
+        for protocol, cmd in commands
     ]
 
 

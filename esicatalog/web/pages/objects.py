@@ -1,20 +1,22 @@
 """The object dictionary of a device: loaded when it is opened, because it can be larger than the rest of the page."""
 
 import asyncio
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.description import DeviceDescription
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.dictionary import DataType, Object
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.profile import dictionaries_of
+from esicatalog.esi.records.profile import declared_objects, dictionaries_of
 from esicatalog.identity import ModuleChoice
 from esicatalog.model.access import access_text
-from esicatalog.model.dictionary import ObjectEntry, resolve_object, type_table
+from esicatalog.model.dictionary import ObjectEntry, enum_values, resolve_object, type_table
+from esicatalog.model.dictionary_views import object_yields
 from esicatalog.model.module_choice import module_choices
-from esicatalog.model.slots import expand_module
+from esicatalog.model.slots import ExpandedModule, PluggedModule, expand_module
 from esicatalog.model.values import number_words
 from esicatalog.web.exports import asked_modules, modules_query
 from esicatalog.web.http import Page, Part
@@ -41,8 +43,9 @@ def object_counts(description: DeviceDescription, choice: Mapping[int, ModuleCho
 
     Raises :class:`~esicatalog.errors.InputError` for a choice that does not fit.
     """
-    own = _count(description.device)
-    plugged = description.plugged(choice)
+    device, plugged = description.device, description.plugged(choice)
+    brought = _brought(_in_slots(device, plugged)) if _has_marked(device) else ()
+    own = _count(device, brought)
     of_modules = sum(_count(item.module) for item in plugged)
     there = {id(item.module) for item in plugged}
     more = sum(1 for module in description.modules if id(module) not in there and _count(module))
@@ -51,10 +54,11 @@ def object_counts(description: DeviceDescription, choice: Mapping[int, ModuleCho
 
 def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
     labels = dict(zip(map(id, description.modules), module_choices(description.modules), strict=True))
-    objects, problems = _objects(description.device, ""), []
-    for item in description.plugged(choice):
+    device, plugged = description.device, description.plugged(choice)
+    in_slots = _in_slots(device, plugged)
+    objects, problems = _objects(device, "", _brought(in_slots)), []
+    for item, in_slot in zip(plugged, in_slots, strict=True):
         words = f"module {labels[id(item.module)] or item.module.type or 'without ident'} in slot {item.slot_number}"
-        in_slot = expand_module(description.device, item)
         objects += _objects(in_slot.module, words)
         problems += [f"{words}: {problem}" for problem in in_slot.problems if _count(item.module)]
     return {
@@ -67,33 +71,54 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
     }
 
 
-def _count(owner: Device | Module) -> int:
-    return sum(len(dictionary.objects) for dictionary in dictionaries_of(owner.profiles))
+def _in_slots(device: Device, plugged: Iterable[PluggedModule]) -> list[ExpandedModule]:
+    return [expand_module(device, item) for item in plugged]
 
 
-def _objects(owner: Device | Module, place: str) -> list[dict[str, Any]]:
+def _has_marked(device: Device) -> bool:
+    """Whether objects of the device may yield: without any, modules need not be looked at in their slots."""
+    return any(declared.overwritten_by_module for declared in declared_objects(device.profiles))
+
+
+def _brought(in_slots: Iterable[ExpandedModule]) -> set[int | None]:
+    """Indices of the objects that plugged modules bring."""
+    return {declared.object_index for item in in_slots for declared in declared_objects(item.module.profiles)}
+
+
+def _count(owner: Device | Module, brought: Collection[int | None] = ()) -> int:
+    return sum(not object_yields(declared, brought) for declared in declared_objects(owner.profiles))
+
+
+def _objects(owner: Device | Module, place: str, brought: Collection[int | None] = ()) -> list[dict[str, Any]]:
     found = []
     for dictionary in dictionaries_of(owner.profiles):
         types = type_table(dictionary.data_types)
-        for declared in dictionary.objects:
-            data_type = types.get(declared.type or "")
-            found.append(
-                {
-                    "index": index_words(declared.object_index),
-                    "name": display_text(declared.names) or "",
-                    "type": declared.type or "",
-                    "place": place,
-                    "enums": [
-                        (item.value, display_text(item.texts) or "")
-                        for item in (data_type.enum_infos if data_type is not None else ())
-                    ],
-                    "entries": [_entry(entry) for entry in resolve_object(declared, types).entries],
-                }
-            )
+        shown = (declared for declared in dictionary.objects if not object_yields(declared, brought))
+        found += [_object(declared, types, place) for declared in shown]
     return found
 
 
-def _entry(entry: ObjectEntry) -> dict[str, Any]:
+def _object(declared: Object, types: Mapping[str, DataType], place: str) -> dict[str, Any]:
+    """An object with its entries; the values that their types list stand once for all entries of a type."""
+    entries = resolve_object(declared, types).entries
+    names = dict.fromkeys([declared.type, *(entry.data_type for entry in entries)])
+    listed = {name: values for name in names if (values := _listed_values(name, types))}
+    return {
+        "index": index_words(declared.object_index),
+        "name": display_text(declared.names) or "",
+        "type": declared.type or "",
+        "place": place,
+        "enums": listed,
+        "entries": [_entry(entry, listed.get(entry.data_type, ())) for entry in entries],
+    }
+
+
+def _listed_values(name: str | None, types: Mapping[str, DataType]) -> Sequence[tuple[int | None, str]]:
+    return [(item.value, display_text(item.texts) or "") for item in enum_values(name, types)]
+
+
+def _entry(entry: ObjectEntry, listed: Iterable[tuple[int | None, str]]) -> dict[str, Any]:
+    default = entry.default_int
     return {
         "subindex": entry.subindex,
         "name": entry.name,
@@ -101,7 +126,8 @@ def _entry(entry: ObjectEntry) -> dict[str, Any]:
         "bit_size": entry.bit_size,
         "access_by_state": access_text(entry.access_word),
         "pdo_mapping": entry.pdo_mapping,
-        "shown_default": _value(entry.default_int, entry.default_real, entry.default_text, entry.default_raw),
+        "shown_default": _value(default, entry.default_real, entry.default_text, entry.default_raw),
+        "default_meaning": next((text for value, text in listed if default is not None and value == default), ""),
         "shown_min": _value(entry.min_int, entry.min_real),
         "shown_max": _value(entry.max_int, entry.max_real),
     }

@@ -9,7 +9,7 @@ from datasette import handle_exception, hookimpl
 from esicatalog.catalog.full_text import search_expression
 from esicatalog.catalog.views import FULL_TEXT
 from esicatalog.web.bidi import isolated
-from esicatalog.web.cells import cell, decimal_filters
+from esicatalog.web.cells import cell, stored_filters
 from esicatalog.web.descriptions import complete_links
 from esicatalog.web.functions import add_functions, bound_work
 from esicatalog.web.links import BASE
@@ -82,12 +82,12 @@ def render_cell(row: Any, value: Any, column: str, table: str | None, database: 
 
 @hookimpl
 def asgi_wrapper(datasette: Any) -> Callable[[Any], Any]:
-    """Filters of table pages take hex: ``?product_code=0x044c2c52`` means the decimal number."""
+    """Filters of table pages take numbers in any notation: ``?product_code=0x044c2c52`` means the decimal number."""
 
     def wrap(application: Any) -> Any:
         async def wrapped(scope: dict[str, Any], receive: Any, send: Any) -> None:
             if scope["type"] == "http" and str(scope.get("path", "")).startswith(_table_prefix(datasette)):
-                query = decimal_filters(scope.get("query_string", b"").decode("latin-1"))
+                query = stored_filters(scope.get("query_string", b"").decode("latin-1"))
                 if query is not None:
                     scope = {**scope, "query_string": query.encode("latin-1")}
             await application(scope, receive, send)

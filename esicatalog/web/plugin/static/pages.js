@@ -41,16 +41,30 @@ async function partOf(address) {
 function bindFilters(target) {
   for (const label of target.querySelectorAll("[data-filter-label]")) {
     const box = label.querySelector("input[data-filter]");
+    let texts = null;
     label.hidden = false;
-    box.addEventListener("input", () => filterObjects(target, box.value));
+    box.addEventListener("input", () => {
+      texts ??= new Map(Array.from(target.querySelectorAll("[data-object]"), (item) => [item, textsOf(item)]));
+      filterObjects(target, texts, box.value);
+    });
   }
 }
 
-function filterObjects(target, text) {
-  const words = text.toLowerCase().split(/\s+/).filter(Boolean);
+// Index, name, type and place of an object, and of each entry 0x8010:01, name and type.
+function textsOf(item) {
+  const index = item.querySelector("code").textContent;
+  const entries = Array.from(item.querySelectorAll("tbody tr"), ({ cells }) => {
+    const subindex = Number(cells[0].textContent).toString(16).padStart(2, "0");
+    return `${index}:${subindex} ${cells[1].textContent} ${cells[2].textContent}`;
+  });
+  return [item.querySelector("summary").textContent, ...entries].join(" ").toLowerCase();
+}
+
+function filterObjects(target, texts, sought) {
+  const words = sought.toLowerCase().split(/\s+/).filter(Boolean);
   let shown = 0;
-  for (const item of target.querySelectorAll("[data-object]")) {
-    const fits = words.every((word) => item.dataset.object.includes(word));
+  for (const [item, text] of texts) {
+    const fits = words.every((word) => text.includes(word));
     item.hidden = !fits;
     if (fits) shown += 1;
   }
