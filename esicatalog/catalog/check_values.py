@@ -98,27 +98,32 @@ def _compare_modules(connection: sa.Connection, numbers: Sequence[int], found: _
 def _compare_devices(connection: sa.Connection, numbers: Sequence[int], found: _Found) -> None:
     digests, owners, deriver, reader = Digests(), _Owners("device"), Deriver(), RecordReader(connection)
     identities = _rows_of(connection, [devices.c.vendor_id, devices.c.content_hash], devices.c.id, numbers)
-    linked = sa.select(device_modules.c.device_id, modules.c.content_hash).join(modules)
-    keys: dict[int, list[bytes]] = defaultdict(list)
-    for number, key in connection.execute(
-        linked.where(device_modules.c.device_id.in_(numbers)).order_by(*device_modules.primary_key)
-    ):
-        keys[number].append(bytes.fromhex(key))
+    reachable, keys = reader.modules_of_each(numbers), _module_keys(connection, numbers)
     expected: dict[sa.Column[Any], dict[int, list[Row]]] = defaultdict(dict)
     for number, device in zip(numbers, reader.devices(numbers), strict=True):
         ((vendor_id, content_hash),) = identities[number]
         found.digest("devices", digests.device(device, vendor_id, keys[number]).hex() == content_hash)
-        derived = deriver.derive(device, reader.modules_of(number))
+        derived = deriver.derive(device, reachable[number])
         owners.add(number, device, pdo_places(derived.images))
         rows = derived_rows(derived)
         expected[devices.c.id][number] = [(derived.process_data.default_position,)]
         expected[device_facts.c.device_id][number] = [rows.facts]
         expected[drive_modes.c.device_id][number] = rows.drive_modes
         expected[mode_evidence.c.device_id][number] = rows.mode_evidence
-    for key, made in expected.items():
-        columns = [devices.c.default_op_mode] if key is devices.c.id else _values(key.table)
-        found.rows("devices", key.table.name, _rows_of(connection, columns, key, numbers), made)
+    for owner, made in expected.items():
+        columns = [devices.c.default_op_mode] if owner is devices.c.id else _values(owner.table)
+        found.rows("devices", owner.table.name, _rows_of(connection, columns, owner, numbers), made)
     owners.compare(connection, found)
+
+
+def _module_keys(connection: sa.Connection, device_ids: Sequence[int]) -> dict[int, list[bytes]]:
+    """The digests of the modules that each device reaches, in document order."""
+    device_id = device_modules.c.device_id
+    query = sa.select(device_id, modules.c.content_hash).join(modules).where(device_id.in_(device_ids))
+    found: dict[int, list[bytes]] = defaultdict(list)
+    for number, key in connection.execute(query.order_by(*device_modules.primary_key)):
+        found[number].append(bytes.fromhex(key))
+    return found
 
 
 def _compare_entries(connection: sa.Connection, numbers: Sequence[int], found: _Found) -> None:

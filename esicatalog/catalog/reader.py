@@ -62,9 +62,15 @@ class RecordReader:
 
     def modules_of(self, device_id: int) -> list[Module]:
         """The modules that the slots of a device can reach, in document order."""
+        return self.modules_of_each([device_id])[device_id]
+
+    def modules_of_each(self, device_ids: Sequence[int]) -> dict[int, list[Module]]:
+        """The same of many devices; what several of them can reach is one record."""
         links = schema.device_modules.c
-        query = sa.select(links.module_id).where(links.device_id == device_id).order_by(links.position)
-        return self.modules(self._connection.execute(query).scalars().all())
+        reached = self._linked(links.module_id, links.device_id, links.position, device_ids)
+        numbers = list(dict.fromkeys(chain.from_iterable(reached.values())))
+        modules = dict(zip(numbers, self.modules(numbers), strict=True))
+        return {device: [modules[number] for number in own] for device, own in reached.items()}
 
     def dictionary(self, dictionary_id: int) -> Dictionary:
         """A dictionary as declared, with its data types and objects."""
@@ -116,7 +122,7 @@ class RecordReader:
                 ),
             )
 
-    def _linked(self, target: Any, parent: Any, position: Any, numbers: list[int]) -> dict[int, list[int]]:
+    def _linked(self, target: Any, parent: Any, position: Any, numbers: Sequence[int]) -> dict[int, list[int]]:
         """Row numbers of the parts of each parent, in their order."""
         found: dict[int, list[int]] = {number: [] for number in numbers}
         query = sa.select(parent, target).where(parent.in_(numbers)).order_by(parent, position)

@@ -7,7 +7,7 @@ from esicatalog.catalog.bulk import RowBuffer, chunks
 from esicatalog.catalog.derived import PdoPlaces, derived_rows, pdo_places
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.settle import number_variants_again, settle_hidden, store_own_vendor_names
-from esicatalog.model.derivation import derive
+from esicatalog.model.derivation import Deriver
 
 _BATCH = 200
 
@@ -21,8 +21,9 @@ def derive_again(connection: sa.Connection) -> None:
     buffer = RowBuffer(connection)
     for part in chunks(connection.execute(sa.select(schema.devices.c.id)).scalars(), _BATCH):
         reader = RecordReader(connection)
+        modules, deriver = reader.modules_of_each(part), Deriver()
         for number, device in zip(part, reader.devices(part), strict=True):
-            derived = derive(device, reader.modules_of(number))
+            derived = deriver.derive(device, modules[number])
             buffer.add_derived(number, derived_rows(derived))
             _write_places(connection, number, pdo_places(derived.images))
         buffer.flush()
