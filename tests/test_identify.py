@@ -742,6 +742,11 @@ def test_openapi_says_what_the_routes_do(data_db, examples):
             answered_as_promised()
 
 
+@pytest.fixture(scope="module")
+def one_device_db(tmp_path_factory) -> Path:
+    return catalog_of(tmp_path_factory.mktemp("one"), esi(device()))
+
+
 @pytest.mark.parametrize(
     ("path", "words"),
     [
@@ -753,20 +758,20 @@ def test_openapi_says_what_the_routes_do(data_db, examples):
         ("0xe5d/0x1/0x1@2", {"match": "none", "revision_no": 1}),
     ],
 )
-async def test_a_device_that_is_not_described(tmp_path, path, words):
+async def test_a_device_that_is_not_described(one_device_db, path, words):
     """identify.json knows neither variants nor descriptions without revision: its answer would be to something else."""
-    db = catalog_of(tmp_path, esi(device()))
-    response = await (await client(db)).get(f"/-/esi/device/{path}.json")
+    web = await client(one_device_db)
+    response = await web.get(f"/-/esi/device/{path}.json")
     found = response.json()
     assert response.status_code == 404
     if isinstance(words, str):
         assert found.pop("error").startswith(words)
-        asked = (await (await client(db)).get("/-/esi/identify.json?vendor=0xe5c&product=1&revision=1")).json()
+        asked = (await web.get("/-/esi/identify.json?vendor=0xe5c&product=1&revision=1")).json()
         assert found == {name: asked[name] for name in ("device", "variants", "candidates")}
     else:
         assert {"match": found["match"], "revision_no": found["query"]["revision_no"]} == words
     vendor, product, revision = path.split("/")
-    api = schemathesis.openapi.from_asgi("/-/esi/openapi.json", datasette_app(db).app())
+    api = schemathesis.openapi.from_asgi("/-/esi/openapi.json", datasette_app(one_device_db).app())
     operation = api["/-/esi/device/{vendor}/{product}/{revision}.json"]["GET"]
     asked = operation.Case(path_parameters={"vendor": vendor, "product": product, "revision": revision})
     await asyncio.to_thread(asked.call_and_validate)
