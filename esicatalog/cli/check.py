@@ -13,8 +13,8 @@ from esicatalog.cli.common import EXIT_NO, Command, db_option, reporting_errors
 def command(db: str) -> None:
     """Verify the catalog: integrity, references, variants, content hash, every value of every description.
 
-    That takes about as long as the ingest took. The last line on stdout is the content hash alone. Exit code 1 when
-    something is wrong.
+    That takes two or three times as long as the ingest took. The last line on stdout is the content hash alone. Exit
+    code 1 when something is wrong.
     """
     from esicatalog.api import Catalog
 
