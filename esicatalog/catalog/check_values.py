@@ -14,7 +14,7 @@ import sqlalchemy as sa
 from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.derived import NOWHERE, PdoPlaces, derived_rows, pdo_places, positioned
 from esicatalog.catalog.digests import Digests
-from esicatalog.catalog.mapping import PARENTS
+from esicatalog.catalog.mapping import CHILDREN, PARENTS
 from esicatalog.catalog.owned import OwnedRowMaker, OwnedRows
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.schema import (
@@ -40,7 +40,10 @@ from esicatalog.model.resolver import Resolver
 
 _BATCH = 500
 """Descriptions read at once: what they share is read, and made into rows, once for all of them."""
-_OWNED = [table for table in metadata.sorted_tables if {"device_id", "module_id", "spelling"} <= set(table.c.keys())]
+_OWNED = [
+    metadata.tables[name]
+    for name in dict.fromkeys(child.table for of in CHILDREN.values() for child in of if not child.under_parent)
+]
 """Tables whose rows hang on a device or module."""
 _PARTS = {name: parent for name, parent in PARENTS.items() if metadata.tables[parent] in _OWNED}
 """Tables whose rows hang on such a row, and where that is."""
@@ -185,14 +188,11 @@ class _Owners:
 
     def _compare_owned(self, connection: sa.Connection, table: sa.Table, found: _Found) -> dict[int, list[int]]:
         """The numbers of the rows of each owner, in their order."""
-        owner, owners = table.c[f"{self._kind}_id"], list(self._made)
-        stored = _rows_of(connection, _values(table), owner, owners)
-        made = {number: rows.tables[table.name] for number, rows in self._made.items() if table.name in rows.tables}
+        numbered = _rows_of(connection, [table.c.id, *_values(table)], table.c[f"{self._kind}_id"], list(self._made))
+        stored = {owner: [row[1:] for row in rows] for owner, rows in numbered.items()}
+        made = {owner: rows.tables[table.name] for owner, rows in self._made.items() if table.name in rows.tables}
         found.rows(f"{self._kind}s", table.name, stored, made)
-        return {
-            number: [row for (row,) in rows]
-            for number, rows in _rows_of(connection, [table.c.id], owner, owners).items()
-        }
+        return {owner: [row[0] for row in rows] for owner, rows in numbered.items()}
 
 
 def _values(table: sa.Table) -> list[sa.Column[Any]]:
