@@ -2,11 +2,9 @@
 
 from collections.abc import Collection, Sequence
 from functools import cached_property
-from itertools import chain
 
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.mailbox import InitCmd, coe_init_cmds
-from esicatalog.esi.records.module import Module
+from esicatalog.esi.records.mailbox import COE, InitCmd
 from esicatalog.esi.records.pdo import RX_PDO, Pdo
 from esicatalog.model.assignable_pdos import (
     AvailablePdo,
@@ -20,7 +18,7 @@ from esicatalog.model.drive_parts import Part
 from esicatalog.model.pdo_facts import mapped_entries, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, process_image, repeated_indices
 from esicatalog.model.slots import PluggedModule, expand_module
-from esicatalog.model.start_up import written_places, yields
+from esicatalog.model.start_up import all_init_cmds
 from esicatalog.model.sync import asked_op_modes, default_position, op_mode_at, op_mode_choice, positions_with_sync0
 
 
@@ -107,14 +105,9 @@ class DriveSetup:
 
     @cached_property
     def commands(self) -> tuple[InitCmd, ...]:
-        """Its InitCmds in the order in which they are sent at one transition."""
-        places = written_places(self._modules)
-        staying = [command for command in coe_init_cmds(self.device.mailbox) if not yields(command, places)]
-        return (*staying, *chain.from_iterable(coe_init_cmds(module.mailbox) for module in self._modules))
-
-    @cached_property
-    def _modules(self) -> list[Module]:
-        return [expand_module(self.device, item).module for item in self._plugged]
+        """Its CoE InitCmds in the order in which they are sent at one transition."""
+        expanded = (expand_module(self.device, item) for item in self._plugged)
+        return tuple([item.command for item in all_init_cmds(self.device, expanded) if item.protocol == COE])
 
 
 class ConfiguredDrive:

@@ -101,7 +101,8 @@ class Mailbox(Record):
     vendor_specific: Annotated[str | None, Xml("VendorSpecific", RAW)] = None
 
 
-INIT_CMD_FIELDS = {"CoE": "coe_init_cmds", "SoE": "soe_init_cmds", "EoE": "eoe_init_cmds", "AoE": "aoe_init_cmds"}
+COE = "CoE"
+INIT_CMD_FIELDS = {COE: "coe_init_cmds", "SoE": "soe_init_cmds", "EoE": "eoe_init_cmds", "AoE": "aoe_init_cmds"}
 """Where the start-up commands of the protocols that have some are, in the order of sheets."""
 
 
