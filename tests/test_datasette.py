@@ -190,6 +190,15 @@ async def test_descriptions_begin_with_the_device_pages(data_db, path):
         )
 
 
+@pytest.mark.parametrize("table", ["devices", "device_overview"])
+async def test_columns_are_described(browser, table):
+    tree = html.fromstring((await browser.get(f"/catalog/{table}")).text)
+    shown = {
+        name.text_content(): name.getnext().text_content().strip() for name in tree.cssselect(".column-descriptions dt")
+    }
+    assert shown == {name: text.strip() for name, text in METADATA["tables"][table]["columns"].items()}
+
+
 async def test_hex_in_a_filter_is_no_error(browser):
     assert (await browser.get("/catalog/devices?product_code=0x0d080808")).status_code == 200
     assert len(await rows(browser, "/catalog/device_overview.json", product_code_hex="0x0d080808")) == 2

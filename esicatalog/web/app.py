@@ -1,6 +1,7 @@
 """The Datasette application of one catalog."""
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +30,33 @@ SETTINGS = {
 }
 
 
+_STORE_COLUMN = """
+INSERT OR REPLACE INTO metadata_columns (database_name, resource_name, column_name, key, value)
+VALUES (?, ?, ?, 'description', ?)
+"""
+
+
+class _Application(Datasette):  # type: ignore[misc]
+    """Stores the descriptions of columns all at once: Datasette 1.0 stores one by one, which takes a second."""
+
+    column_descriptions: Iterable[tuple[str, str, str, str]] = ()
+    """Database, table, column, description."""
+
+    async def invoke_startup(self) -> None:
+        await super().invoke_startup()
+        await self.get_internal_database().execute_write_many(_STORE_COLUMN, self.column_descriptions)
+
+
+def _take_columns(metadata: Any) -> list[tuple[str, str, str, str]]:
+    """Take the descriptions of columns out of metadata."""
+    return [
+        (database, table, column, description)
+        for database, described in metadata["databases"].items()
+        for table, of_table in described.get("tables", {}).items()
+        for column, description in of_table.pop("columns", {}).items()
+    ]
+
+
 def datasette_app(path: str | os.PathLike[str], immutable: bool = False) -> Any:
     """A Datasette with this one database, under the name ``catalog``, and the metadata of the package.
 
@@ -43,10 +71,13 @@ def datasette_app(path: str | os.PathLike[str], immutable: bool = False) -> Any:
         counted = {MOUNTED_AS: found} if found is not None else {}
     metadata = yaml.load(resource("datasette-metadata.yml").read_bytes(), SafeLoader)
     arguments: dict[str, Any] = {"metadata": metadata, "settings": SETTINGS, "inspect_data": counted}
-    if datasette_version[0] != "0":
+    if datasette_version[0] == "0":
+        datasette = Datasette([], **arguments)
+    else:
+        columns = _take_columns(metadata)
         # Datasette 1.0 takes canned queries from the configuration.
-        arguments["config"] = metadata
-    datasette = Datasette([], **arguments)
+        datasette = _Application([], config=metadata, **arguments)
+        datasette.column_descriptions = columns
     datasette.add_database(Database(datasette, path=str(file), is_mutable=not immutable), name=MOUNTED_AS)
     # Without files Datasette mounts an empty database in memory.
     datasette.remove_database("_memory")
