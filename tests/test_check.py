@@ -37,6 +37,18 @@ def test_the_catalog_of_the_corpus_is_sound(corpus_db):
 
 
 DAMAGES = {
+    "a vendor with another name than documents give it": (
+        ["UPDATE vendors SET name = 'Nobody' WHERE vendor_id = 3676"],
+        "1 vendors whose names or image are not what their documents say",
+    ),
+    "a spelling counted wrong": (
+        ["UPDATE vendor_names SET document_count = 9 WHERE vendor_id = 3676"],
+        "1 vendors whose names or image are not what their documents say",
+    ),
+    "a maker that no document names": (
+        ["UPDATE devices SET own_vendor_name = 'Nobody' WHERE id = 1"],
+        "1 devices whose own_vendor_name is not what their documents say",
+    ),
     "a row whose owner is gone": (
         ["UPDATE pdo_entries SET pdo_id = 99999 WHERE id = 1"],
         "pdo_entries: row 1 refers to a missing row of pdos",

@@ -201,9 +201,10 @@ def test_vendors_are_other_devices(tmp_path):
 
 
 def test_vendor_names_keep_every_spelling(tmp_path):
-    names = ["Maker GmbH", "Maker GmbH", "MAKER"]
-    files = {f"{n}.xml": esi(device(name=str(n)), vendor=VENDOR.format(name)) for n, name in enumerate(names)}
-    stored(tmp_path, files)
+    names = ["Maker GmbH", "Maker GmbH", "MAKER", "MAKER"]
+    infos = [esi(device(name=str(n)), vendor=VENDOR.format(name)) for n, name in enumerate(names)]
+    listed = f"<EtherCATInfoList>{infos[2]}{infos[3]}</EtherCATInfoList>"
+    stored(tmp_path, {"a.xml": infos[0], "b.xml": infos[1], "list.xml": listed})
     counted = rows(tmp_path / "all.db", "SELECT name, document_count FROM vendor_names ORDER BY document_count")
     assert counted == [("MAKER", 1), ("Maker GmbH", 2)]
     assert rows(tmp_path / "all.db", "SELECT vendor_id, name FROM vendors") == [(0xE5C, "Maker GmbH")]

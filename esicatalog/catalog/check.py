@@ -1,4 +1,4 @@
-"""Verifying a catalog: integrity, references, counts, variants, images, indexes, search, content hash, values."""
+"""Verifying a catalog: integrity, references, counts, variants, vendors, images, indexes, search, content hash, values."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -13,6 +13,7 @@ from esicatalog.catalog.full_text import outdated_devices, search_table
 from esicatalog.catalog.load import are_indexes_pending, secondary_indexes
 from esicatalog.catalog.pictures import damaged_pictures
 from esicatalog.catalog.schema import devices
+from esicatalog.catalog.spelled_vendors import vendor_problems
 from esicatalog.catalog.state import CONTENT_HASH, STATE_HASH, content_hash, read_state, state_hash
 from esicatalog.catalog.views import FULL_TEXT, views
 
@@ -60,6 +61,7 @@ def check_catalog(connection: sa.Connection) -> CheckResult:
     for rule in rules():
         count = connection.execute(sa.select(sa.func.count()).select_from(rule.breaking.subquery())).scalar_one()
         problems += [f"{count} {rule.words}"] if count else []
+    problems += vendor_problems(connection)
     damaged = damaged_pictures(connection)
     problems += [f"{damaged} images that are not what their sha256 says: {_INGEST_AGAIN}"] if damaged else []
     recomputed = content_hash(connection)

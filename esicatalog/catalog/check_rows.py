@@ -6,8 +6,9 @@ from typing import Any, NamedTuple
 import sqlalchemy as sa
 
 from esicatalog.catalog import schema
+from esicatalog.catalog.garbage import unreferenced_rows
 from esicatalog.catalog.schema import devices, modules, sources
-from esicatalog.catalog.settle import carried_facts, preferred_variant, superseded_devices, unreferenced_rows
+from esicatalog.catalog.settle import carried_facts, preferred_variant, superseded_devices
 from esicatalog.esi.records.pdo import RX_PDO, TX_PDO
 
 _OWNERS = ("device_id", "module_id", "source_id")

@@ -6,7 +6,8 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import RowBuffer, chunks
 from esicatalog.catalog.derived import PdoPlaces, derived_rows, pdo_places
 from esicatalog.catalog.reader import RecordReader
-from esicatalog.catalog.settle import number_variants_again, settle_hidden, store_own_vendor_names
+from esicatalog.catalog.settle import number_variants_again, settle_hidden
+from esicatalog.catalog.spelled_vendors import store_own_vendor_names, store_vendor_names
 from esicatalog.model.derivation import Deriver
 
 _BATCH = 200
@@ -28,8 +29,10 @@ def derive_again(connection: sa.Connection) -> None:
             _write_places(connection, number, pdo_places(derived.images))
         buffer.flush()
     number_variants_again(connection)
+    vendor_ids = connection.execute(sa.select(schema.vendors.c.vendor_id)).scalars().all()
+    store_vendor_names(connection, set(vendor_ids))
     store_own_vendor_names(connection, connection.execute(sa.select(schema.devices.c.id)).scalars())
-    settle_hidden(connection, connection.execute(sa.select(schema.vendors.c.vendor_id)).scalars())
+    settle_hidden(connection, vendor_ids)
 
 
 def _write_places(connection: sa.Connection, device_id: int, places: PdoPlaces) -> None:

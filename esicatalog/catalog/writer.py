@@ -9,6 +9,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import RowBuffer
+from esicatalog.catalog.garbage import collect_garbage
 from esicatalog.catalog.key_map import KeyMap
 from esicatalog.catalog.mapping import PARENTS, codec, to_json
 from esicatalog.catalog.rows import (
@@ -22,7 +23,7 @@ from esicatalog.catalog.rows import (
     TypeRows,
     TypeSetRows,
 )
-from esicatalog.catalog.settle import Affected, collect_garbage, settle
+from esicatalog.catalog.settle import Affected, settle
 from esicatalog.catalog.shared import NewlyShared, Row
 from esicatalog.catalog.state import forget_hashes
 from esicatalog.catalog.turns import take_turn
