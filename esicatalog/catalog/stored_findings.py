@@ -7,6 +7,7 @@ from typing import Any
 import sqlalchemy as sa
 
 from esicatalog.catalog.schema import device_sources, devices, findings, hidden_revisions, source_vendors, sources
+from esicatalog.catalog.spelled_vendors import OF_SECTION
 from esicatalog.esi.notes import Finding
 from esicatalog.esi.records.device import HideType
 from esicatalog.lint.library import DeviceFact, device_element_path, lint_library
@@ -90,11 +91,7 @@ def _facts(connection: sa.Connection, names: Mapping[int, str]) -> list[DeviceFa
         )
         .join_from(device_sources, devices)
         .join(sources, sources.c.id == device_sources.c.source_id)
-        .join(
-            source_vendors,
-            (source_vendors.c.source_id == device_sources.c.source_id)
-            & (source_vendors.c.position == device_sources.c.section),
-        )
+        .join(source_vendors, OF_SECTION)
         .order_by(sources.c.location, device_sources.c.section, device_sources.c.position)
     ).all()
     counts = Counter((row.source_id, row.section) for row in rows)
