@@ -1,4 +1,4 @@
-"""Verifying a catalog: integrity, references, counts, variants, vendors, images, indexes, search, content hash, values."""
+"""Verifying a catalog: integrity, references, counts, variants, vendors, images, search, content hash, values."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
