@@ -88,16 +88,15 @@ def _shown_name(counted: Counter[tuple[int | None, str]]) -> str | None:
 
 def _stored(connection: sa.Connection, vendor_ids: Iterable[int]) -> dict[int, _Vendor]:
     spellings: dict[int, list[_Spelling]] = defaultdict(list)
-    found = {}
+    shown: dict[int, tuple[str | None, str | None]] = {}
     columns, spelled = vendors.c, vendor_names.c
     for part in chunks(sorted(vendor_ids)):
         held = sa.select(spelled.vendor_id, spelled.lcid, spelled.name, spelled.document_count)
         for vendor_id, *spelling in connection.execute(held.where(spelled.vendor_id.in_(part)).order_by(spelled.id)):
             spellings[vendor_id].append(tuple(spelling))
-        shown = sa.select(columns.vendor_id, columns.name, columns.image_sha256).where(columns.vendor_id.in_(part))
-        for vendor_id, name, image_sha256 in connection.execute(shown):
-            found[vendor_id] = _Vendor(spellings[vendor_id], name, image_sha256)
-    return found
+        query = sa.select(columns.vendor_id, columns.name, columns.image_sha256).where(columns.vendor_id.in_(part))
+        shown.update((vendor_id, (name, image)) for vendor_id, name, image in connection.execute(query))
+    return {vendor_id: _Vendor(spellings[vendor_id], *shown.get(vendor_id, (None, None))) for vendor_id in vendor_ids}
 
 
 class _NamedDevice(NamedTuple):
