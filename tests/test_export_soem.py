@@ -348,3 +348,4 @@ def test_what_soem_counts_otherwise_is_refused(make, content, chosen, counted):
 def test_all_that_soem_counts_can_be_chosen():
     found = header_of(TERMINAL, pdos=parse_pdo_choice("0x1602"))
     assert "#define D_OUTPUT_BITS 10" in found
+    assert "zeros are written to 0x0981 until the application sets it" in " ".join(found.replace("\n *", "").split())

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
-from esicatalog.esi.records.pdo import TX_PDO, Pdo
+from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Pdo
 from esicatalog.model.assignable_pdos import (
     AvailablePdo,
     AvailablePdos,
@@ -242,6 +242,13 @@ def _transported(
         is_taken = candidate.pdo.pdo_index in taken
         (found if words is None or is_taken else virtual).append(candidate)
         if words is not None:
-            what_for = "it is chosen all the same" if is_taken else "it is left out here"
+            what_for = _chosen_words(sm, candidate) if is_taken else "it is left out here"
             remarks.append(f"PDO {index_words(candidate.pdo.pdo_index)} {words}; {what_for}")
     return found, virtual
+
+
+def _chosen_words(sm: SyncManager | None, candidate: AvailablePdo) -> str:
+    words = "it is chosen all the same"
+    if candidate.direction == RX_PDO and sm is not None and sm.start_address is not None:
+        words += f", and zeros are written to 0x{sm.start_address:04X} until the application sets it"
+    return words
