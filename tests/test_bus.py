@@ -2,7 +2,7 @@
 
 import msgspec
 
-from esicatalog.model.bus import DeviceAtBus, as_listed, look_at_bus
+from esicatalog.model.bus import DeviceAtBus, as_listed, look_at_bus, with_virtual
 from esicatalog.scan.front import read_pdos
 from esicatalog.scan.records import ScannedPort, ScannedSlave
 
@@ -98,6 +98,22 @@ def test_listed_pdos_are_configured():
     assert listed_bits(sm.format(3, 0, 0x20)) == (80, 0)
     assert listed_bits(sm.format(3, 4, 0x20)) == (80, None)
     assert listed_bits(sm.format(0, 0, 0x26), sm.format(1, 0, 0x22)) == (80, None)
+
+
+def test_what_is_listed_of_virtual_pdos_is_no_other_size():
+    """EL1252: 2 bits of inputs, and 34 bytes of registers at a virtual SyncManager."""
+    sm, pdo = "SM{}: PhysAddr 0x1000, DefaultSize 0, ControlRegister 0x{:02x}, Enable 1", 'TxPDO 0x{:04x} "T"'
+    entry = 'PDO entry 0x6000:01, {} bit, "e"'
+    lines = (sm.format(0, 0x20), pdo.format(0x1A00), entry.format(2), sm.format(1, 0x00), pdo.format(0x1A13))
+    lists = read_pdos("\n".join((*lines, *[entry.format(136)] * 2))).slaves
+    terminal = TERMINAL._replace(output_bytes=0, input_bytes=1, output_bits=0, input_bits=2)
+    slave = as_listed(ScannedSlave(line=1, position=0), lists)
+    for virtual, notes in (
+        ({(1, 0x1A13)}, ()),
+        ({(1, 0x1A16)}, ("bytes in: 35 configured, 1 in the default process image of the description",)),
+    ):
+        (report,), _ = look_at_bus([(slave, with_virtual(terminal, lists, virtual))])
+        assert (report.notes, report.input_bytes) == (notes, 35)
 
 
 def test_ports_of_the_scan_say_what_is_on_the_e_bus():

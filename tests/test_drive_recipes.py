@@ -215,7 +215,7 @@ EXCLUDING = in_rx_pdo("1601", ("60FF", 32), attributes='Fixed="1"', excludes="16
         (
             PLAIN_AND_CSV + ADDED.replace("<RxPdo ", '<RxPdo Sm="4" '),
             SMS + '<Sm Virtual="1">Outputs</Sm>',
-            "is described, not transported: SM4 is virtual",
+            "is of the virtual SM4: no register of the ESC is programmed for it, an FMMU alone may map it",
         ),
         (PLAIN_AND_CSV + ADDED.replace("<RxPdo ", '<RxPdo Sm="3" '), SMS, "cannot be assigned: SM3 is for Inputs"),
         (

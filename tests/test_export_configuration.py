@@ -260,6 +260,9 @@ def test_samples_are_named_and_typed_by_the_first_of_them():
     ]
 
 
+OF_VIRTUAL_SM4 = "is of the virtual SM4: no register of the ESC is programmed for it, an FMMU alone may map it"
+
+
 def test_a_virtual_sync_manager_is_not_configured():
     content = (
         SMS
@@ -267,11 +270,32 @@ def test_a_virtual_sync_manager_is_not_configured():
         + pdo("RxPdo", "#x1600", 16, attributes='Sm="2"')
         + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')
     )
-    found = configured(content)
-    assert [sm.number for sm in found.sync_managers] == [0, 1, 2, 3]
-    assert found.remarks == ("PDO 0x1610 is described, not transported: SM4 is virtual",)
-    with pytest.raises(InputError, match="SM4 is virtual"):
-        configured(content, pdos=parse_pdo_choice("0x1610"))
+    for found in (configured(content), configured(content + COE)):
+        assert [sm.number for sm in found.sync_managers] == [0, 1, 2, 3]
+        assert found.remarks == (f"PDO 0x1610 {OF_VIRTUAL_SM4}; it is left out here",)
+    with pytest.raises(InputError, match=f"PDO 0x1610 {OF_VIRTUAL_SM4}"):
+        configured(content + COE, pdos=parse_pdo_choice("0x1610"))
+
+
+@pytest.mark.parametrize("mailbox", ["", "<Mailbox><FoE/></Mailbox>"])
+def test_what_is_virtual_can_be_chosen_where_nothing_is_told_to_the_device(mailbox):
+    """EL1252: latch registers at a virtual SyncManager, which IgH maps by an FMMU and does not enable."""
+    content = (
+        '<Sm ControlByte="#x20">Inputs</Sm><Sm StartAddress="#x09AE" Virtual="1">Inputs</Sm>'
+        + pdo("TxPdo", "#x1A00", 8, attributes='Sm="0" Mandatory="1"')
+        + pdo("TxPdo", "#x1A13", 272, attributes='Sm="1" Virtual="1"')
+        + pdo("TxPdo", "#x1A14", 32, attributes='Sm="1"')
+        + pdo("TxPdo", "#x1A16", 272, attributes='Virtual="1"')
+        + mailbox
+    )
+    found = configured(content, pdos=parse_pdo_choice("0x1A13,0x1A14"))
+    assert pdos(found) == {0: [0x1A00], 1: [0x1A13, 0x1A14]}
+    assert found.remarks == (
+        "PDO 0x1A13 is virtual: no mapping object transports it, an FMMU alone may; it is chosen all the same",
+        f"PDO 0x1A14 {OF_VIRTUAL_SM4.replace('SM4', 'SM1')}; it is chosen all the same",
+    )
+    with pytest.raises(InputError, match="PDO 0x1A16 is virtual and names no SyncManager"):
+        configured(content, pdos=parse_pdo_choice("0x1A16"))
 
 
 def test_a_pdo_without_sync_manager_does_not_go_to_a_virtual_one():

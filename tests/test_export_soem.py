@@ -9,6 +9,7 @@ from test_export_compile import SOEM_2, SOEM_14, STUBS, check_syntax, needs_gcc,
 from test_export_configuration import COE, FACTOR_1, SMS, configured, dc, entry, init_cmd, rx, times
 from test_export_igh import HOSTILE, ODD, as_little_endian, l6n
 
+from esicatalog.errors import InputError
 from esicatalog.export.choice import parse_pdo_choice
 from esicatalog.export.pysoem import pysoem_module
 from esicatalog.export.soem import VERSIONS, soem_header
@@ -315,3 +316,36 @@ def test_names_of_a_vendor_break_nothing(tmp_path, version):
         content = SMS + rx("#x1600", *entries, name=name) + COE + dc((name, times("#x320", FACTOR_1)))
         text = header_of(content, version)
         check_syntax(tmp_path, [text], SOEM_14 if version == "1.4" else SOEM_2)
+
+
+TERMINAL = (
+    '<Sm StartAddress="#x0981" Virtual="1">Outputs</Sm><Sm StartAddress="#x0F00" ControlByte="#x44">Outputs</Sm>'
+    + pdo("RxPdo", "#x1602", 8, attributes='Sm="0" Virtual="1"')
+    + pdo("RxPdo", "#x1600", 2, attributes='Sm="1"')
+)
+"""As EL2252: bits of two outputs, and register 0x0981, which the SII assigns as well."""
+EXCLUDED = pdo("RxPdo", "#x1603", 4, attributes='Sm="1"', extra="<Exclude>#x1600</Exclude>")
+
+
+@pytest.mark.parametrize("make", [soem_header, pysoem_module])
+@pytest.mark.parametrize(
+    ("content", "chosen", "counted"),
+    [
+        (TERMINAL, "", "10 output bits (SM0 8, SM1 2) with it, not 2 output bits (SM1 2)"),
+        (TERMINAL + EXCLUDED, "0x1602", "14 output bits (SM0 8, SM1 6) with it, not 10 output bits (SM0 8, SM1 2)"),
+        (SMS + rx("#x1600", entry("#x7000", 8)) + rx("#x1601", entry("#x7000", 16), attributes=""), "0x1601", "8 "),
+    ],
+    ids=["virtual", "excluded", "not assigned by the SII"],
+)
+def test_what_soem_counts_otherwise_is_refused(make, content, chosen, counted):
+    """Without CoE ecx_siiPDO adds up all PDOs of the SII, and outputs[0] would lie in register 0x0981."""
+    choice = {"pdos": parse_pdo_choice(chosen)} if chosen else {}
+    with pytest.raises(InputError, match=f"^SOEM would exchange {re.escape(counted)}"):
+        make(configured(content, **choice))
+    assert make(configured(content + COE)), "with CoE SOEM asks the device"
+
+
+def test_all_that_soem_counts_can_be_chosen():
+    found = header_of(TERMINAL, pdos=parse_pdo_choice("0x1602"))
+    assert "#define D_OUTPUT_BITS 10" in found
+    assert "zeros are written to 0x0981 until the application sets it" in " ".join(found.replace("\n *", "").split())

@@ -433,6 +433,9 @@ def test_a_group_is_filled_up_by_a_pdo_of_its_own_alone(tx_pdo, byte_size, remar
     assert (inputs.byte_size, inputs.remarks) == (byte_size, (remark,) if remark is not None else ())
 
 
+OF_VIRTUAL_SM4 = "is of the virtual SM4: no register of the ESC is programmed for it, an FMMU alone may map it"
+
+
 def test_a_virtual_sync_manager_transports_nothing():
     virtual = SMS + '<Sm Virtual="1">Outputs</Sm>'
     content = pdo("RxPdo", "#x1600", 16, attributes='Sm="2"') + pdo("RxPdo", "#x1610", 32, attributes='Sm="4"')
@@ -440,7 +443,8 @@ def test_a_virtual_sync_manager_transports_nothing():
     found = {image.sm: image for image in default_process_image(info.devices[0], ())}
     assert (indices(found[2]), found[2].bit_size) == ([0x1600], 16)
     assert (indices(found[4]), found[4].bit_size) == ([], 0)
-    assert found[4].remarks == ("PDO 0x1610 is described, not transported: SM4 is virtual",)
+    assert found[4].remarks == (f"PDO 0x1610 {OF_VIRTUAL_SM4}; it is left out here",)
+    assert [item.pdo.pdo_index for item in found[4].virtual] == [0x1610]
 
 
 def test_the_order_of_entries_in_the_io_terminal(data):
@@ -621,7 +625,7 @@ def test_what_a_virtual_sync_manager_has_excludes_nothing_of_others():
     info = read(esi(device(virtual + content))).document.infos[0]
     found = {image.sm: image for image in default_process_image(info.devices[0], ())}
     assert (indices(found[2]), found[2].byte_size, found[2].remarks) == ([0x1600], 6, ())
-    assert found[4].remarks == ("PDO 0x1601 is described, not transported: SM4 is virtual",)
+    assert found[4].remarks == (f"PDO 0x1601 {OF_VIRTUAL_SM4}; it is left out here",)
 
 
 GAP = "<Entry><Index>0</Index><BitLen>0</BitLen></Entry>"
@@ -700,7 +704,8 @@ def test_a_virtual_pdo_without_entries_describes_nothing_of_what_is_exchanged(si
     virtual = '<RxPdo Mandatory="1" Virtual="1" Sm="0"><Index>#x1600</Index><Name>Outputs</Name></RxPdo>'
     image = images(virtual, sms=f'<Sm DefaultSize="{size}">Outputs</Sm>')[0]
     assert (image.byte_size, image.left_open) == (0 if words is None else None, words)
-    assert image.remarks[0] == "PDO 0x1600 is virtual: described, not transported"
+    words = "is virtual: no mapping object transports it, an FMMU alone may; it is left out here"
+    assert image.remarks[0] == f"PDO 0x1600 {words}"
 
 
 UPLOADED = "SM{} has no PDO, PDOs are uploaded from the device (PdoUpload): what it exchanges is not described"

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import msgspec
+import pytest
 from snippets import device, dictionary, esi, only_device, pdo, read
 
 from esicatalog.esi.records.device import Device
@@ -32,6 +33,27 @@ def pdos(text: str):
 def test_pdos_as_described():
     text = '  RxPDO 0x1600 "R"\n    PDO entry 0x7000:01, 16 bit, "a"\n    PDO entry 0x7000:02, 32 bit, "b"\n'
     assert pdos(text) == []
+
+
+@pytest.mark.parametrize(
+    ("listed", "found"),
+    [
+        ((), []),
+        ((0x1A13,), []),
+        ((0x1A13, 0x1A16), ["SM4: assigned are 0x1A16; the default is none"]),
+    ],
+)
+def test_what_is_virtual_may_be_listed_or_not(listed, found):
+    """What `ethercat pdos` prints of a device without CoE is its SII, which has them too."""
+    content = (
+        SMS
+        + '<Sm Virtual="1">Inputs</Sm>'
+        + pdo("TxPdo", "#x1A13", 8, attributes='Sm="4" Virtual="1"')
+        + pdo("TxPdo", "#x1A16", 8, attributes='Virtual="1"')
+    )
+    pdos = "".join(f'  TxPDO 0x{index:04x} "L"\n    PDO entry 0x7000:01, 8 bit, ""\n' for index in listed)
+    (slave,) = read_pdos(f"SM4: PhysAddr 0x09ae, DefaultSize 0, ControlRegister 0x00, Enable 4\n{pdos}").slaves
+    assert compare_scanned_pdos(only_device(esi(device(content))), (), slave) == found
 
 
 def test_another_mapping_is_told_entry_by_entry():

@@ -13,8 +13,9 @@ from esicatalog.errors import InputError
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import NO_REVISION, identity_text
-from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, as_listed, look_at_bus
+from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, as_listed, look_at_bus, with_virtual
 from esicatalog.model.process_data import ProcessData
+from esicatalog.model.process_image import virtual_pdos
 from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.scan_compare import compare_scanned_objects, compare_scanned_pdos
 from esicatalog.model.slots import default_modules
@@ -199,8 +200,10 @@ def bus_reports(
     for number, of_bus in sorted(buses.items()):
         listed = sorted(of_bus, key=lambda item: item[0].position)
         fits = [_fitting(lookup, slave, read, pdos, dictionaries) for slave, _ in listed]
-        slaves = [as_listed(slave, [item for item in pdos if _belongs(item, slave)]) for slave, _ in listed]
-        devices = [_at_bus(lookup, slave, fit.answer, read) for slave, fit in zip(slaves, fits, strict=True)]
+        lists_of = [[item for item in pdos if _belongs(item, slave)] for slave, _ in listed]
+        slaves = [as_listed(slave, own) for (slave, _), own in zip(listed, lists_of, strict=True)]
+        answers = [fit.answer for fit in fits]
+        devices = [_at_bus(lookup, *item, read) for item in zip(slaves, lists_of, answers, strict=True)]
         reports, summary = look_at_bus(list(zip(slaves, devices, strict=True)))
         together = zip(listed, fits, reports, strict=True)
         found.append(BusReport(number, tuple(_identified(*item, read) for item in together), summary))
@@ -214,7 +217,11 @@ def _named(item: ScannedPdos | ScannedDictionary) -> Iterator[ScanFinding]:
 
 
 def _at_bus(
-    lookup: IdentityLookup, slave: ScannedSlave, answer: Identification, records: Records
+    lookup: IdentityLookup,
+    slave: ScannedSlave,
+    lists: Sequence[ScannedPdos],
+    answer: Identification,
+    records: Records,
 ) -> DeviceAtBus | None:
     """What the bus has to know of the description; its bits, which no row has, where the master tells bits."""
     described = answer.found
@@ -222,7 +229,8 @@ def _at_bus(
     if described is None or at_bus is None or (slave.output_bits is None and slave.input_bits is None):
         return at_bus
     data = ProcessData(*records(described))
-    return at_bus._replace(output_bits=data.bit_size(OUTPUT), input_bits=data.bit_size(INPUT))
+    at_bus = at_bus._replace(output_bits=data.bit_size(OUTPUT), input_bits=data.bit_size(INPUT))
+    return with_virtual(at_bus, lists, virtual_pdos(data.images))
 
 
 class _Fit(NamedTuple):

@@ -53,7 +53,7 @@ class Configuration(NamedTuple):
     clocks: Clocks | None
     """None when a master programs no SYNC unit for the OpMode."""
     sync_managers: tuple[SmConfiguration, ...]
-    """All but virtual ones, which only describe."""
+    """All but virtual ones of which nothing is chosen."""
     commands: tuple[StartCommand, ...]
     rewritten: frozenset[int]
     """Indices of assignments and mappings that the device declares to take from the master at each start."""

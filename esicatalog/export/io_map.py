@@ -12,6 +12,7 @@ from esicatalog.export.c_access import byte_count, whole_bytes
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.names import unique_names
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
+from esicatalog.export.soem_sii import check_counted
 from esicatalog.model.values import byte_length
 
 
@@ -49,7 +50,11 @@ class IoMap(NamedTuple):
 
 
 def io_map(configuration: Configuration, direction: str) -> IoMap:
-    """The image of one direction; without members when nothing is exchanged."""
+    """The image of one direction; without members when nothing is exchanged.
+
+    Raises :class:`InputError` where SOEM exchanges something else with the device.
+    """
+    check_counted(configuration, direction)
     is_lacking = direction in configuration.lacking
     entries, byte_size, bit_size, is_described = [], 0, 0, not is_lacking
     images = [sm for sm in configuration.sync_managers if sm.direction == direction and (sm.pdos or sm.is_left_open)]

@@ -48,8 +48,8 @@ def apply_choice(
     """Check the chosen PDOs against the description and turn them into an assignment.
 
     ``default`` is what SyncManagers keep to which none of them goes. Raises :class:`InputError` for a PDO that does not
-    exist, is virtual, is described by device and modules in different ways, is excluded by another one, may not go to
-    its SyncManager, or whose entries cannot be chosen so.
+    exist, is virtual in a device with CoE, is described by device and modules in different ways, is excluded by another
+    one, may not go to its SyncManager, or whose entries cannot be chosen so.
     """
     if not chosen:
         return ChosenPdos(device, tuple(plugged), None)

@@ -12,7 +12,7 @@ from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, carries_value, lacks_subindex
 from esicatalog.model.pdo_mapping import assigned_by_dictionary
-from esicatalog.model.process_image import SmImage, default_process_image, process_image
+from esicatalog.model.process_image import SmImage, default_process_image, process_image, virtual_pdos
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import OUTPUT, is_mailbox
 from esicatalog.model.sm_memory import memory_overlaps, size_conflict
@@ -33,14 +33,20 @@ def assignment_remarks(
     """What an assignment asks of the device beyond its default one; ``default`` is that of the OpMode.
 
     However it was chosen: PDO by PDO, or with an OpMode that lists PDOs. Where there is no mailbox no master can write
-    an assignment: what an OpMode lists is then what the device exchanges in it, as terminals with oversampling do.
+    an assignment: what an OpMode lists is then what the device exchanges in it, as terminals with oversampling do. What
+    is virtual is not assigned but mapped by its address.
     """
     if declares_pdo_assign(device):
         return
     usual = default_op_mode(device.op_modes, [item.module for item in plugged])
     of_device = default if op_mode is usual or device.mailbox is None else process_image(device, plugged, usual)
     kept = {image.sm: _indices(image) for image in of_device}
-    changed = [f"SM{image.sm}" for image in images if _indices(image) != kept.get(image.sm)]
+    virtual = virtual_pdos(of_device)
+    changed = [
+        f"SM{image.sm}"
+        for image in images
+        if [index for index in _indices(image) if (image.sm, index) not in virtual] != kept.get(image.sm)
+    ]
     if changed:
         yield (
             f"the PDOs of {', '.join(changed)} are not the default ones, and {NO_PDO_ASSIGN}, and then no offset here "

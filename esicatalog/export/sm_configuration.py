@@ -172,7 +172,7 @@ def configured_sync_managers(
     objects: ObjectTable,
     remarks: list[str],
 ) -> tuple[SmConfiguration, ...]:
-    """All SyncManagers but virtual ones, with the types of the entries as CiA 402 signs them on its axes.
+    """All SyncManagers but virtual ones without PDOs, with the types of the entries as CiA 402 signs them on its axes.
 
     What is remarked goes to ``remarks``. Raises :class:`InputError` for what no master can be told.
     """
@@ -195,7 +195,7 @@ def _sync_managers(
         placed_pdos = image.pdos if image is not None else ()
         if number < 0:
             raise InputError(f"PDOs are assigned to SM{number}, which cannot be")
-        if described is not None and described.virtual:
+        if described is not None and described.virtual and not placed_pdos:
             continue
         if described is None:
             remarks.append(f"PDOs name SM{number}, which the device does not describe")

@@ -103,21 +103,40 @@ def meant_by_index(available: Iterable[AvailablePdo], pdo_index: int | None) -> 
     if not described:
         return Meant(None, "is not described")
     first, *others = described
-    if first.pdo.virtual:
-        return Meant(None, "is virtual: described, not transported")
     for other in others:
         if other.owner != first.owner and mapped_entries(other.pdo.entries) != mapped_entries(first.pdo.entries):
             return Meant(None, f"is ambiguous: {first.owner} and {other.owner} describe it in different ways")
     return Meant(first)
 
 
+def virtual_words(pdo: Pdo, number: int | None, sync_manager: SyncManager | None) -> str | None:
+    """Why a PDO is no process data by default, as the end of a sentence about it; None where it may be.
+
+    ``sync_manager`` is that of ``number``. What is virtual is no process data of a SyncManager, but an FMMU may map its
+    address, often a register (ESI-FACTS sections 8 and 9).
+    """
+    if pdo.virtual:
+        return "is virtual: no mapping object transports it, an FMMU alone may"
+    if sync_manager is not None and sync_manager.virtual:
+        return f"is of the virtual SM{number}: no register of the ESC is programmed for it, an FMMU alone may map it"
+    return None
+
+
+def takes_virtual(device: Device) -> bool:
+    """Whether what is virtual can be chosen: with CoE a master would write a mapping object that is not there."""
+    return device.mailbox is None or not device.mailbox.coe
+
+
 def assignment_place(device: Device, direction: str, pdo: Pdo) -> Place:
     """Its own SyncManager, else the first one for process data of its direction that it may go to."""
     managers = device.sync_managers
+    own = managers[pdo.sm] if pdo.sm is not None and 0 <= pdo.sm < len(managers) else None
+    is_virtual = virtual_words(pdo, pdo.sm, own)
+    if is_virtual is not None and not takes_virtual(device):
+        return Place(None, is_virtual)
+    if pdo.virtual and pdo.sm is None:
+        return Place(None, "is virtual and names no SyncManager: nothing tells which address an FMMU would map")
     if pdo.sm is not None:
-        own = managers[pdo.sm] if 0 <= pdo.sm < len(managers) else None
-        if own is not None and own.virtual:
-            return Place(None, f"is described, not transported: SM{pdo.sm} is virtual")
         if own is not None and not may_transport(own, direction):
             return Place(None, f"cannot be assigned: SM{pdo.sm} is for {own.usage}")
         return Place(pdo.sm)

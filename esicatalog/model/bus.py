@@ -6,7 +6,7 @@ data of another size than the description's default is told.
 
 import itertools
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from typing import NamedTuple
 
 import msgspec
@@ -35,6 +35,9 @@ class DeviceAtBus(NamedTuple):
     output_bits: int | None = None
     """All bits, which masters add up over SyncManagers before they round; None where they are not known."""
     input_bits: int | None = None
+    virtual_output_bytes: int = 0
+    """Bytes of the slave's process data that are listed for virtual PDOs, which no size here has."""
+    virtual_input_bytes: int = 0
 
     @property
     def has_clock(self) -> bool | None:
@@ -88,24 +91,43 @@ def as_listed(slave: ScannedSlave, lists: Sequence[ScannedPdos]) -> ScannedSlave
     Every SyncManager begins at a byte. A direction of which the lists say nothing, as those without entries and
     those that are not complete do, stays as the scan has it.
     """
-    telling = [listed for listed in lists if listed.is_complete and listed.lists_entries]
-    bits: dict[str, dict[int, int]] = defaultdict(dict)
-    for sync_manager in (item for listed in telling for item in listed.sync_managers):
-        for direction, size in _listed_bits(sync_manager).items():
-            bits[direction][sync_manager.number] = 8 * byte_length(size)
-    sizes = {direction: sum(of_direction.values()) for direction, of_direction in bits.items()}
+    sizes = _listed_bytes(lists)
+    output_bytes, input_bytes = sizes.get(OUTPUT), sizes.get(INPUT)
     return msgspec.structs.replace(
         slave,
-        output_bits=sizes.get(OUTPUT, slave.output_bits),
-        input_bits=sizes.get(INPUT, slave.input_bits),
+        output_bits=8 * output_bytes if output_bytes is not None else slave.output_bits,
+        input_bits=8 * input_bytes if input_bytes is not None else slave.input_bits,
     )
 
 
-def _listed_bits(sync_manager: ScannedSyncManager) -> dict[str, int]:
+def with_virtual(
+    device: DeviceAtBus, lists: Sequence[ScannedPdos], virtual: Container[tuple[int, int | None]]
+) -> DeviceAtBus:
+    """The description with what a master listed of its virtual PDOs (SyncManager and index), as EEPROMs have them."""
+    sizes, others = _listed_bytes(lists), _listed_bytes(lists, virtual)
+    return device._replace(
+        virtual_output_bytes=sizes.get(OUTPUT, 0) - others.get(OUTPUT, 0),
+        virtual_input_bytes=sizes.get(INPUT, 0) - others.get(INPUT, 0),
+    )
+
+
+def _listed_bytes(
+    lists: Sequence[ScannedPdos], left_out: Container[tuple[int, int | None]] = frozenset()
+) -> dict[str, int]:
+    telling = [listed for listed in lists if listed.is_complete and listed.lists_entries]
+    sizes: dict[str, dict[int, int]] = defaultdict(dict)
+    for sync_manager in (item for listed in telling for item in listed.sync_managers):
+        for direction, bits in _listed_bits(sync_manager, left_out).items():
+            sizes[direction][sync_manager.number] = byte_length(bits)
+    return {direction: sum(of_direction.values()) for direction, of_direction in sizes.items()}
+
+
+def _listed_bits(sync_manager: ScannedSyncManager, left_out: Container[tuple[int, int | None]]) -> dict[str, int]:
     """Bits by direction; nothing where a size without PDOs tells of process data that nobody maps."""
     bits: dict[str, int] = defaultdict(int)
     for pdo in sync_manager.pdos:
-        bits[OUTPUT if pdo.is_rx else INPUT] += sum(entry.bit_length for entry in pdo.entries)
+        if (sync_manager.number, pdo.index) not in left_out:
+            bits[OUTPUT if pdo.is_rx else INPUT] += sum(entry.bit_length for entry in pdo.entries)
     facts = control_facts(sync_manager.control)
     is_empty = not sync_manager.pdos and not sync_manager.size_bytes and facts.buffer_mode == BUFFERED
     return {facts.transfer_direction: 0} if is_empty and facts.transfer_direction is not None else bits
@@ -132,8 +154,10 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
         if slave.alias in duplicates:
             others = ", ".join(str(position) for position in duplicates[slave.alias] if position != slave.position)
             notes.append(f"alias {slave.alias} is also that of slave {others}")
-        outputs = _Size(slave.output_bits, device.output_bytes if device else None)
-        inputs = _Size(slave.input_bits, device.input_bytes if device else None)
+        outputs, inputs = _Size(slave.output_bits), _Size(slave.input_bits)
+        if device is not None:
+            outputs = outputs._replace(described_bytes=device.output_bytes, virtual_bytes=device.virtual_output_bytes)
+            inputs = inputs._replace(described_bytes=device.input_bytes, virtual_bytes=device.virtual_input_bytes)
         notes += outputs.notes("out", device.output_bits if device else None)
         notes += inputs.notes("in", device.input_bits if device else None)
         reports.append(
@@ -167,7 +191,9 @@ class _Size(NamedTuple):
     """Process data of one direction, as configured and as described."""
 
     configured_bits: int | None
-    described_bytes: int | None
+    described_bytes: int | None = None
+    virtual_bytes: int = 0
+    """How many of the configured bytes are those of virtual PDOs: they are not compared."""
 
     @property
     def byte_size(self) -> int | None:
@@ -176,7 +202,9 @@ class _Size(NamedTuple):
 
     def notes(self, way: str, described_bits: int | None) -> Iterator[str]:
         """A note where neither the bytes are the same nor the bits."""
-        if None in self or self.configured_bits == described_bits or self.byte_size == self.described_bytes:
+        if self.configured_bits is None or self.described_bytes is None or self.byte_size is None:
+            return
+        if self.configured_bits == described_bits or self.byte_size - self.virtual_bytes == self.described_bytes:
             return
         described = f"{self.described_bytes} in the default process image of the description"
         yield f"bytes {way}: {self.byte_size} configured, {described}"

@@ -171,7 +171,7 @@ def _declares(views: Sequence[DictionaryView], index: int) -> bool:
 def maps_setpoint(part: Part, pdo: Pdo, setpoints: Sequence[int]) -> bool:
     """Whether a PDO maps these setpoints, all of them.
 
-    A virtual PDO is a description only, nothing transports it (ESI-FACTS sections 9 and 18).
+    No mapping object transports a virtual PDO (ESI-FACTS sections 9 and 18).
     """
     wanted = {part.at(index) for index in setpoints}
     return bool(wanted) and not pdo.virtual and wanted.issubset([entry.entry_index for entry in pdo.entries])

@@ -3,7 +3,8 @@
 A PDO is assigned by its Sm attribute, unless the OpMode lists PDOs for the SyncManager: then that list counts, with
 the mandatory ones, which have to stay; a PDO that it lists goes there, whatever its own Sm says. A list of the user
 takes the place of the OpMode's, whose mandatory PDOs stay too. One that it lists and nobody describes is exchanged all
-the same: it has no known entries. What a virtual SyncManager has is described, not transported, like a virtual PDO.
+the same: it has no known entries. A virtual PDO and what a virtual SyncManager has are left out, unless the user lists
+them for a device without CoE, of which a master can map the address all the same.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -11,8 +12,16 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device, SyncManager
-from esicatalog.esi.records.pdo import TX_PDO, Pdo
-from esicatalog.model.assignable_pdos import AvailablePdo, AvailablePdos, available_pdos, group_order, without_rivals
+from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Pdo
+from esicatalog.model.assignable_pdos import (
+    AvailablePdo,
+    AvailablePdos,
+    available_pdos,
+    group_order,
+    takes_virtual,
+    virtual_words,
+    without_rivals,
+)
 from esicatalog.model.pdo_facts import PDO_MAPPINGS, symmetric_exclusions
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import may_transport, sm_role
@@ -23,7 +32,7 @@ Assignment = Mapping[int, Sequence[int]]
 
 
 class SmAssignment(NamedTuple):
-    """The PDOs of a SyncManager that are more than a description, those included that exclude each other."""
+    """The PDOs that a SyncManager transports, those included that exclude each other."""
 
     number: int
     sync_manager: SyncManager | None
@@ -32,6 +41,8 @@ class SmAssignment(NamedTuple):
     remarks: tuple[str, ...]
     listed: Collection[int] | None
     """Indices that the OpMode or the user lists for it, None without a list; others stay because they are mandatory."""
+    virtual: tuple[AvailablePdo, ...]
+    """What is left out because it is virtual, or the SyncManager."""
 
 
 class PdoAssignment(NamedTuple):
@@ -85,14 +96,16 @@ def assigned_pdos(
     found = []
     for number in sorted(numbers):
         sm, remarks = _sync_manager(device, number), [*problems]
+        indices: list[int] = []
         if number in wanted:
             replaced = [index for index in by_mode.get(number, ()) if index not in wanted[number]]
             indices = [*_mandatory(number, candidates, unlisted, replaced), *wanted[number]]
             meant = list(_by_index(device, sm, candidates, indices, remarks))
         else:
             meant = [[candidate] for candidate in unlisted if candidate.pdo.sm == number]
-        pdos = tuple(_transported(number, sm, _fitting(number, sm, meant, remarks), remarks))
-        found.append(SmAssignment(number, sm, pdos, tuple(remarks), wanted.get(number)))
+        taken = indices if number in chosen and takes_virtual(device) else ()
+        pdos, virtual = _transported(number, sm, _fitting(number, sm, meant, remarks), taken, remarks)
+        found.append(SmAssignment(number, sm, tuple(pdos), tuple(remarks), wanted.get(number), tuple(virtual)))
     return PdoAssignment(found, {index: factor for items in lists.values() for index, factor in items.items()})
 
 
@@ -215,15 +228,27 @@ def _fitting(
 
 
 def _transported(
-    number: int, sm: SyncManager | None, chosen: Iterable[AvailablePdo], remarks: list[str]
-) -> Iterator[AvailablePdo]:
-    """The PDOs that are more than a description; the others exclude none of these."""
-    is_virtual = sm is not None and sm.virtual
-    for candidate in chosen:
-        index = index_words(candidate.pdo.pdo_index)
-        if candidate.pdo.virtual:
-            remarks.append(f"PDO {index} is virtual: described, not transported")
-        elif is_virtual:
-            remarks.append(f"PDO {index} is described, not transported: SM{number} is virtual")
-        else:
-            yield candidate
+    number: int,
+    sm: SyncManager | None,
+    fitting: Iterable[AvailablePdo],
+    taken: Collection[int],
+    remarks: list[str],
+) -> tuple[list[AvailablePdo], list[AvailablePdo]]:
+    """The PDOs that count, and the virtual ones, which exclude none of these; of the indices ``taken`` all count."""
+    found: list[AvailablePdo] = []
+    virtual: list[AvailablePdo] = []
+    for candidate in fitting:
+        words = virtual_words(candidate.pdo, number, sm)
+        is_taken = candidate.pdo.pdo_index in taken
+        (found if words is None or is_taken else virtual).append(candidate)
+        if words is not None:
+            what_for = _chosen_words(sm, candidate) if is_taken else "it is left out here"
+            remarks.append(f"PDO {index_words(candidate.pdo.pdo_index)} {words}; {what_for}")
+    return found, virtual
+
+
+def _chosen_words(sm: SyncManager | None, candidate: AvailablePdo) -> str:
+    words = "it is chosen all the same"
+    if candidate.direction == RX_PDO and sm is not None and sm.start_address is not None:
+        words += f", and zeros are written to 0x{sm.start_address:04X} until the application sets it"
+    return words

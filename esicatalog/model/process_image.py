@@ -89,6 +89,8 @@ class SmImage(NamedTuple):
     """Which required slots are empty whose modules have PDOs of this direction; also among the remarks."""
     excluded: tuple[tuple[AvailablePdo, int], ...] = ()
     """PDOs that are left out, each with the one that excludes it; also among the remarks."""
+    virtual: tuple[AvailablePdo, ...] = ()
+    """PDOs that are left out because they are virtual, or the SyncManager; also among the remarks."""
 
     @property
     def left_open_words(self) -> str | None:
@@ -218,6 +220,11 @@ def repeated_words(index: int) -> str:
     return f"PDO 0x{index:04X} is assigned twice, and devices and masters tell PDOs apart by their index"
 
 
+def virtual_pdos(images: Iterable[SmImage]) -> set[tuple[int, int | None]]:
+    """The PDOs that are left out because they or their SyncManagers are virtual: SyncManager and index."""
+    return {(image.sm, item.pdo.pdo_index) for image in images for item in image.virtual}
+
+
 def _image(
     device: Device,
     assigned: SmAssignment,
@@ -245,6 +252,7 @@ def _image(
         builder.is_known and left_open is None,
         left_open,
         excluded=tuple(builder.excluded),
+        virtual=assigned.virtual,
     )
 
 

@@ -17,7 +17,7 @@ from esicatalog.model.base_types import base_type
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews, EntriesBySubindex, counting_view
 from esicatalog.model.pdo_facts import Mapped, has_length, is_described, mapped, mapped_words
-from esicatalog.model.process_image import default_process_image
+from esicatalog.model.process_image import default_process_image, virtual_pdos
 from esicatalog.model.slots import SlotShift, fitting_modules, numbered_slots
 from esicatalog.scan.records import ScannedDictionary, ScannedObjectEntry, ScannedPdo, ScannedPdos
 from esicatalog.words import counted
@@ -36,7 +36,8 @@ def compare_scanned_pdos(device: Device, modules: Sequence[Module], seen: Scanne
     """What of the printed PDOs is not as described: unknown PDOs, other mappings, another assignment.
 
     SyncManagers without PDOs may be left out of the list, those that have some by default not. Mappings are compared
-    where entries are listed; any assignment is as described where nothing describes what a SyncManager exchanges.
+    where entries are listed; any assignment is as described where nothing describes what a SyncManager exchanges. What
+    is virtual at a SyncManager may be listed there, as the EEPROM has it, or not.
     """
     slots = _AnySlot(device, modules, sum(1 + len(pdo.entries) for module in modules for _, pdo in _pdos(module)))
     printed = {pdo.index for sync_manager in seen.sync_managers for pdo in sync_manager.pdos}
@@ -44,11 +45,12 @@ def compare_scanned_pdos(device: Device, modules: Sequence[Module], seen: Scanne
     images = default_process_image(device, modules)
     assigned = {image.sm: [pdo.pdo.pdo_index for pdo in image.pdos] for image in images}
     left_open = {image.sm for image in images if image.left_open is not None}
+    virtual = virtual_pdos(images)
     found: list[str] = []
     for sync_manager in seen.sync_managers:
         for pdo in sync_manager.pdos:
             found.extend(_pdo_differences(pdo, known, seen.lists_entries))
-        now = [pdo.index for pdo in sync_manager.pdos]
+        now = [pdo.index for pdo in sync_manager.pdos if (sync_manager.number, pdo.index) not in virtual]
         default = [index for index in assigned.get(sync_manager.number, ()) if index is not None]
         if now != default and sync_manager.number not in left_open:
             words = f"assigned are {_pdo_words(now)}; the default is {_pdo_words(default)}"

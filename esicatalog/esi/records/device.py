@@ -154,7 +154,7 @@ class SyncManager(Record):
     control_byte: Annotated[int | None, Xml("@ControlByte", HEX8, "ControlByte, register 0x0804 + 8n")] = None
     enable: Annotated[int | None, Xml("@Enable", SWITCH, "Enable, bit 0 of register 0x0806 + 8n")] = None
     one_byte_mode: Annotated[bool | None, Xml("@OneByteMode", BOOL, "One byte mode (obsolete)")] = None
-    virtual: Annotated[bool | None, Xml("@Virtual", BOOL, "Not a real SyncManager")] = None
+    virtual: Annotated[bool | None, Xml("@Virtual", BOOL, "No SyncManager register is programmed for it")] = None
     watchdog: Annotated[bool | None, Xml("@Watchdog", BOOL, "Watchdog (obsolete)")] = None
     op_only: Annotated[bool | None, Xml("@OpOnly", BOOL, "Active in OP only")] = None
     fixed_assignment: Annotated[bool | None, Xml("@FixedAssignment", BOOL, "Fixed assignment (obsolete)")] = None

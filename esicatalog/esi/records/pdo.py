@@ -60,7 +60,7 @@ class Pdo(Record):
     ] = None
     fixed: Annotated[bool | None, Xml("@Fixed", BOOL, "Entry list may not be changed")] = None
     mandatory: Annotated[bool | None, Xml("@Mandatory", BOOL, "PDO must stay assigned")] = None
-    virtual: Annotated[bool | None, Xml("@Virtual", BOOL, "Not transported by mapping objects")] = None
+    virtual: Annotated[bool | None, Xml("@Virtual", BOOL, "No mapping object transports it; an FMMU may")] = None
     su: Annotated[int | None, Xml("@Su", INT, "Sync unit, position in Su")] = None
     pdo_order: Annotated[int | None, Xml("@PdoOrder", INT, "Order of the PDO (obsolete)")] = None
     os_fac: Annotated[int | None, Xml("@OSFac", INT, "Default oversampling factor")] = None
