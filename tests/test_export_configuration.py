@@ -11,6 +11,7 @@ from esicatalog.export.choice import Choice, PdoChoice, parse_pdo_choice
 from esicatalog.export.clocks import Notation
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.headings import choice_lines
+from esicatalog.export.init_cmds import single_accesses
 from esicatalog.export.subject import Subject, choose_subject, subjects_of_document
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.sm_facts import INPUT, OUTPUT
@@ -1052,6 +1053,38 @@ def test_module_idents_one_by_one_without_complete_access():
         ("IP", 2, "10000000"),
         ("IP", 0, "02"),
     ]
+
+
+@pytest.mark.parametrize(("access", "count_writes"), [("ro", []), ("rw", ["00", "01"]), (None, ["00", "01"])])
+def test_the_number_of_modules_is_not_written_where_it_is_read_only(access, count_writes):
+    """Idents are rw, their number ro: a device that describes it so aborts its download with 0x06010002."""
+    item = (
+        "<SubItem><SubIdx>{}</SubIdx><Name>S</Name><Type>{}</Type><BitSize>{}</BitSize><BitOffs>{}</BitOffs>"
+        "<Flags><Access>{}</Access></Flags></SubItem>"
+    )
+    types = (
+        "<DataType><Name>USINT</Name><BitSize>8</BitSize></DataType><DataType><Name>UDINT</Name><BitSize>32</BitSize>"
+        "</DataType><DataType><Name>DTF030</Name><BitSize>48</BitSize>"
+        + item.format(0, "USINT", 8, 0, access)
+        + item.format(1, "UDINT", 32, 16, "rw")
+        + "</DataType>"
+    )
+    list_object = "<Object><Index>#xF030</Index><Name>L</Name><Type>DTF030</Type><BitSize>48</BitSize></Object>"
+    described = dictionary(types, list_object) if access else ""
+    slots = (
+        '<Slots DownloadModuleIdentList="1"><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>#x10</ModuleIdent>'
+        "</Slot></Slots>"
+    )
+    module = "<Module><Type ModuleIdent='#x10'>M</Type><Name>M</Name></Module>"
+    for mailbox in ("<Mailbox><CoE/></Mailbox>", '<Mailbox><CoE CompleteAccess="1"/></Mailbox>'):
+        found = configured(described + SMS + mailbox + slots, module, modules={0: ModuleChoice(0x10)})
+        singles = found.commands if "Complete" not in mailbox else tuple(single_accesses(found.commands[0]))
+        assert [command.data.hex() for command in singles if not command.subindex] == count_writes
+        assert [command.data.hex() for command in singles if command.subindex] == ["10000000"]
+        told = [
+            remark for remark in found.remarks if remark.startswith("0xF030:00, the number of modules, is read-only")
+        ]
+        assert len(told) == (access == "ro")
 
 
 def test_the_control_byte_decides_the_direction():

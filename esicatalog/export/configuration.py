@@ -113,7 +113,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
             raise InputError(f"SM{image.sm}: {image.overflow}")
     _check_assigned(choice, images)
     programmed = programmed_clocks(device, op_mode, choice.cycle_ns)
-    commands, command_remarks = start_commands(device, plugged, expanded)
+    commands, command_remarks = start_commands(device, plugged, expanded, objects)
     names = entry_names(device, expanded, images, objects)
     missing = missing_modules(device, subject.modules, plugged)
     remarks = [
