@@ -1176,8 +1176,36 @@ def test_a_mode_that_the_name_lists_or_leaves_open_is_not_told(name, data):
 
 
 def test_the_code_of_a_mode_in_an_object_of_no_drive_is_none():
-    module_text = mode_module("IO (pp,pv)", mode_command("08")).replace("#x6040", "#x7040").replace("#x607A", "#x707A")
+    module_text = mode_module("IO (pp,pv)", mode_command("08")).replace("#x6040", "#x2040").replace("#x607A", "#x207A")
     assert configured(SMS + ONE_SLOT, module_text).remarks == ()
+
+
+def test_a_setpoint_without_a_mode_is_told():
+    """0x6060 is 0 after power-on, no mode, unless its default says another; 0x6860 and 0x687A are those of axis 1."""
+    words = "0x{} is in none of the assigned RxPDOs: write the mode that is wanted"
+    coe = "<Mailbox><CoE>{}</CoE></Mailbox>"
+    control, position, mode = entry("#x6040", 16), entry("#x607A", 32), entry("#x6060", 8)
+    second = entry("#x6840", 16) + entry("#x687A", 32)
+    described = (
+        "<DataType><Name>SINT</Name><BitSize>8</BitSize></DataType>",
+        "<Object><Index>#x6060</Index><Name>M</Name><Type>SINT</Type><BitSize>8</BitSize><Info><DefaultData>{}"
+        "</DefaultData></Info><Flags><Access>rw</Access></Flags></Object>",
+    )
+
+    def told(*entries: str, content: str = "") -> list[str]:
+        remarks = configured(content + SMS + rx("#x1600", *entries) + (COE if "<CoE>" not in content else "")).remarks
+        return [remark.partition(" to it before")[0] for remark in remarks if "is in none of" in remark]
+
+    assert told(control, position) == [words.format("6060")]
+    assert told(control, position, second) == [words.format("6060"), words.format("6860")]
+    assert told(control, position, mode, second) == [words.format("6860")]
+    assert told(control, position, content=dictionary(described[0], described[1].format("00"))) == [
+        words.format("6060")
+    ]
+    assert told(control, position, content=dictionary(described[0], described[1].format("08"))) == []
+    assert told(control, position, content=coe.format(mode_command("08"))) == []
+    assert told(control, entry("#x647A", 64)) == [words.format("6060")], "a setpoint of the vendor's"
+    assert told(entry("#x2040", 16), position) == [], "no axis"
 
 
 @pytest.mark.parametrize(("data", "what"), [("08", "8 (CSP)"), ("FD", "-3")])

@@ -333,7 +333,7 @@ def sized(start: str, attributes: str = "") -> str:
     )
 
 
-ASSIGNABLE = AXIS.replace("#x6040", "#x7040", 1) + '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
+ASSIGNABLE = AXIS.replace("#x6040", "#x2041", 1).replace("#x60", "#x20") + '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
 
 
 @pytest.mark.parametrize(
