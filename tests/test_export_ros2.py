@@ -301,7 +301,7 @@ def test_outputs_lie_where_the_driver_writes_them():
     assert "older versions of ethercat_driver_ros2 clear the rest of the byte when they write a bitN" in words
     for place in ("0x7000:03 across", "0x7000:05 three bytes"):
         assert f"{place} has no interface: ethercat_driver_ros2 has no type for it at its place" in words
-    assert "0x7000:04 whole is mapped 2 times: ethercat_driver_ros2 finds entries by index and subindex" in words
+    assert "0x7000:04 is mapped 2 times, perhaps as different values: whole (16 bit), again (16 bit): ethercat" in words
 
 
 def test_inputs_lie_where_the_driver_reads_them():
