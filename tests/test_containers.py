@@ -100,6 +100,14 @@ def test_an_archive_whose_names_have_backslashes(tmp_path):
     assert (both.repeated, both.read("ESI/a.xml")) == (["ESI/a.xml"], b"2")
 
 
+def test_an_archive_whose_names_begin_with_the_folder_itself():
+    """As tar-like packers write them, the folder's own entry too."""
+    members = {"./": b"", "./ESI/Dev_dot_xml": b"1", "././d_dot_xml": b"2", "./_dot_x_dot_xml": b"3"}
+    archive = Archive(zipped(**members))
+    assert archive.members() == [(".x.xml", 1), ("ESI/Dev.xml", 1), ("d.xml", 1)]
+    assert (archive.read("d.xml"), resolve_reference(archive, "ESI/Dev.xml", r"..\D.xml")) == (b"2", "d.xml")
+
+
 @pytest.mark.parametrize(("encoding", "is_flagged"), [("utf-8", True), ("utf-8", False), ("cp437", False)])
 def test_names_of_members_in_any_encoding(encoding, is_flagged):
     """The flag says UTF-8; the usual ``zip`` of Unix writes UTF-8 without it, programs of DOS their code page."""

@@ -16,9 +16,10 @@ REMARK = "0x60FF:00 Target velocity: declared UDINT; CiA 402 has INTEGER32, whic
 
 
 def one(*entries: str):
-    """The last of these entries in a RxPDO, and the remarks of its device."""
+    """The last of these entries in an RxPDO, and the remarks of its device but for that on the mode."""
     found = configured(SMS + rx("#x1600", *entries) + COE)
-    return [item for sm in found.sync_managers for item in sm.entries][-1], found.remarks
+    remarks = tuple(remark for remark in found.remarks if "is in none of the assigned RxPDOs" not in remark)
+    return [item for sm in found.sync_managers for item in sm.entries][-1], remarks
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from esicatalog.export.choice import Choice, PdoChoice, parse_pdo_choice
 from esicatalog.export.clocks import Notation
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.headings import choice_lines
+from esicatalog.export.init_cmds import single_accesses
 from esicatalog.export.subject import Subject, choose_subject, subjects_of_document
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.sm_facts import INPUT, OUTPUT
@@ -1078,6 +1079,38 @@ def test_module_idents_one_by_one_without_complete_access():
     ]
 
 
+@pytest.mark.parametrize(("access", "count_writes"), [("ro", []), ("rw", ["00", "01"]), (None, ["00", "01"])])
+def test_the_number_of_modules_is_not_written_where_it_is_read_only(access, count_writes):
+    """Idents are rw, their number ro: a device that describes it so aborts its download with 0x06010002."""
+    item = (
+        "<SubItem><SubIdx>{}</SubIdx><Name>S</Name><Type>{}</Type><BitSize>{}</BitSize><BitOffs>{}</BitOffs>"
+        "<Flags><Access>{}</Access></Flags></SubItem>"
+    )
+    types = (
+        "<DataType><Name>USINT</Name><BitSize>8</BitSize></DataType><DataType><Name>UDINT</Name><BitSize>32</BitSize>"
+        "</DataType><DataType><Name>DTF030</Name><BitSize>48</BitSize>"
+        + item.format(0, "USINT", 8, 0, access)
+        + item.format(1, "UDINT", 32, 16, "rw")
+        + "</DataType>"
+    )
+    list_object = "<Object><Index>#xF030</Index><Name>L</Name><Type>DTF030</Type><BitSize>48</BitSize></Object>"
+    described = dictionary(types, list_object) if access else ""
+    slots = (
+        '<Slots DownloadModuleIdentList="1"><Slot MinInstances="0" MaxInstances="1"><ModuleIdent>#x10</ModuleIdent>'
+        "</Slot></Slots>"
+    )
+    module = "<Module><Type ModuleIdent='#x10'>M</Type><Name>M</Name></Module>"
+    for mailbox in ("<Mailbox><CoE/></Mailbox>", '<Mailbox><CoE CompleteAccess="1"/></Mailbox>'):
+        found = configured(described + SMS + mailbox + slots, module, modules={0: ModuleChoice(0x10)})
+        singles = found.commands if "Complete" not in mailbox else tuple(single_accesses(found.commands[0]))
+        assert [command.data.hex() for command in singles if not command.subindex] == count_writes
+        assert [command.data.hex() for command in singles if command.subindex] == ["10000000"]
+        told = [
+            remark for remark in found.remarks if remark.startswith("0xF030:00, the number of modules, is read-only")
+        ]
+        assert len(told) == (access == "ro")
+
+
 def test_the_control_byte_decides_the_direction():
     mixed = '<Sm ControlByte="#x64">Inputs</Sm>' + pdo("TxPdo", "#x1A00", 8, attributes='Sm="0"')
     found = configured(mixed)
@@ -1167,8 +1200,36 @@ def test_a_mode_that_the_name_lists_or_leaves_open_is_not_told(name, data):
 
 
 def test_the_code_of_a_mode_in_an_object_of_no_drive_is_none():
-    module_text = mode_module("IO (pp,pv)", mode_command("08")).replace("#x6040", "#x7040").replace("#x607A", "#x707A")
+    module_text = mode_module("IO (pp,pv)", mode_command("08")).replace("#x6040", "#x2040").replace("#x607A", "#x207A")
     assert configured(SMS + ONE_SLOT, module_text).remarks == ()
+
+
+def test_a_setpoint_without_a_mode_is_told():
+    """0x6060 is 0 after power-on, no mode, unless its default says another; 0x6860 and 0x687A are those of axis 1."""
+    words = "0x{} is in none of the assigned RxPDOs: write the mode that is wanted"
+    coe = "<Mailbox><CoE>{}</CoE></Mailbox>"
+    control, position, mode = entry("#x6040", 16), entry("#x607A", 32), entry("#x6060", 8)
+    second = entry("#x6840", 16) + entry("#x687A", 32)
+    described = (
+        "<DataType><Name>SINT</Name><BitSize>8</BitSize></DataType>",
+        "<Object><Index>#x6060</Index><Name>M</Name><Type>SINT</Type><BitSize>8</BitSize><Info><DefaultData>{}"
+        "</DefaultData></Info><Flags><Access>rw</Access></Flags></Object>",
+    )
+
+    def told(*entries: str, content: str = "") -> list[str]:
+        remarks = configured(content + SMS + rx("#x1600", *entries) + (COE if "<CoE>" not in content else "")).remarks
+        return [remark.partition(" to it before")[0] for remark in remarks if "is in none of" in remark]
+
+    assert told(control, position) == [words.format("6060")]
+    assert told(control, position, second) == [words.format("6060"), words.format("6860")]
+    assert told(control, position, mode, second) == [words.format("6860")]
+    assert told(control, position, content=dictionary(described[0], described[1].format("00"))) == [
+        words.format("6060")
+    ]
+    assert told(control, position, content=dictionary(described[0], described[1].format("08"))) == []
+    assert told(control, position, content=coe.format(mode_command("08"))) == []
+    assert told(control, entry("#x647A", 64)) == [words.format("6060")], "a setpoint of the vendor's"
+    assert told(entry("#x2040", 16), position) == [], "no axis"
 
 
 @pytest.mark.parametrize(("data", "what"), [("08", "8 (CSP)"), ("FD", "-3")])

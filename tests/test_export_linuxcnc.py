@@ -166,7 +166,7 @@ def test_types_of_pins():
     words = " ".join(text.split())
     assert "0x7000:07 text has no pin: no HAL type takes it at its place" in words
     assert "0x7000:09 shifted real has no pin" in words
-    assert "0x7000:02 word is mapped 2 times" in words
+    assert "0x7000:02 is mapped 2 times, perhaps as different values: word (16 bit), again (16 bit): LinuxCNC" in words
     assert "without their sign" not in words
     inputs = TYPES.replace("RxPdo", "TxPdo").replace("#x1600", "#x1A00").replace('Sm="2"', 'Sm="3"')
     assert "0x7000:06 three bytes: LinuxCNC-Ethercat reads 24 bits without their sign" in " ".join(

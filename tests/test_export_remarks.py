@@ -333,7 +333,7 @@ def sized(start: str, attributes: str = "") -> str:
     )
 
 
-ASSIGNABLE = AXIS.replace("#x6040", "#x7040", 1) + '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
+ASSIGNABLE = AXIS.replace("#x6040", "#x2041", 1).replace("#x60", "#x20") + '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
 
 
 @pytest.mark.parametrize(
@@ -498,6 +498,33 @@ def test_copies_of_inputs_and_of_what_has_no_name():
 )
 def test_what_is_not_mapped_again(content, choice):
     assert not configured(SMS + content, **choice).copy_remarks
+
+
+@pytest.mark.parametrize(
+    ("second", "words"),
+    [
+        (
+            ("enable", 1),
+            "0x0006:01 is mapped 2 times, as different values: joint.0.vel (32 bit), enable (1 bit)",
+        ),
+        (
+            ("", 8),
+            "0x0006:01 is mapped 2 times, as different values: joint.0.vel (32 bit), without a name (8 bit)",
+        ),
+        (
+            ("joint.1.vel", 32),
+            "0x0006:01 is mapped 2 times, perhaps as different values: joint.0.vel (32 bit), joint.1.vel (32 bit)",
+        ),
+    ],
+)
+def test_what_is_not_alike_is_no_copy(second, words):
+    """An object has one length: what has another is another value, and to map one of them only would lose the other."""
+    content = SMS + rx("#x1600", entry("#x6", 32, "joint.0.vel", 1), entry("#x6", second[1], second[0], 1))
+    found = configured(content)
+    assert found.copy_remarks == (f"{words}: each is sent, so write every one of them",)
+    assert f"{words}: lcec finds entries by index and subindex, and reaches the first one only, the others stay 0" in (
+        listed(found, "lcec").remarks
+    )
 
 
 def test_only_gaps_are_called_so():

@@ -68,6 +68,12 @@ def test_a_list_that_is_not_understood_in_full_is_not_compared(tmp_path):
     found = answered(db, tmp_path, "--pdos", PDOS.replace("0x60ff:00, 32 bit", "0x60ff[ 12.1] EtherCAT 0: x"))["slave"]
     assert (found["differences"], found["output_bytes"], found["input_bytes"]) == ([], 2, 2)
     assert found["notes"] == ["PDOs not compared: their list was not understood in full"]
+    db = catalog_of(tmp_path / "objects", esi(device(objects(3))))
+    found = answered(db, tmp_path, "--sdos", printed(3).replace("SDO 0x2001, ", "SDO 0x2001[ 12.1] x"))["slave"]
+    assert (found["differences"], found["notes"]) == (
+        [],
+        ["objects not compared: their list was not understood in full"],
+    )
 
 
 def test_of_those_that_describe_objects_the_best_is_named(tmp_path):

@@ -1,5 +1,7 @@
 """``ethercat pdos`` and ``ethercat sdos``: layouts, headings, cut output, round trips."""
 
+import re
+
 import msgspec
 import pytest
 from hypothesis import given, settings
@@ -175,10 +177,62 @@ def test_foreign_lines_are_told_once():
         (2, "2 lines are not read as `ethercat pdos`; the first: '$ ethercat pdos'"),
     ]
     assert [slave.is_complete for slave in scan.slaves] == [True]
-    dictionaries = read_sdos(SDOS + '  0x1a00:00, r-r-r-, uint8, 8 bit, "of another object"\n')
+    dictionaries = read_sdos(f"{SDOS}$ exit\n")
     (slave,) = read_sdos(SDOS).slaves
     assert dictionaries.slaves == (msgspec.structs.replace(slave, findings=dictionaries.findings),)
-    assert messages(dictionaries)[0][0] == 6
+    assert messages(dictionaries) == [(6, "1 line is not read as `ethercat sdos`; the first: '$ exit'")]
+
+
+@pytest.mark.parametrize("broken", ['SDO 0x1a00, "x"', '  0x1600:00, rwr-r-, uint8, 8 bit, "x"'])
+def test_a_list_of_objects_is_not_complete_where_a_line_of_it_is_broken(broken):
+    """Another object of the same list is no part of this one: what is missing is not known to be missing on it."""
+    scan = read_sdos(SDOS + broken.replace("00, ", "00, [ 12.1] x", 1) + '\n  0x1a00:00, uint8, 8 bit, "x"\n' + SDOS)
+    first, second = scan.slaves
+    assert (first.is_complete, second.is_complete) == (False, True)
+    assert first.objects == read_sdos(SDOS).slaves[0].objects
+    assert messages(scan)[0][1].startswith("not understood, so the list is not complete and not compared: ")
+
+
+def without_lines(slaves):
+    """What lists say, wherever it stands."""
+    return msgspec.json.decode(re.sub(rb'"line":[0-9]+', b'"line":0', msgspec.json.encode(slaves)))
+
+
+@pytest.mark.parametrize(("whole", "read"), [(PDOS, read_pdos), (SDOS, read_sdos)])
+def test_lines_that_were_joined_are_read_apart(whole, read):
+    """Behind the quote that closes a name the next item follows, of whatever kind, also the heading of a slave."""
+    text = f"=== Master 0, Slave 3 ===\n{whole}=== Master 0, Slave 4 ===\n{whole}"
+    expected = without_lines(read(text).slaves)
+    places = [place for place in range(len(text)) if text.startswith('"\n', place)]
+    for place in places:
+        joined = read(text[: place + 1] + text[place + 2 :])
+        assert (without_lines(joined.slaves), joined.findings) == (expected, ())
+    joined = read(text.replace('"\n', '" '))
+    assert (without_lines(joined.slaves), joined.findings) == (expected, ())
+
+
+@pytest.mark.parametrize(
+    ("damaged", "read"),
+    [
+        (PDOS.replace('"A""\n    PDO entry 0x7000:01,  1 bit', '"A"" PDO entry 0x7000:01'), read_pdos),
+        (PDOS.replace('""\nSM3: PhysAddr', '"" SM3: [ 12.1] x'), read_pdos),
+        (SDOS.replace('type"\nSDO 0x1600, ', 'type" SDO 0x1600 '), read_sdos),
+        (SDOS.replace('000"\n  0x1600:0a, rwrwrw, type', '000" 0x1600:0a, [ 12.1] x'), read_sdos),
+    ],
+)
+def test_a_name_that_goes_on_like_an_item_is_not_understood(damaged, read):
+    scan = read(damaged)
+    assert [slave.is_complete for slave in scan.slaves] == [False]
+    assert messages(scan)[0][1].startswith("not understood, so the list is not complete and not compared: ")
+
+
+def test_names_that_speak_of_items_are_names():
+    names = ["RxPDO 0x1600", 'Map "A" of RxPDO 0x1600', '"PDO entry"', "SM2: outputs", "0x6040:00, uint16"]
+    for name in names:
+        (slave,) = (scan := read_pdos(f'{SM.format(2)}  RxPDO 0x1601 "{name}"\n')).slaves
+        assert (slave.sync_managers[0].pdos[0].name, slave.is_complete, scan.findings) == (name, True, ())
+        (slave,) = (quiet := read_sdos(f'SDO 0x2000, "{name}"\n')).slaves
+        assert (slave.objects[0].name, slave.is_complete, quiet.findings) == (name, True, ())
 
 
 @pytest.mark.parametrize("broken", ["SM3: ", "SM3: Phys", '  RxPDO 0x16ff ""', "    PDO entry 0x0000:00,"])

@@ -1,5 +1,6 @@
 """``slaveinfo`` of SOEM: blocks, runs, the parts that -map and -sdo add."""
 
+import msgspec
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -231,6 +232,19 @@ def test_a_truncated_list_is_told():
     scan = read_scan(GREETING + COUPLER + "\nSlave:1")
     assert "may be cut off, not read: 'Slave:1'" in messages(scan)
     assert len(scan.slaves) == 1
+
+
+def test_lines_that_were_joined_are_read_apart():
+    """Names are not quoted, and some lines have no end of their own: the next item begins with its key."""
+    expected = msgspec.structs.replace(read_scan(DRIVE).slaves[0], line=0, sync_managers=())
+    lines = DRIVE.strip().splitlines()
+    for number in range(1, len(lines) - 1):
+        scan = read_scan("\n".join([*lines[:number], lines[number] + lines[number + 1], *lines[number + 2 :]]))
+        assert msgspec.structs.replace(scan.slaves[0], line=0, sync_managers=()) == expected
+        assert [item.size_bytes for item in scan.slaves[0].sync_managers] == [128, 128, 10]
+        assert messages(scan) == messages(read_scan(DRIVE))
+    scan = read_scan("Slave:1\n Name:Solid State: relay\n Man: 00000002 ID: 00000001 Rev: 00000001\n")
+    assert messages(scan) == ["not understood or cut off: 'State: relay'"]
 
 
 def test_no_slaves():

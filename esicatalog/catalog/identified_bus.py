@@ -269,19 +269,21 @@ def _fitting(
     )
     printed_pdos = [item for item in pdos if _belongs(item, slave)]
     own_pdos = [item for item in printed_pdos if item.is_complete]
-    own_dictionaries = [item for item in dictionaries if _belongs(item, slave)]
-    broken = ("PDOs not compared: their list was not understood in full",) * (own_pdos != printed_pdos)
+    printed_dictionaries = [item for item in dictionaries if _belongs(item, slave)]
+    own_dictionaries = [item for item in printed_dictionaries if item.is_complete]
+    left_out = _list_words(own_pdos != printed_pdos, own_dictionaries != printed_dictionaries)
+    broken = (f"{left_out} not compared: their list was not understood in full",) * bool(left_out)
     if not own_pdos and not own_dictionaries:
         return _Fit(answer, notes=broken)
     if answer.device is None:
-        lists = _list_words(own_pdos, own_dictionaries)
+        lists = _list_words(bool(own_pdos), bool(own_dictionaries))
         return _Fit(answer, notes=(*broken, f"{lists} not compared: no description of slave {slave.position}"))
     compared = [_compared(*records(variant.device), own_pdos, own_dictionaries) for variant in answer.variants]
     best = min(compared, key=_rank)
     device = answer.variants[compared.index(best)]
     notes = _choice_notes(
         {variant.device.variant: found for variant, found in zip(answer.variants, compared, strict=True)},
-        _list_words(own_pdos, own_dictionaries if best.objects_compared else ()),
+        _list_words(bool(own_pdos), bool(own_dictionaries) and best.objects_compared),
     )
     answer = msgspec.structs.replace(answer, device=device, variant_warning=lookup.other_variants(device.device))
     return _Fit(answer, best.differences, (*notes, *broken, *_quiet_notes(own_pdos, own_dictionaries)))
@@ -295,8 +297,8 @@ def _quiet_notes(pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDict
         yield "objects are listed without entries: only their indices are compared"
 
 
-def _list_words(pdos: Sequence[ScannedPdos], dictionaries: Sequence[ScannedDictionary]) -> str:
-    return " and ".join(["PDOs"] * bool(pdos) + ["objects"] * bool(dictionaries))
+def _list_words(pdos: bool, objects: bool) -> str:
+    return " and ".join(["PDOs"] * pdos + ["objects"] * objects)
 
 
 class _Compared(NamedTuple):

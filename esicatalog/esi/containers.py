@@ -11,6 +11,7 @@ import errno
 import io
 import os
 import posixpath
+import re
 import stat
 import unicodedata
 import zipfile
@@ -35,6 +36,7 @@ MAX_NESTING = 3
 _SMALL_BYTES = 1024 * 1024
 """Members up to here may have any ratio."""
 _MAX_DIRECTORY_BYTES = 256 * MAX_MEMBERS
+_HERE = re.compile(r"(?:\./)+(?=.)", re.DOTALL)
 _ENCRYPTED, _IN_UTF_8 = 0x1, 0x800
 """Bits of a member's flags."""
 NESTED = "!"
@@ -273,13 +275,13 @@ def _member_name(info: zipfile.ZipInfo) -> str:
     """The path of a member.
 
     Programs of Unix write names in UTF-8 without saying so, which zipfile takes for those of code page 437; programs of
-    Windows write backslashes, which zipfile turns into slashes on Windows only.
+    Windows write backslashes, which zipfile turns into slashes on Windows only. A leading ``./`` is no part of a path.
     """
     name = info.filename
     if not info.flag_bits & _IN_UTF_8:
         with contextlib.suppress(UnicodeError):
             name = name.encode("cp437").decode("utf-8")
-    return name.replace("\\", "/")
+    return _HERE.sub("", name.replace("\\", "/"))
 
 
 def open_container(root: str, in_archive: bool, nested: Iterable[str] = ()) -> Container:

@@ -113,7 +113,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
             raise InputError(f"SM{image.sm}: {image.overflow}")
     _check_assigned(choice, images)
     programmed = programmed_clocks(device, op_mode, choice.cycle_ns)
-    commands, command_remarks = start_commands(device, plugged, expanded)
+    commands, command_remarks = start_commands(device, plugged, expanded, objects)
     names = entry_names(device, expanded, images, objects)
     missing = missing_modules(device, subject.modules, plugged)
     remarks = [
@@ -133,7 +133,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *_too_short(device, programmed.cycle_ns),
         *command_remarks,
         *cycle_remarks(commands, names.axes, objects, programmed.cycle_ns, _sync0_ns(programmed)),
-        *mode_remarks(commands, names.axes, expanded, images),
+        *mode_remarks(commands, names.axes, expanded, images, objects),
     ]
     sync_managers = configured_sync_managers(device, images, names, objects, remarks)
     rewritten = frozenset(rewritten_objects(device, sync_managers))

@@ -113,10 +113,11 @@ def _unreached(configuration: Configuration, program: str, outputs: Iterable[Map
         for entry in pdo.entries
         if pdo.sample_count > 1
     }
-    for place, words in mapped_again((entry.entry_index, entry.subindex, entry.name) for entry in entries).items():
-        advice = _SAMPLE_ONCE if place in sampled else MAP_ONCE
-        ending = f", the others stay 0: {advice}" if place in written else ""
-        yield f"{words}: {program} finds entries by index and subindex, and reaches the first one only{ending}"
+    repeats = mapped_again((entry.entry_index, entry.subindex, entry.bit_length, entry.name) for entry in entries)
+    for place, again in repeats.items():
+        advice = f": {_SAMPLE_ONCE if place in sampled else MAP_ONCE}" if again.are_copies else ""
+        ending = f", the others stay 0{advice}" if place in written else ""
+        yield f"{again.words}: {program} finds entries by index and subindex, and reaches the first one only{ending}"
 
 
 def _repeated(configuration: Configuration) -> Iterator[tuple[SmConfiguration, MappedEntry]]:

@@ -7,6 +7,8 @@ from typing import Generic, NamedTuple, TypeVar
 
 from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device
+from esicatalog.export.entry_types import ObjectTable
+from esicatalog.model.access import states_to_write
 from esicatalog.model.device_words import soe_target
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
@@ -18,6 +20,10 @@ _WITHOUT_GENERATOR = ("AoE", "EoE")
 _ADDRESS_LIST = (
     "Slots/@DownloadModuleAddressList: the device wants to be told the addresses of its modules at start, which are "
     "not described and nothing here writes: write them in the application"
+)
+_COUNT_IS_READ_ONLY = (
+    f"0x{MODULE_IDENT_LIST:04X}:00, the number of modules, is read-only by the description: single accesses leave it "
+    "out; complete access writes it with the list, which the device may refuse: then write the subindices one by one"
 )
 
 
@@ -34,6 +40,8 @@ class StartCommand(NamedTuple):
     """Of SoE, as the InitCmd gives it."""
     comment: str = ""
     adapt_automatically: bool = False
+    count_is_read_only: bool = False
+    """Whether the description lets nobody write subindex 0, of a whole object."""
 
     @property
     def writes_pdo_configuration(self) -> bool:
@@ -90,11 +98,15 @@ def by_transition(
 
 
 def start_commands(
-    device: Device, plugged: Sequence[PluggedModule], expanded: Sequence[ExpandedModule]
+    device: Device, plugged: Sequence[PluggedModule], expanded: Sequence[ExpandedModule], objects: ObjectTable
 ) -> tuple[tuple[StartCommand, ...], tuple[str, ...]]:
     """All commands by transition, those of the device before those of its modules, and remarks about odd ones."""
     remarks = [_ADDRESS_LIST] if device.download_module_address_list and plugged else []
-    commands = list(_module_list(device, plugged))
+    count = objects.entry(MODULE_IDENT_LIST, 0)
+    count_is_read_only = count is not None and not states_to_write(count.access_word)
+    commands = list(_module_list(device, plugged, count_is_read_only))
+    if commands and count_is_read_only:
+        remarks.append(_COUNT_IS_READ_ONLY)
     for item in all_init_cmds(device, expanded):
         commands.extend(_at_transitions(item, remarks))
     return tuple(sorted(commands, key=lambda command: TRANSITIONS.index(command.transition))), tuple(remarks)
@@ -134,7 +146,7 @@ def _at_transitions(item: OwnedInitCmd, remarks: list[str]) -> Iterator[StartCom
             yield found
 
 
-def _module_list(device: Device, plugged: Iterable[PluggedModule]) -> Iterator[StartCommand]:
+def _module_list(device: Device, plugged: Iterable[PluggedModule], count_is_read_only: bool) -> Iterator[StartCommand]:
     """The idents of the plugged modules, 0 for an empty slot, where the device wants to be told (0xF030)."""
     if not device.download_module_ident_list:
         return
@@ -146,16 +158,30 @@ def _module_list(device: Device, plugged: Iterable[PluggedModule]) -> Iterator[S
     transition = transition if transition in TRANSITIONS else "PS"
     values = [idents.get(number, 0).to_bytes(4, "little") for number, _, _ in numbered_slots(device)][:count]
     data = count.to_bytes(2, "little") + b"".join(values)
-    whole = StartCommand(transition, "CoE", MODULE_IDENT_LIST, 0, data, True, comment="Configured module ident list")
+    whole = StartCommand(
+        transition,
+        "CoE",
+        MODULE_IDENT_LIST,
+        0,
+        data,
+        complete_access=True,
+        comment="Configured module ident list",
+        count_is_read_only=count_is_read_only,
+    )
     has_complete_access = device.mailbox is not None and device.mailbox.coe_complete_access
     yield from (whole,) if has_complete_access else single_accesses(whole)
 
 
 def single_accesses(command: StartCommand) -> Iterator[StartCommand]:
-    """A write of the whole module ident list (0xF030) as one write for each subindex, with the number of them last."""
+    """A write of the whole module ident list (0xF030) as one write for each subindex, with the number of them last.
+
+    That is 0 until then, and not written where the description says that it cannot be.
+    """
     values = [command.data[start : start + 4] for start in range(2, len(command.data), 4)]
     single = command._replace(complete_access=False)
-    yield single._replace(data=b"\0")
+    if not command.count_is_read_only:
+        yield single._replace(data=b"\0")
     for subindex, value in enumerate(values, 1):
         yield single._replace(subindex=subindex, data=value, comment=f"Slot {subindex - 1}")
-    yield single._replace(data=command.data[:1])
+    if not command.count_is_read_only:
+        yield single._replace(data=command.data[:1])

@@ -1,16 +1,28 @@
-"""Start-up commands that write the CiA 402 mode (0x6060), and what else in a configuration speaks against them."""
+"""Start-up commands that write the CiA 402 mode (0x6060), what speaks against them, and where nothing writes it."""
 
 from collections.abc import Iterator, Sequence
 
 from esicatalog.esi.records.mailbox import coe_init_cmds
 from esicatalog.esi.records.pdo import RX_PDO
+from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.init_cmds import StartCommand
-from esicatalog.model.cia402 import AXIS_STEP, MODE_BY_CODE, MODES_OF_OPERATION, MODES_OF_OPERATION_OF_AXES
+from esicatalog.model.cia402 import (
+    AXIS_STEP,
+    CONTROLWORD,
+    DRIVE_MODES,
+    MODE_BY_CODE,
+    MODES_OF_OPERATION,
+    MODES_OF_OPERATION_OF_AXES,
+)
 from esicatalog.model.drive_evidence import mode_code, module_names, name_against, written_mode
+from esicatalog.model.drive_recipe import unset_mode_words
 from esicatalog.model.pdo_facts import carries_value
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import ExpandedModule
 from esicatalog.model.start_up import after_start, start_command
+
+_COMMANDING = frozenset({CONTROLWORD, *(index for mode in DRIVE_MODES.values() for index in mode.setpoints)})
+"""What a master sends to a drive that runs a mode; some drives have setpoints of their vendor's."""
 
 
 def started_modes(commands: Sequence[StartCommand]) -> dict[int, bytes]:
@@ -25,9 +37,13 @@ def started_modes(commands: Sequence[StartCommand]) -> dict[int, bytes]:
 
 
 def mode_remarks(
-    commands: Sequence[StartCommand], axes: Sequence[int], expanded: Sequence[ExpandedModule], images: Sequence[SmImage]
+    commands: Sequence[StartCommand],
+    axes: Sequence[int],
+    expanded: Sequence[ExpandedModule],
+    images: Sequence[SmImage],
+    objects: ObjectTable,
 ) -> Iterator[str]:
-    """Modes that modules start against their names, and modes that the process data replace."""
+    """Modes that modules start against their names, that the process data replace, and that nothing sets."""
     yield from _against_names(expanded, [MODES_OF_OPERATION + axis * AXIS_STEP for axis in axes])
     mapped = {
         item.entry.entry_index
@@ -36,7 +52,15 @@ def mode_remarks(
         for item in placed.entries
         if placed.direction == RX_PDO and not item.entry.subindex and carries_value(item.entry)
     }
-    for index, data in started_modes(commands).items():
+    started = started_modes(commands)
+    for axis in axes:
+        index = MODES_OF_OPERATION + axis * AXIS_STEP
+        is_commanded = any(commanding + axis * AXIS_STEP in mapped for commanding in _COMMANDING)
+        declared = objects.entry(index, 0)
+        is_preset = declared is not None and bool(declared.default_int)
+        if is_commanded and index not in mapped and index not in started and not is_preset:
+            yield f"{unset_mode_words(index, 'the mode that is wanted')}, for no start-up command does"
+    for index, data in started.items():
         if index in mapped:
             code = mode_code(data)
             mode = MODE_BY_CODE.get(code)

@@ -1,7 +1,8 @@
 """What a process image asks of a device or of its application that nothing generated here does for them."""
 
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.dc import OpMode
@@ -104,26 +105,45 @@ def swap_remarks(images: Sequence[SmImage]) -> Iterator[str]:
         )
 
 
-def mapped_again(entries: Iterable[tuple[int, int, str]]) -> dict[tuple[int, int], str]:
-    """What is mapped several times, in words, by index and subindex; ``entries`` are these and a name."""
-    found = list(entries)
-    counts = Counter((index, subindex) for index, subindex, _ in found)
-    names = {(index, subindex): name for index, subindex, name in reversed(found)}
-    return {
-        (index, subindex): f"0x{index:04X}:{subindex:02X} {names[index, subindex]}".rstrip()
-        + f" is mapped {count} times"
-        for (index, subindex), count in counts.items()
-        if count > 1
-    }
+class MappedAgain(NamedTuple):
+    """An index and subindex that several entries have."""
+
+    words: str
+    are_copies: bool
+    """Whether the entries are alike, so that they can be taken for the same value."""
+
+
+def mapped_again(entries: Iterable[tuple[int, int, int, str]]) -> dict[tuple[int, int], MappedAgain]:
+    """What is mapped several times, by index and subindex; ``entries`` are these, a length in bits and a name.
+
+    An object has one length, so entries of different lengths are different values, whatever their index says. Those
+    with different names may be.
+    """
+    found: dict[tuple[int, int], list[tuple[int, str]]] = defaultdict(list)
+    for index, subindex, bit_length, name in entries:
+        found[index, subindex].append((bit_length, name))
+    return {place: _again(*place, items) for place, items in found.items() if len(items) > 1}
+
+
+def _again(index: int, subindex: int, items: Sequence[tuple[int, str]]) -> MappedAgain:
+    place = f"0x{index:04X}:{subindex:02X}"
+    alike = list(dict.fromkeys(items))
+    if len(alike) == 1:
+        return MappedAgain(f"{place} {items[0][1]}".rstrip() + f" is mapped {len(items)} times", are_copies=True)
+    listed = ", ".join(f"{name or 'without a name'} ({bit_length} bit)" for bit_length, name in alike)
+    perhaps = "perhaps " if len({bit_length for bit_length, _ in alike}) == 1 else ""
+    return MappedAgain(
+        f"{place} is mapped {len(items)} times, {perhaps}as different values: {listed}", are_copies=False
+    )
 
 
 def repeat_remarks(images: Iterable[SmImage]) -> Iterator[str]:
-    """Outputs that are mapped again: whoever writes one copy sends zeros in the others.
+    """Outputs that are mapped again: whoever writes one entry sends zeros in the others.
 
     Samples are no copies, nor are IDNs of SoE, which has PDOs of other indices: one of each drive of the device.
     """
     found = mapped_again(
-        (entry.entry_index or 0, entry.subindex or 0, display_text(entry.names) or "")
+        (entry.entry_index or 0, entry.subindex or 0, entry.bit_length or 0, display_text(entry.names) or "")
         for image in images
         if image.transfer_direction == OUTPUT
         for placed in image.pdos
@@ -131,7 +151,9 @@ def repeat_remarks(images: Iterable[SmImage]) -> Iterator[str]:
         for entry in placed.pdo.entries
         if carries_value(entry)
     )
-    return (f"{words}: every copy is sent, so write all of them, or {MAP_ONCE}" for words in found.values())
+    for again in found.values():
+        what = f"every copy is sent, so write all of them, or {MAP_ONCE}"
+        yield f"{again.words}: {what if again.are_copies else 'each is sent, so write every one of them'}"
 
 
 def memory_remarks(device: Device, modules: Sequence[Module], images: Sequence[SmImage]) -> Iterator[str]:

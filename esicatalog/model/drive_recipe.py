@@ -52,6 +52,11 @@ def mode_recipe(drive: ConfiguredDrive, mode: DriveMode, parts: Sequence[Part], 
     return Recipe(tuple(pdos), are_default, setup.op_mode_choice, "; ".join(step for step in steps if step is not None))
 
 
+def unset_mode_words(index: int, mode: int | str) -> str:
+    """What is to be done where 0x6060 of an axis, ``index``, is not among the process data."""
+    return f"0x{index:04X} is in none of the assigned RxPDOs: write {mode} to it before operation"
+
+
 def _usable(part: Part, mode: DriveMode, setup: DriveSetup) -> Part:
     """The part with what is assigned once in a setup, and without the RxPDOs of the setpoint that cannot be."""
     assigned = assigned_rx_pdos(setup.images, part.slot_number)
@@ -144,4 +149,4 @@ def _mode_of_operation(mode: DriveMode, part: Part, pdos: Sequence[Pdo], setup: 
     if code == mode.code:
         return f"0x{index:04X} = {mode.code} is written by an InitCmd"
     after = f", after the InitCmd that writes {code}" if code is not None else ""
-    return f"0x{index:04X} is in none of the assigned RxPDOs: write {mode.code} to it before operation{after}"
+    return f"{unset_mode_words(index, mode.code)}{after}"

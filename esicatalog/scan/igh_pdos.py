@@ -10,21 +10,20 @@ import msgspec
 from esicatalog.scan.igh_blocks import BlockReader
 from esicatalog.scan.records import (
     PdoScan,
-    ScanFinding,
     ScannedPdo,
     ScannedPdoEntry,
     ScannedPdos,
     ScannedSyncManager,
 )
-from esicatalog.scan.text import name_at_end, quoted, tool_number
+from esicatalog.scan.text import name_at_end, tool_number
 
 _SYNC_MANAGER = re.compile(
     r"\s*SM([0-9a-f]{1,2}): PhysAddr 0x([0-9a-f]{1,4}), DefaultSize\s+([0-9]{1,5}), "
     r"ControlRegister 0x([0-9a-f]{1,2}), Enable ([0-9]{1,3})\s*",
     re.IGNORECASE,
 )
-_PDO = re.compile(r'\s*([RT])xPDO 0x([0-9a-f]{1,4}) "(.*)', re.IGNORECASE)
-_ENTRY = re.compile(r'\s*PDO entry 0x([0-9a-f]{1,4}):([0-9a-f]{2}),\s+([0-9]{1,3}) bit, "(.*)', re.IGNORECASE)
+_PDO = re.compile(r'\s*([RT])xPDO 0x([0-9a-f]{1,4}) "', re.IGNORECASE)
+_ENTRY = re.compile(r'\s*PDO entry 0x([0-9a-f]{1,4}):([0-9a-f]{2}),\s+([0-9]{1,3}) bit, "', re.IGNORECASE)
 _OF_LIST = re.compile(r"\s*SM[0-9a-f]{1,2}\b|.*(?:PhysAddr|xPDO|PDO entry)\b", re.IGNORECASE)
 """Parts of the lines of a list: one that is not taken is missing."""
 
@@ -34,6 +33,7 @@ class _Reader(BlockReader[ScannedSyncManager, ScannedPdos]):
 
     COMMAND = "ethercat pdos"
     EXAMPLE = "SM2: PhysAddr 0x1100, DefaultSize 2, ..."
+    ITEMS = (_SYNC_MANAGER, _PDO, _ENTRY)
 
     def __init__(self) -> None:
         super().__init__()
@@ -41,26 +41,25 @@ class _Reader(BlockReader[ScannedSyncManager, ScannedPdos]):
         self._entries: list[ScannedPdoEntry] = []
         self._is_open = False
         """Whether PDOs belong to the SyncManager that was read last."""
-        self._is_complete = True
 
     def _take(self, line: int, text: str) -> None:
         if match := _SYNC_MANAGER.fullmatch(text):
             self._is_hexadecimal = False
             self._begin_sync_manager(line, match)
-        elif self._is_open and (match := _PDO.fullmatch(text)):
+        elif self._is_open and (match := _PDO.match(text)):
             self._is_hexadecimal = True
             self._close_pdo()
-            name = name_at_end(line, match[3], self._findings)
+            name = name_at_end(line, text[match.end() :], self._findings)
             is_rx = match[1].upper() == "R"
             self._pdos.append(ScannedPdo(index=int(match[2], 16), is_rx=is_rx, name=name, line=line))
-        elif self._pdos and (match := _ENTRY.fullmatch(text)):
+        elif self._pdos and (match := _ENTRY.match(text)):
             self._is_hexadecimal = False
             self._entries.append(
                 ScannedPdoEntry(
                     index=int(match[1], 16),
                     subindex=int(match[2], 16),
                     bit_length=int(match[3]),
-                    name=name_at_end(line, match[4], self._findings),
+                    name=name_at_end(line, text[match.end() :], self._findings),
                     line=line,
                 )
             )
@@ -82,16 +81,11 @@ class _Reader(BlockReader[ScannedSyncManager, ScannedPdos]):
         """Take nothing into the open SyncManager any more: a line of it was not understood, or it was itself."""
         self._close_part()
         self._is_open = False
-        if self._is_complete:
-            message = f"not understood, so the list is not complete and not compared: {quoted(text)}"
-            self._findings.append(ScanFinding(line=line, message=message))
-            self._is_complete = False
-        else:
-            self._skip(line, text)
+        super()._break_off(line, text)
 
     def _close_slave(self) -> None:
         super()._close_slave()
-        self._is_open, self._is_complete = False, True
+        self._is_open = False
 
     def _begin_sync_manager(self, line: int, match: re.Match[str]) -> None:
         number = tool_number(match[1])

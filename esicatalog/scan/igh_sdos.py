@@ -12,12 +12,14 @@ from esicatalog.scan.igh_blocks import BlockReader
 from esicatalog.scan.records import ScannedDictionary, ScannedObject, ScannedObjectEntry, SdoScan
 from esicatalog.scan.text import name_at_end
 
-_OBJECT = re.compile(r'\s*SDO 0x([0-9a-f]{4}), "(.*)', re.IGNORECASE)
+_OBJECT = re.compile(r'\s*SDO 0x([0-9a-f]{4}), "', re.IGNORECASE)
 _ENTRY = re.compile(
     r"\s*0x([0-9a-f]{4}):([0-9a-f]{2}), (?:([r-][w-][r-][w-][r-][w-]), )?([a-z][a-z0-9_ ]{0,40})"
-    r'(?:, ([0-9]{1,6}) bit)?, "(.*)',
+    r'(?:, ([0-9]{1,6}) bit)?, "',
     re.IGNORECASE,
 )
+_OF_LIST = re.compile(r"\s*(?:SDO 0x|0x[0-9a-f]{4}:[0-9a-f]{2},)", re.IGNORECASE)
+"""How the lines of a list begin: one that is not taken is missing."""
 
 
 class _Reader(BlockReader[ScannedObject, ScannedDictionary]):
@@ -25,6 +27,7 @@ class _Reader(BlockReader[ScannedObject, ScannedDictionary]):
 
     COMMAND = "ethercat sdos"
     EXAMPLE = 'SDO 0x1000, "Device type"'
+    ITEMS = (_OBJECT, _ENTRY)
 
     def __init__(self) -> None:
         super().__init__()
@@ -32,10 +35,10 @@ class _Reader(BlockReader[ScannedObject, ScannedDictionary]):
         self._entries: list[ScannedObjectEntry] = []
 
     def _take(self, line: int, text: str) -> None:
-        if match := _OBJECT.fullmatch(text):
+        if match := _OBJECT.match(text):
             self._is_hexadecimal = True
-            self._begin_object(line, match)
-        elif (match := _ENTRY.fullmatch(text)) and self._parts and self._parts[-1].index == int(match[1], 16):
+            self._begin_object(line, int(match[1], 16), name_at_end(line, text[match.end() :], self._findings))
+        elif (match := _ENTRY.match(text)) and self._parts and self._parts[-1].index == int(match[1], 16):
             self._is_hexadecimal = False
             self._entries.append(
                 ScannedObjectEntry(
@@ -43,24 +46,30 @@ class _Reader(BlockReader[ScannedObject, ScannedDictionary]):
                     access=match[3],
                     data_type=match[4],
                     bit_length=int(match[5]) if match[5] else None,
-                    name=name_at_end(line, match[6], self._findings),
+                    name=name_at_end(line, text[match.end() :], self._findings),
                     line=line,
                 )
             )
+        elif _OF_LIST.match(text):
+            self._break_off(line, text)
         else:
             self._skip(line, text)
 
     def _slave(self, master: int | None, position: int | None, parts: tuple[ScannedObject, ...]) -> ScannedDictionary:
         self._indices = set()
-        return ScannedDictionary(master=master, position=position, objects=parts, line=parts[0].line)
+        return ScannedDictionary(
+            master=master,
+            position=position,
+            objects=parts,
+            line=parts[0].line,
+            is_complete=self._is_complete,
+        )
 
-    def _begin_object(self, line: int, match: re.Match[str]) -> None:
-        index = int(match[1], 16)
+    def _begin_object(self, line: int, index: int, name: str | None) -> None:
         if index in self._indices:
             self._begin_unnamed(line, f"object 0x{index:04x} is")
         self._close_part()
         self._indices.add(index)
-        name = name_at_end(line, match[2], self._findings)
         self._parts.append(ScannedObject(index=index, name=name, line=line))
 
     def _close_part(self) -> None:

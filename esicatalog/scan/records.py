@@ -242,6 +242,8 @@ class ScannedDictionary(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     line: int
     origin: str = "a list of objects"
     findings: tuple[ScanFinding, ...] = ()
+    is_complete: bool = True
+    """False where a line of the list was not understood: then it does not tell which objects the slave has."""
 
     @property
     def lists_entries(self) -> bool:

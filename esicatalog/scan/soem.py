@@ -115,6 +115,11 @@ _KEYS: dict[str, tuple[re.Pattern[str], Callable[[re.Match[str]], _Facts]]] = {
     "Ebus current": (_pattern(r"(-?[0-9]{1,6})\[mA\]"), _current),
     _LAST_KEY: (_pattern("([0-9]{1,3})"), _truth("not_lrw")),
 }
+_BETWEEN_ITEMS = re.compile(
+    rf"(?<=\S)(?=\s+(?:(?:{'|'.join(map(re.escape, _KEYS))}|FMMUfunc|DCParentport):|SM[0-9] A:|FMMU[0-9] Ls:))"
+)
+"""Where lines were joined, as forums and mail programs do. Names are not quoted: one that holds such words is cut
+there, and what follows is told as not understood."""
 
 
 class _Block:
@@ -231,7 +236,10 @@ def read_soem(text: str) -> Scan:
     reader = _Reader()
     unfinished_line = text.count("\n") + 1
     for number, line in numbered_lines(text):
-        reader.take(number, line, number == unfinished_line)
+        *items, last = _BETWEEN_ITEMS.split(line)
+        for item in items:
+            reader.take(number, item, False)
+        reader.take(number, last, number == unfinished_line)
     findings = reader.findings
     for block in reader.blocks:
         findings += block.findings()

@@ -35,7 +35,7 @@ _LOG_PREFIX = re.compile(
     ){{1,4}}""",
     re.MULTILINE | re.VERBOSE,
 )
-_HEADING = re.compile(r"\s*===\s*(?:Master\s+([0-9]{1,5}),\s*)?Slave\s+([0-9a-f]{1,5})\s*===\s*")
+HEADING = re.compile(r"\s*===\s*(?:Master\s+([0-9]{1,5}),\s*)?Slave\s+([0-9a-f]{1,5})\s*===\s*")
 
 
 class Heading(NamedTuple):
@@ -89,7 +89,7 @@ def heading_of(line: str, base: int = 10) -> Heading | None:
 
     ``base`` is that of its numbers; one with letters is hexadecimal all the same.
     """
-    match = _HEADING.fullmatch(line)
+    match = HEADING.fullmatch(line)
     return Heading(None if match[1] is None else int(match[1], base), tool_number(match[2], base)) if match else None
 
 
