@@ -61,6 +61,22 @@ def pdo(kind: str, index: str, *bits: int, attributes: str = "", extra: str = ""
     return f"<{kind} {attributes}><Index>{index}</Index><Name>{kind} {index}</Name>{extra}{entries}</{kind}>"
 
 
+def mapping_objects(*mappings: tuple[int, str]) -> str:
+    """A dictionary with PDO mappings of one entry: index of the object, and the default of its subindex 1 as bytes."""
+    items = "".join(
+        f"<SubItem><SubIdx>{n}</SubIdx><Name>SubIndex 00{n}</Name><Type>{kind}</Type><BitSize>{bits}</BitSize>"
+        f"<BitOffs>{offset}</BitOffs></SubItem>"
+        for n, (kind, bits, offset) in enumerate((("USINT", 8, 0), ("UDINT", 32, 16)))
+    )
+    objects = "".join(
+        f"<Object><Index>#x{index:X}</Index><Name>Map</Name><Type>DTMAP</Type><BitSize>48</BitSize><Info>"
+        f"<SubItem><Name>SubIndex 000</Name><Info><DefaultData>01</DefaultData></Info></SubItem>"
+        f"<SubItem><Name>SubIndex 001</Name><Info><DefaultData>{data}</DefaultData></Info></SubItem></Info></Object>"
+        for index, data in mappings
+    )
+    return dictionary(f"<DataType><Name>DTMAP</Name><BitSize>48</BitSize>{items}</DataType>", objects)
+
+
 def read(text: str | bytes) -> ReadDocument:
     """Read a document without any container."""
     return Reader().read(text.encode() if isinstance(text, str) else text)

@@ -153,6 +153,17 @@ def test_samples_are_numbered():
     assert samples == [f"sample {n} of 3" for n in (1, 1, 2, 2, 3, 3)]
 
 
+def test_samples_in_pdos_of_their_own_are_numbered():
+    found = image([entry(8)], [entry(8)])
+    pdos = tuple(
+        placed._replace(repeat=2, sample=n, position=position)
+        for n, (placed, position) in enumerate(zip(found.pdos, (0, None), strict=True), 1)
+    )
+    root = drawn(process_image_svg(found._replace(pdos=pdos)))
+    titles = [group.find(f"{SVG}title").text.splitlines()[2:] for group in groups(root, "entry")]
+    assert titles == [["sample 1 of 2", "PDO 0x1600 P0"], ["sample 2 of 2", "PDO 0x1601 P1"]]
+
+
 def test_an_entry_of_no_bits_is_a_mark():
     first, second = groups(drawn(process_image_svg(image([entry(8), entry(None)]))), "entry")
     assert second.find(f"{SVG}path").get("d") == "M396 20v20"

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from snippets import device, dictionary, esi, pdo, read
+from snippets import device, dictionary, esi, mapping_objects, pdo, read
 
 from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.reader import read_esi
@@ -259,6 +259,45 @@ def test_samples_are_named_and_typed_by_the_first_of_them():
         ("0x6040:00", "controlword_6040_00", "int"),
         ("0x6064:00", "controlword_6064_00", "int"),
     ]
+
+
+def test_samples_that_are_pdos_of_their_own_are_assigned_each():
+    """Two channels of two samples, which the document has at 0x7000:01 and the device at 0x6001 and 0x6011."""
+    channels = (("#x1A01", "Fast"), ("#x1A41", "Slow"))
+    mapped = ((0x1A01, "10010160"), (0x1A02, "10020160"), (0x1A41, "10011160"), (0x1A42, "10021160"))
+    content = (
+        mapping_objects(*mapped)
+        + SMS
+        + "".join(
+            rx(index, entry("#x7000", 16, "Value", 1, "INT"), attributes='Sm="3" OSFac="2"', name=name)
+            for index, name in channels
+        ).replace("RxPdo", "TxPdo")
+        + '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
+    )
+    found = configured(content)
+    assert pdos(found) == {3: [0x1A01, 0x1A02, 0x1A41, 0x1A42]}
+    (inputs,) = found.images(INPUT)
+    assert [(item.place, item.identifier, item.value.kind) for item in inputs.entries] == [
+        ("0x6001:01", "value_6001_01", "int"),
+        ("0x6001:02", "value_6001_02", "int"),
+        ("0x6011:01", "value_6011_01", "int"),
+        ("0x6011:02", "value_6011_02", "int"),
+    ]
+    assert (inputs.assignment.values, found.rewritten) == ((0x1A01, 0x1A02, 0x1A41, 0x1A42), {0x1C13})
+    assert found.remarks == ()
+    for chosen in ("0x1A41", "0x1A41,0x1A42"):
+        assert pdos(configured(content, pdos=parse_pdo_choice(chosen))) == {3: [0x1A41, 0x1A42]}
+    with pytest.raises(InputError, match="PDO 0x1A42 is not described"):
+        configured(content, pdos=parse_pdo_choice("0x1A42"))
+    with pytest.raises(InputError, match="PDO 0x1A43 is not described"):
+        configured(content, pdos=parse_pdo_choice("0x1A41,0x1A43"))
+
+
+def test_samples_of_an_output_are_no_copies_in_pdos_of_their_own():
+    """Without OSIndexInc and with a mapping that the master writes, both are 0x7000:01."""
+    sampled = rx("#x1600", entry("#x7000", 16, "Value", 1), attributes='Sm="2" OSFac="2"')
+    found = configured(mapping_objects((0x1600, "10010070"), (0x1601, "10020070")) + SMS + sampled + COE)
+    assert (pdos(found), found.copy_remarks) == ({2: [0x1600, 0x1601]}, ())
 
 
 OF_VIRTUAL_SM4 = "is of the virtual SM4: no register of the ESC is programmed for it, an FMMU alone may map it"

@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from snippets import device, esi, only_device, pdo, read
+from snippets import device, esi, mapping_objects, only_device, pdo, read
 
 from esicatalog.esi.reader import read_esi
 from esicatalog.model.process_image import default_process_image, process_image
@@ -355,6 +355,64 @@ def test_an_oversampled_pdo_that_the_op_mode_does_not_list_is_named():
 @pytest.mark.parametrize("factor", ["0", "-2", "1"])
 def test_a_pdo_is_sampled_once_at_least(factor):
     assert images(pdo("RxPdo", "#x1600", 16, attributes=f'Sm="2" OSFac="{factor}"'))[2].bit_size == 16
+
+
+ASSIGN = '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
+CONFIG = '<Mailbox><CoE PdoAssign="1" PdoConfig="1"/></Mailbox>'
+THREE_SAMPLES = pdo("TxPdo", "#x1A01", 16, attributes='Sm="3" OSFac="3" OSIndexInc="1"')
+MAPPINGS = ((0x1A01, "10010160"), (0x1A02, "10020160"), (0x1A03, "10030160"))
+"""Like EL3632: 0x6001:01, 0x6001:02 and 0x6001:03 of 16 bits each, where the PDO says 0x7000:01."""
+BY_DICTIONARY = [(0, 0x6001, 1), (16, 0x6001, 2), (32, 0x6001, 3)]
+BY_STEPS = [(0, 0x7000, 1), (16, 0x7001, 1), (32, 0x7002, 1)]
+
+
+@pytest.mark.parametrize(
+    ("mailbox", "mappings", "more", "pdo_indices", "mapped", "is_told"),
+    [
+        (ASSIGN, MAPPINGS, "", [0x1A01, 0x1A02, 0x1A03], BY_DICTIONARY, False),
+        ("<Mailbox><CoE/></Mailbox>", MAPPINGS, "", [0x1A01, 0x1A02, 0x1A03], BY_DICTIONARY, False),
+        (CONFIG, MAPPINGS, "", [0x1A01, 0x1A02, 0x1A03], BY_STEPS, False),
+        (ASSIGN, (*MAPPINGS[:2], (0x1A03, "08030160")), "", [0x1A01, 0x1A02, 0x1A03], BY_STEPS, False),
+        (ASSIGN, MAPPINGS[1:], "", [0x1A01, 0x1A02, 0x1A03], BY_STEPS, False),
+        (ASSIGN, MAPPINGS[:2], "", [0x1A01], BY_STEPS, True),
+        (ASSIGN, MAPPINGS, pdo("TxPdo", "#x1A03", 8), [0x1A01], BY_STEPS, True),
+        (CONFIG, MAPPINGS[:2], "", [0x1A01], BY_STEPS, False),
+        ("<Mailbox><CoE/></Mailbox>", (), "", [0x1A01], BY_STEPS, False),
+        ("", MAPPINGS, "", [0x1A01], BY_STEPS, False),
+    ],
+    ids=[
+        "own PDOs",
+        "a fixed assignment",
+        "the master maps",
+        "another length",
+        "no default of the first",
+        "one is missing",
+        "one is another PDO",
+        "the master maps all",
+        "nothing to assign",
+        "no CoE",
+    ],
+)
+def test_samples_are_pdos_of_their_own_where_the_dictionary_has_a_mapping_for_each(
+    mailbox, mappings, more, pdo_indices, mapped, is_told
+):
+    image = images(mapping_objects(*mappings) + THREE_SAMPLES + more + mailbox)[3]
+    assert (indices(image), places(image), image.byte_size) == (pdo_indices, mapped, 6)
+    assert any("how the device assigns the samples is not described" in words for words in image.remarks) == is_told
+    assert len(image.remarks) == is_told
+    numbered = [1, 2, 3] if len(pdo_indices) > 1 else [0]
+    assert [(item.repeat, item.sample) for item in image.pdos] == [(3, number) for number in numbered]
+    assert [item.position for item in image.pdos] == [0, None, None][: len(pdo_indices)]
+
+
+def test_what_follows_samples_of_their_own_lies_behind_them():
+    """Three times 16 bits; 0x1BFF is the last mapping object of a TxPDO, so two samples behind it have none."""
+    behind = pdo("TxPdo", "#x1A80", 8, attributes='Sm="3"')
+    image = images(mapping_objects(*MAPPINGS) + THREE_SAMPLES + behind + ASSIGN)[3]
+    assert (indices(image), places(image)[-1][0]) == ([0x1A01, 0x1A02, 0x1A03, 0x1A80], 48)
+    last = THREE_SAMPLES.replace("#x1A01", "#x1BFF")
+    beyond = images(mapping_objects(*((index, "10010160") for index in (0x1BFF, 0x1C00, 0x1C01))) + last + ASSIGN)[3]
+    assert (indices(beyond), len(beyond.remarks)) == ([0x1BFF], 1)
 
 
 HUGE = 2**63 - 1

@@ -1,7 +1,7 @@
 """Work that is done once for what descriptions and documents share, and that nothing is mixed up by it."""
 
 import pytest
-from snippets import device, dictionary, esi, pdo, read, write
+from snippets import device, dictionary, esi, mapping_objects, pdo, read, write
 
 import esicatalog.esi.reader as reader_module
 from esicatalog.esi.containers import Folder
@@ -16,6 +16,7 @@ from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.resolver import Resolver
 
 OUTPUTS = "<Sm ControlByte='#x64' DefaultSize='3'>Outputs</Sm>" + pdo("RxPdo", "#x1600", 16, attributes="Sm='0'")
+SAMPLED = OUTPUTS.replace("Sm='0'", "Sm='0' OSFac='2'")
 UINT = "<DataType><Name>UINT</Name><BitSize>16</BitSize></DataType>"
 RECORD = (
     "<DataType><Name>DT1</Name><BitSize>48</BitSize>"
@@ -113,6 +114,17 @@ def test_what_process_data_depend_on_is_not_shared(more):
     deriver = Deriver()
     first, second = (deriver.derive(item, ()).process_data for item in devices)
     assert first is not second
+
+
+def test_samples_are_not_shared_with_devices_of_another_dictionary():
+    """0x7000:01 and again by default, 0x6001:01 and 0x6001:02 with the mapping objects."""
+    sampled = SAMPLED + '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
+    maps = mapping_objects((0x1600, "10010160"), (0x1601, "10020160"))
+    devices = read(esi(device(sampled) + device(maps + sampled))).document.infos[0].devices
+    deriver = Deriver()
+    first, second = (deriver.derive(item, ()) for item in devices)
+    assert first.process_data.image_signature != second.process_data.image_signature
+    assert first.facts.output_bytes == second.facts.output_bytes == 4
 
 
 def test_a_derivation_is_the_same_for_all_who_ask():

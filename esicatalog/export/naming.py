@@ -49,18 +49,14 @@ def entry_names(
             for number, item in enumerate(placed.entries):
                 if carries_value(item.entry):
                     keys.append((image.sm, at, number))
-                    candidates.append(
-                        _candidates(placed, placed.first_sample(number), item.entry.entry_index or 0, axes, objects)
-                    )
+                    candidates.append(_candidates(placed, placed.first_sample(number), item.entry, axes, objects))
     is_drive = bool(axes) or is_motion_terminal(profiles)
     is_drive = is_drive or (device.mailbox is not None and device.mailbox.soe)
     return EntryNames(dict(zip(keys, unique_names(candidates), strict=True)), axes, is_drive)
 
 
-def _candidates(
-    placed: PlacedPdo, first: Entry, sample_index: int, axes: Sequence[int], objects: ObjectTable
-) -> list[str]:
-    """Names from plain to precise; what an entry is says the ``first`` sample, which one it is ``sample_index``."""
+def _candidates(placed: PlacedPdo, first: Entry, sample: Entry, axes: Sequence[int], objects: ObjectTable) -> list[str]:
+    """Names from plain to precise; what an entry is says the ``first`` sample, which one it is the ``sample``."""
     index, subindex = first.entry_index or 0, first.subindex or 0
     standard = _cia402_name(index, subindex, axes)
     fallback = f"entry_{index:04x}_{subindex:02x}"
@@ -73,7 +69,7 @@ def _candidates(
     precise = [plain, f"{pdo}_{plain}"]
     if placed.slot_number is not None:
         precise.append(f"slot{placed.slot_number}_{pdo}_{plain}")
-    return [*precise, f"{plain}_{sample_index:04x}_{subindex:02x}"]
+    return [*precise, f"{plain}_{sample.entry_index or 0:04x}_{sample.subindex or 0:02x}"]
 
 
 def _cia402_name(index: int, subindex: int, axes: Sequence[int]) -> str | None:

@@ -54,6 +54,7 @@ def apply_choice(
     if not chosen:
         return ChosenPdos(device, tuple(plugged), None)
     available = available_pdos(device, plugged).pdos
+    chosen = _without_later_samples(chosen, default)
     picked = [(_find(available, item), item) for item in chosen]
     assignment: dict[int, list[int]] = {}
     own = {pdo.pdo_index for _, pdos in pdos_by_direction(device) for pdo in pdos}
@@ -76,6 +77,14 @@ def apply_choice(
                 f"{counted(len(found.pdo.entries), 'is', 'are')} described; the master writes the mapping at start"
             )
     return ChosenPdos(device, tuple(plugged), assignment, tuple(remarks))
+
+
+def _without_later_samples(chosen: Sequence[PdoChoice], default: Iterable[SmImage]) -> list[PdoChoice]:
+    """Without PDOs that hold one sample and no choice of entries, which come with that of the first sample."""
+    indices = {item.pdo_index for item in chosen}
+    samples = ((placed.pdo.pdo_index or 0, placed.sample) for image in default for placed in image.pdos)
+    brought = {index for index, sample in samples if sample > 1 and index - sample + 1 in indices}
+    return [item for item in chosen if item.entries or item.pdo_index not in brought]
 
 
 def _find(available: Sequence[AvailablePdo], wanted: PdoChoice) -> AvailablePdo:

@@ -147,7 +147,7 @@ def repeat_remarks(images: Iterable[SmImage]) -> Iterator[str]:
         for image in images
         if image.transfer_direction == OUTPUT
         for placed in image.pdos
-        if placed.pdo.pdo_index in PDO_MAPPINGS[RX_PDO]
+        if placed.pdo.pdo_index in PDO_MAPPINGS[RX_PDO] and placed.sample <= 1
         for entry in placed.pdo.entries
         if carries_value(entry)
     )

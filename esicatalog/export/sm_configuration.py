@@ -85,7 +85,7 @@ class AssignedPdo(NamedTuple):
     is_described: bool
     """Whether its content is known, be it none."""
     sample_count: int
-    """How often its entries come: 1 without oversampling."""
+    """How often a cycle samples it, in this PDO or in one for each sample: 1 without oversampling."""
 
     @property
     def name(self) -> str:

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Pdo
+from esicatalog.identity import MAX_SUBINDEX
 from esicatalog.model.assignable_pdos import declares_pdo_config
 from esicatalog.model.dictionary import ObjectEntry
 
@@ -40,3 +41,14 @@ def assigned_by_dictionary(entries: Mapping[int, ObjectEntry]) -> list[int] | No
         if subindex and entry.default_int and (count is None or subindex <= count)
     ]
     return list(dict.fromkeys(listed)) if listed or count == 0 else None
+
+
+def mapped_by_dictionary(entries: Mapping[int, ObjectEntry]) -> list[tuple[int, int, int]]:
+    """What a mapping object maps by default: index, subindex and bits of each entry, index 0 for a gap.
+
+    ``entries`` are its own by subindex. Empty where one of the defaults is missing (ETG.1000.6, 0x1600 and following).
+    """
+    count = entries[0].default_int if 0 in entries else None
+    declared = [entries.get(subindex) for subindex in range(1, min(count or 0, MAX_SUBINDEX) + 1)]
+    values = [entry.default_int for entry in declared if entry is not None and entry.default_int is not None]
+    return [(value >> 16, value >> 8 & 0xFF, value & 0xFF) for value in values] if len(values) == len(declared) else []

@@ -17,6 +17,7 @@ from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.assignable_pdos import declares_pdo_upload
 from esicatalog.model.image_layout import image_layout
 from esicatalog.model.memo import IdentityMemo, identities
+from esicatalog.model.oversampling import has_oversampling
 from esicatalog.model.pdo_facts import mapped
 from esicatalog.model.process_image import SmImage, default_process_image
 from esicatalog.model.slot_indices import IndicesInSlots
@@ -128,7 +129,7 @@ class SharedProcessData:
 
 
 def _key(device: Device, modules: Sequence[Module]) -> Hashable:
-    if device.slots:  # seldom equal in all that slots and modules add
+    if device.slots or has_oversampling(device):  # seldom equal in what slots and modules add, or the dictionary
         return id(device), identities(modules)
     small = (device.sync_managers, device.op_modes, device.module_pdo_group, device.module_pdo_groups)
     flags = (device.dc_time_loop_control_only, declares_pdo_upload(device))

@@ -1,9 +1,9 @@
 """Process image: where every entry of the assigned PDOs lies (ESI-FACTS sections 0, 9, 12 and 18).
 
 PDOs follow each other bit by bit in document order; a SyncManager is as long as all its bits, rounded up once.
-An oversampled PDO repeats its entries: as often as the OpMode says, else by its own OSFac, each sample OSIndexInc
-further. How long a PDO with variable content is, one with an entry without BitLen or one that is listed and not
-described, is not known, nor where lies what follows it; nor what follows the PDOs of a required module that is missing.
+The samples of an oversampled PDO lie one behind the other, in one PDO or in one each. How long a PDO with variable
+content is, one with an entry without BitLen or one that is listed and not described, is not known, nor where lies what
+follows it; nor what follows the PDOs of a required module that is missing.
 """
 
 from collections import Counter
@@ -11,16 +11,14 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import takewhile
 from typing import NamedTuple
 
-import msgspec
-
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import RX_PDO, TX_PDO, Entry, Pdo
 from esicatalog.esi.records.slots import ModulePdoGroup
 from esicatalog.esi.unreadable import reason_words
-from esicatalog.identity import MAX_INDEX
 from esicatalog.model.assignable_pdos import AvailablePdo, declares_pdo_upload
+from esicatalog.model.oversampling import Oversampling, Sample
 from esicatalog.model.pdo_assignment import Assignment, Rivals, SmAssignment, assigned_pdos, has_default_image
 from esicatalog.model.pdo_facts import has_length, is_described, pdo_bits, pdos_by_direction
 from esicatalog.model.required_slots import MissingPdos, missing_pdos
@@ -48,9 +46,9 @@ class PlacedEntry(NamedTuple):
 class PlacedPdo(NamedTuple):
     """An assigned PDO; ``repeat`` is the oversampling factor, ``slot_number`` None for a PDO of the device itself.
 
-    ``position`` is the PDO's among those of its direction in the device or module, None for a filler between groups and
-    for one that is listed and not described.
-    ``entries`` are those of ``pdo`` once for each sample.
+    ``position`` is the PDO's among those of its direction in the device or module, None for a filler between groups,
+    for one that is listed and not described and for one that holds a later sample.
+    ``entries`` are those of ``pdo`` once for each sample that it holds.
     """
 
     direction: str
@@ -60,6 +58,8 @@ class PlacedPdo(NamedTuple):
     slot_number: int | None
     module: Module | None
     entries: tuple[PlacedEntry, ...]
+    sample: int = 0
+    """Which sample it holds, from 1, where each has a PDO of its own; 0 = all."""
 
     def first_sample(self, number: int) -> Entry:
         """What an entry is in the first sample, whose index is the one that is named and typed elsewhere."""
@@ -198,7 +198,8 @@ def process_image(
     assigned = assigned_pdos(device, plugged, op_mode, assignment)
     rivals = Rivals(assigned.sync_managers)
     has_module_pdos = any(item.module.rx_pdos or item.module.tx_pdos for item in plugged)
-    images = [_image(device, of_sm, assigned.factors, rivals, has_module_pdos) for of_sm in assigned.sync_managers]
+    oversampling = Oversampling(device, plugged, assigned.factors)
+    images = [_image(device, of_sm, oversampling, rivals, has_module_pdos) for of_sm in assigned.sync_managers]
     for index in repeated_indices(images):
         images = [
             image._replace(remarks=(*image.remarks, repeated_words(index)))
@@ -228,12 +229,12 @@ def virtual_pdos(images: Iterable[SmImage]) -> set[tuple[int, int | None]]:
 def _image(
     device: Device,
     assigned: SmAssignment,
-    factors: Mapping[int, int | None],
+    oversampling: Oversampling,
     rivals: Rivals,
     has_module_pdos: bool,
 ) -> SmImage:
     number, sm = assigned.number, assigned.sync_manager
-    builder = _ImageBuilder(device, factors, rivals, assigned)
+    builder = _ImageBuilder(device, oversampling, rivals, assigned)
     for pdo in assigned.pdos:
         builder.place(pdo)
     builder.align(None)
@@ -293,10 +294,8 @@ def _unknown_words(number: int, placed: Iterable[PlacedPdo]) -> Iterator[str]:
 class _ImageBuilder:
     """Puts PDOs one behind the other, bit by bit; groups of module PDOs end on their alignment."""
 
-    def __init__(
-        self, device: Device, factors: Mapping[int, int | None], rivals: Rivals, assigned: SmAssignment
-    ) -> None:
-        self._factors = factors
+    def __init__(self, device: Device, oversampling: Oversampling, rivals: Rivals, assigned: SmAssignment) -> None:
+        self._oversampling = oversampling
         self._groups = device.module_pdo_groups
         self._rivals = rivals
         self._listed = assigned.listed
@@ -320,39 +319,33 @@ class _ImageBuilder:
         if self._listed is not None and pdo.pdo_index not in self._listed:
             self.remarks.append(f"PDO {index_words(pdo.pdo_index)} is mandatory: assigned too")
         self.align(candidate)
-        repeat = self._repeat(pdo)
+        repeat = self._oversampling.factor(pdo, self.remarks)
         # An entry of no bits counts as one here, else nothing would bound how often it is repeated.
         if not self._has_room(pdo.pdo_index, repeat * max(pdo_bits(pdo), len(pdo.entries))):
             return
+        for sample in self._oversampling.samples(candidate, repeat, self.remarks):
+            self._append(candidate, repeat, sample)
+        self._rivals.take(pdo)
+
+    def _append(self, candidate: AvailablePdo, repeat: int, sample: Sample) -> None:
         entries = []
-        for entry in _sampled(pdo, repeat, self.remarks):
+        for entry in sample.entries:
             entries.append(PlacedEntry(self.bit_size if self.is_known else None, entry))
             self.bit_size += max(entry.bit_length or 0, 0)
             self.is_known = self.is_known and has_length(entry)
-        self.is_known = self.is_known and is_described(pdo)
+        self.is_known = self.is_known and is_described(candidate.pdo)
         self.placed.append(
             PlacedPdo(
                 candidate.direction,
-                candidate.position,
-                pdo,
+                candidate.position if sample.number <= 1 else None,
+                sample.pdo,
                 repeat,
                 candidate.slot_number,
                 candidate.module,
                 tuple(entries),
+                sample.number,
             )
         )
-        self._rivals.take(pdo)
-
-    def _repeat(self, pdo: Pdo) -> int:
-        factor = self._factors.get(pdo.pdo_index) if pdo.pdo_index is not None else None
-        if not factor:
-            factor = pdo.os_fac or 1
-            if factor > 1 and self._factors:
-                self.remarks.append(
-                    f"PDO {index_words(pdo.pdo_index)}: the OpMode, which lists PDOs, says nothing about its "
-                    f"oversampling; its own OSFac {factor} counts, and SYNC0 has to fit it"
-                )
-        return max(factor, 1)
 
     def _has_room(self, index: int | None, bits: int) -> bool:
         """Whether so many bits more fit into a SyncManager; what does not is named and left out."""
@@ -414,27 +407,6 @@ def module_sms(module: Module) -> dict[tuple[str, int], int]:
         for position, pdo in enumerate(pdos)
         if pdo.sm is not None and not pdo.virtual
     }
-
-
-def _sampled(pdo: Pdo, repeat: int, remarks: list[str]) -> Iterator[Entry]:
-    """The entries of all samples: OSIndexInc moves the objects of each by one step more, padding stays padding.
-
-    Nothing moves where an index would leave 16 bits, as in slots (ESI-FACTS section 12.1).
-    """
-    step = pdo.os_index_inc or 0
-    reached = [(entry.entry_index or 0) + step * (repeat - 1) for entry in pdo.entries if entry.entry_index]
-    if any(not 0 < index <= MAX_INDEX for index in reached) and step and repeat > 1:
-        remarks.append(
-            f"PDO {index_words(pdo.pdo_index)}: OSIndexInc {step} leads out of 16 bits in {repeat} samples; left out"
-        )
-        step = 0
-    yield from pdo.entries
-    for sample in range(1, repeat):
-        for entry in pdo.entries:
-            if step and entry.entry_index:
-                yield msgspec.structs.replace(entry, entry_index=entry.entry_index + step * sample)
-            else:
-                yield entry
 
 
 def byte_bit(bit_offset: int | None) -> str:

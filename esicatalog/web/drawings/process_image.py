@@ -142,7 +142,8 @@ def _entries(image: SmImage) -> Iterator[_Drawn]:
             length = max(placed.entry.bit_length or 0, 0)
             first = placed.bit_offset
             if first is not None:
-                yield _Drawn(first, first + length, placed, pdo, at % PDO_COLOURS, position // described + 1)
+                sample = pdo.sample or position // described + 1
+                yield _Drawn(first, first + length, placed, pdo, at % PDO_COLOURS, sample)
 
 
 def _that_fit(entries: list[_Drawn]) -> list[_Drawn]:
@@ -250,7 +251,7 @@ def _title_lines(drawn: _Drawn) -> list[str]:
 
 def _pdo_words(placed: PlacedPdo) -> str:
     words = f"{index_words(placed.pdo.pdo_index)} {clipped(display_text(placed.pdo.names) or '')}".rstrip()
-    if placed.position is None:
+    if placed.position is None and not placed.sample:
         words += " (fills up a group of modules)"
     return words if placed.slot_number is None else f"{words} (slot {placed.slot_number})"
 
