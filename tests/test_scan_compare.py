@@ -4,7 +4,7 @@ from pathlib import Path
 
 import msgspec
 import pytest
-from snippets import device, dictionary, esi, only_device, pdo, read
+from snippets import device, dictionary, esi, mapping_objects, only_device, pdo, read
 
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -74,6 +74,19 @@ def test_an_entry_of_no_bits_is_described_like_any_other():
         )
         (slave,) = read_pdos(f'{HEAD}  RxPDO 0x1600 "R"\n{text}').slaves
         assert compare_scanned_pdos(only_device(esi(device(content))), (), slave) == found
+
+
+def test_samples_of_any_op_mode_are_described():
+    """Two samples in the second OpMode, mapping objects for three."""
+    modes = "".join(f'<OpMode><Name>m{n}</Name><Sm No="3"><Pdo OSFac="{n}">#x1A01</Pdo></Sm></OpMode>' for n in (1, 2))
+    maps = mapping_objects((0x1A01, "10010160"), (0x1A02, "10020160"), (0x1A03, "10030160"))
+    content = maps + SMS + pdo("TxPdo", "#x1A01", 16) + '<Mailbox><CoE PdoAssign="1"/></Mailbox>' + f"<Dc>{modes}</Dc>"
+    text = "".join(f'  TxPDO 0x1A0{n} "T"\n    PDO entry 0x6001:0{n}, 16 bit, "v"\n' for n in (1, 2, 3))
+    (slave,) = read_pdos(HEAD.replace("SM2", "SM3") + text).slaves
+    assert compare_scanned_pdos(only_device(esi(device(content))), (), slave) == [
+        "TxPDO 0x1A03: not described",
+        "SM3: assigned are 0x1A01, 0x1A02, 0x1A03; the default is 0x1A01",
+    ]
 
 
 def test_what_the_description_leaves_open_is_no_difference():

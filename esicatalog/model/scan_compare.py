@@ -8,16 +8,19 @@ import itertools
 from collections import defaultdict
 from collections.abc import Collection, Container, Iterator, Mapping, Sequence
 
+import msgspec
+
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
-from esicatalog.esi.records.pdo import Pdo
+from esicatalog.esi.records.pdo import RX_PDO, Pdo
 from esicatalog.esi.records.profile import dictionaries_of
 from esicatalog.model.access import STATE_WORDS, access_text
 from esicatalog.model.base_types import base_type
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews, EntriesBySubindex, counting_view
+from esicatalog.model.oversampling import has_oversampling
 from esicatalog.model.pdo_facts import Mapped, has_length, is_described, mapped, mapped_words
-from esicatalog.model.process_image import default_process_image, virtual_pdos
+from esicatalog.model.process_image import PlacedPdo, default_process_image, process_image, virtual_pdos
 from esicatalog.model.slots import SlotShift, fitting_modules, numbered_slots
 from esicatalog.scan.records import ScannedDictionary, ScannedObjectEntry, ScannedPdo, ScannedPdos
 from esicatalog.words import counted
@@ -106,6 +109,10 @@ def _described_pdos(
     for is_rx, pdo in _pdos(device):
         if pdo.pdo_index is not None:
             known[is_rx, pdo.pdo_index][_described_mapping(pdo)] = None
+    for placed in _sample_pdos(device):
+        entries = tuple([item.entry for item in placed.entries])
+        mapping = _described_mapping(msgspec.structs.replace(placed.pdo, entries=entries))
+        known[placed.direction == RX_PDO, placed.pdo.pdo_index or 0][mapping] = None
     for module, shift in slots:
         for is_rx, pdo in _pdos(module):
             if pdo.pdo_index is None:
@@ -114,6 +121,13 @@ def _described_pdos(
             if index in printed:
                 known[is_rx, index][_described_mapping(shift.pdo(pdo))] = None
     return known
+
+
+def _sample_pdos(device: Device) -> Iterator[PlacedPdo]:
+    """The PDOs that hold one sample each, in any of its OpModes."""
+    for op_mode in (None, *device.op_modes) if has_oversampling(device) else ():
+        for image in process_image(device, (), op_mode):
+            yield from (placed for placed in image.pdos if placed.sample)
 
 
 def _described_mapping(pdo: Pdo) -> _Mapping:
