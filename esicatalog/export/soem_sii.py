@@ -19,9 +19,13 @@ MAX_SYNC_MANAGERS = 8
 
 
 def check_counted(configuration: Configuration, direction: str) -> None:
-    """Raise :class:`InputError` where SOEM exchanges other bits of a direction than are configured here."""
-    mailbox = configuration.subject.device.mailbox
-    if mailbox is not None and (mailbox.coe or mailbox.soe):
+    """Raise :class:`InputError` where SOEM exchanges other bits of a direction than are configured here.
+
+    What a modular device has in its SII once modules are plugged, nothing describes.
+    """
+    device = configuration.subject.device
+    mailbox = device.mailbox
+    if device.slots or (mailbox is not None and (mailbox.coe or mailbox.soe)):
         return
     image = described_image(configuration.subject)
     found: Counter[int] = Counter()
