@@ -139,8 +139,7 @@ class Reader:
         with_modules: bool,
     ) -> ReadDocument:
         notes = Notes(OWNERS, cut, lines.of)
-        if parsed.recovered:
-            notes.findings.append(Finding("L01", "E", parsed.recovered, parsed.error_line))
+        notes.findings += [Finding("L01", "E", problem.message, problem.line) for problem in parsed.problems]
         if parsed.root.tag == "EtherCATDict":
             return self._read_dictionary(parsed, notes)
         if parsed.root.tag == "EtherCATDiag":
