@@ -183,7 +183,8 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
     if late is not None:
         mark, before, declaration = late.groups(b"")
         parsed = parse_document(b"".join((mark, declaration, before, content[late.end() :])))
-        return parsed._replace(problems=(Problem(line, f"{reason}; read as if it stood there"), *parsed.problems))
+        told = Problem(line, f"{reason}; read as if it stood there")
+        return parsed._replace(problems=_one_a_line([told, *parsed.problems]))
     label = (declared_encoding(content) or b"").decode()
     # Programs that write XML into a string of UTF-16 declare that, whatever the string is saved as.
     is_narrow = label in _WIDE
@@ -315,8 +316,15 @@ def _known(content: bytes, root: etree._Element, problems: Iterable[Problem] = (
             message = f"entity {entity.text} and others are not expanded; left out"
             found.append(Problem(entity.sourceline or 0, message))
             etree.strip_elements(root, etree.Entity, with_tail=False)
-        return ParsedDocument(root, encoding, tuple(found), is_whole=entity is None)
+        return ParsedDocument(root, encoding, _one_a_line(found), is_whole=entity is None)
     raise NotAnEsiDocument(_other_root(root), root.sourceline or 0)
+
+
+def _one_a_line(problems: Iterable[Problem]) -> tuple[Problem, ...]:
+    messages: dict[int, list[str]] = {}
+    for problem in problems:
+        messages.setdefault(problem.line, []).append(problem.message)
+    return tuple(Problem(line, "; ".join(of_line)) for line, of_line in messages.items())
 
 
 def _has_too_many_attributes(root: etree._Element) -> bool:
