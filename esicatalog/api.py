@@ -415,6 +415,4 @@ def _export_subject(
     parts = document_parts(connection, number)
     (described,) = _lookup_on(connection).with_sources([(number, found)])
     modules = reader.modules_of(number)
-    return subject_of_description(found, described.sources, reader.device(number), modules).of_document(
-        parts.vendor, parts.groups
-    )
+    return subject_of_description(described, reader.device(number), modules).of_document(parts.vendor, parts.groups)

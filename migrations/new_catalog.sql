@@ -770,7 +770,7 @@ CREATE TABLE sources (
 	device_count INTEGER NOT NULL,
 	module_count INTEGER NOT NULL,
 	dictionary_id INTEGER,
-	diagnostics_id INTEGER,
+	diagnostics_id INTEGER, is_whole INTEGER,
 	CONSTRAINT pk_sources PRIMARY KEY (id),
 	CONSTRAINT fk_sources_archive_id FOREIGN KEY(archive_id) REFERENCES archives (id),
 	CONSTRAINT fk_sources_diagnostics_id FOREIGN KEY(diagnostics_id) REFERENCES diagnostics (id),
@@ -1204,4 +1204,4 @@ CREATE VIEW conflicting_descriptions AS SELECT d.id AS device_id, d.vendor_id, d
 
 CREATE VIRTUAL TABLE device_search USING fts5(vendor, type, name, identity, words, tokenize = 'unicode61 remove_diacritics 2');
 
-INSERT INTO alembic_version (version_num) VALUES ('0013')
+INSERT INTO alembic_version (version_num) VALUES ('0014')

@@ -56,7 +56,7 @@ def test_a_declaration_against_the_byte_order_mark_is_told(declared, encoding, t
     content = (DECLARED.format(declared) + "\n" + UMLAUT).encode(encoding)
     parsed = parse_document(content)
     words = f"declared as {declared.lower()}, but its byte order mark says {told}; read as {told}" if told else None
-    assert (name_of(content), parsed.recovered, parsed.error_line) == ("Gerät", words, 1 if told else 0)
+    assert (name_of(content), parsed.problems) == ("Gerät", ((1, words),) if told else ())
 
 
 def test_wrong_declared_encoding_is_read_and_told():
@@ -64,7 +64,7 @@ def test_wrong_declared_encoding_is_read_and_told():
     parsed = parse_document(content)
     assert name_of(content) == "Gerät"
     assert "windows-1252" in parsed.recovered
-    assert parsed.error_line == 3
+    assert [problem.line for problem in parsed.problems] == [3]
 
 
 @pytest.mark.parametrize(
@@ -118,7 +118,7 @@ def test_utf_8_under_another_name_is_read_as_such(declared):
     [
         ("utf-8", "", "read as utf-8"),
         ("windows-1252", "", "read as windows-1252"),
-        ("utf-8", "<more/>", "read by recovery"),
+        ("utf-8", "<more/>", "read by recovery; more in line 2"),
     ],
 )
 def test_a_wide_encoding_that_is_only_declared(declared, saved_as, rest, words):
@@ -126,7 +126,7 @@ def test_a_wide_encoding_that_is_only_declared(declared, saved_as, rest, words):
     parsed = parse_document((DECLARED.format(declared) + esi(device(name="Gerät")) + rest).encode(saved_as))
     assert parsed.root.findtext("Descriptions/Devices/Device/Name") == "Gerät"
     said = f"declared as {declared.lower()}, but it begins with characters of 8 bits; {words}"
-    assert (parsed.recovered, parsed.error_line) == (said, 1)
+    assert (parsed.recovered, parsed.problems[0].line) == (said, 1)
 
 
 @pytest.mark.parametrize(
@@ -211,6 +211,61 @@ def test_an_info_list_holds_several_vendors():
     document = read(f"<EtherCATInfoList>{esi(device(type_text='A'))}{second}</EtherCATInfoList>").document
     assert [info.vendor.vendor_id for info in document.infos] == [0xE5C, 2]
     assert [info.devices[0].type for info in document.infos] == ["A", "B"]
+
+
+def lines_of(content: str | bytes) -> list[int]:
+    """The lines that L01 names."""
+    return [finding.line for finding in read(content).findings if finding.rule == "L01"]
+
+
+def test_every_damaged_line_is_told_once():
+    """A bare ampersand in line 2, which alone was told, and in line 4 an end tag that ends nothing, twice."""
+    lines = ["", device(name="A & B &"), device(name="whole"), device("<Sm>Outputs</Smm></Smmm></Sm>"), ""]
+    document = read(esi("\n".join(lines))).document
+    assert lines_of(esi("\n".join(lines)))[:2] == [2, 4]
+    assert document.recovered.startswith("xmlParseEntityRef: no name, line 2, column ")
+    assert "; read by recovery; more in line 4" in document.recovered
+    assert not document.is_whole
+
+
+def test_of_many_damaged_lines_the_rest_is_counted():
+    text = esi("\n".join(device(name="&", revision=f"#x{number:x}") for number in range(1, 31)))
+    assert lines_of(text) == [*range(1, 23)]
+    (*_, last) = parse_document(text.encode()).problems
+    assert last.message == "at least 9 more damaged lines from here on; read by recovery"
+
+
+@pytest.mark.parametrize(
+    ("before", "line"),
+    [("\n", 2), (" ", 1), ("\r\n\t", 2), ("<!-- made\nby hand -->\n", 3), ("<!-- a --><!-- b -->\n\n", 3)],
+)
+@pytest.mark.parametrize("encoding", ["ISO-8859-1", "windows-1252", "utf-8"])
+def test_a_declaration_that_does_not_stand_first_counts_all_the_same(before, line, encoding):
+    """XML 1.0 section 2.8 has it first; libxml2's recovery passes over it and reads UTF-8."""
+    content = before + DECLARED.format(encoding) + "\n" + esi(device(name="Gerät für 10 µs"))
+    found = read(content.encode(encoding))
+    assert found.document.infos[0].devices[0].names[0].text == "Gerät für 10 µs"
+    assert found.document.device_lines == ((line + 2,),)
+    assert (found.document.is_whole, lines_of(content.encode(encoding))) == (True, [line])
+    assert found.document.recovered.endswith("read as if it stood there")
+
+
+def test_behind_a_late_declaration_all_else_is_told_too():
+    content = "\n" + DECLARED.format("ISO-8859-1") + esi("\n" + device(name="Gerät &"))
+    parsed = parse_document(content.encode("latin-1"))
+    assert [problem.line for problem in parsed.problems] == [2, 4]
+    assert parsed.root.findtext("Descriptions/Devices/Device/Name").startswith("Gerät")
+    assert not parsed.is_whole
+
+
+@pytest.mark.parametrize("names", [("&", "Gerät"), ("Gerät", "&"), ("Gerät &", "x")])
+def test_characters_that_recovery_replaces_are_told(names):
+    """Byte 0xE4 is no UTF-8."""
+    content = DECLARED.format("UTF-8") + esi("\n".join(device(name=name) for name in names))
+    problems = parse_document(content.encode("latin-1")).problems
+    told = [problem.line for problem in problems if "is read as U+FFFD" in problem.message]
+    assert told == [next(line for line, name in enumerate(names, 2) if "ä" in name)]
+    assert len({problem.line for problem in problems}) == len(problems)
 
 
 def test_external_entities_are_never_loaded(tmp_path):

@@ -13,6 +13,7 @@ from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.results import DeviceSource, FoundDevice, IdentifiedDevice
 from esicatalog.catalog.siblings import Revision, revisions_of, same_layout
 from esicatalog.esi.binding import Record
+from esicatalog.esi.notes import REFUSED
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -32,7 +33,7 @@ _NO_LINE = 1 << 31
 
 
 class SourceFinding(NamedTuple):
-    """What was noticed in the Device element."""
+    """What was noticed in the Device element, or is broken in its document."""
 
     rule: str
     severity: str
@@ -60,9 +61,14 @@ class DeviceDescription(NamedTuple):
     """Of several descriptions of the identity, those that have slots."""
 
     @property
+    def identified(self) -> IdentifiedDevice:
+        """It with the documents and lines that carry it."""
+        return next(item for item in self.variants if item.device.variant == self.found.variant)
+
+    @property
     def sources(self) -> tuple[DeviceSource, ...]:
         """Documents and lines that carry it."""
-        return next(item.sources for item in self.variants if item.device.variant == self.found.variant)
+        return self.identified.sources
 
     @property
     def vendor_id(self) -> int | None:
@@ -116,12 +122,17 @@ def read_description(connection: sa.Connection, lookup: IdentityLookup, identity
 
 def _findings(connection: sa.Connection, device_id: int) -> tuple[SourceFinding, ...]:
     findings, placed, sources = schema.findings.c, schema.device_sources.c, schema.sources.c
+    # What is broken may concern every device of its document, and comes first: of many findings not all are given.
+    is_of_document = findings.rule == REFUSED
     query = (
         sa.select(findings.rule, findings.severity, findings.message, findings.line, sources.member)
         .join(schema.device_sources, placed.source_id == findings.source_id)
         .join(schema.sources, sources.id == findings.source_id)
-        .where(placed.device_id == device_id, sa.or_(_below_device(), sa.and_(_without_number(), _in_lines())))
-        .order_by(sources.member, findings.line, sources.location, findings.id)
+        .where(
+            placed.device_id == device_id,
+            sa.or_(is_of_document, _below_device(), sa.and_(_without_number(), _in_lines())),
+        )
+        .order_by(sources.member, ~is_of_document, findings.line, sources.location, findings.id)
         .limit(_MOST_FINDINGS)
     )
     return tuple(SourceFinding(*row) for row in connection.execute(query))
@@ -178,6 +189,7 @@ def description_json(description: DeviceDescription, choice: Mapping[int, Module
     return {
         "identity": description.found.as_json(),
         "sources": [source.as_json() for source in description.sources],
+        "warnings": list(filter(None, [description.identified.damage])),
         "variants": [variant.as_json() for variant in description.variants],
         "process_image": [_image_json(image) for image in images],
         "slots": [

@@ -68,7 +68,8 @@ class IdentifiedSlave(NamedTuple):
         answer = self.identification
         exact = answer.is_exact
         reasons = () if exact else (answer.reason,)
-        warnings = (answer.variant_warning, None if exact else answer.revision_warning)
+        damage = answer.device.damage if answer.device is not None else None
+        warnings = (damage, answer.variant_warning, None if exact else answer.revision_warning)
         told = (f"warning: {words}" for words in warnings if words is not None)
         return (*reasons, *told, *self.report.notes, *self.differences)
 

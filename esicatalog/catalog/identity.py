@@ -34,7 +34,8 @@ _OF_PRODUCT = (
 )
 """In the order of the index ``ix_devices_listed``: sorting would take a quarter of the time."""
 _SOURCES = (
-    "SELECT x.device_id, s.member, s.location, x.line, x.group_type, y.file_version, s.status FROM device_sources x "
+    "SELECT x.device_id, s.member, s.location, x.line, x.group_type, y.file_version, s.status, s.message, "
+    "coalesce(s.is_whole, s.status <> 'recovered') FROM device_sources x "
     "JOIN sources s ON s.id = x.source_id "
     "LEFT JOIN source_vendors y ON y.source_id = x.source_id AND y.position = x.section "
     "WHERE x.device_id IN ({}) ORDER BY s.member, x.line, s.location"
@@ -229,8 +230,8 @@ class IdentityLookup:
     def with_sources(self, found: Sequence[tuple[int, FoundDevice]]) -> list[IdentifiedDevice]:
         """Descriptions, given with their row numbers, with the documents and lines that carry them."""
         sources: dict[int, list[DeviceSource]] = {number: [] for number, _ in found}
-        for number, *source in self._query(_SOURCES.format(", ".join("?" * len(sources))), tuple(sources)):
-            sources[number].append(DeviceSource(*source))
+        for number, *source, is_whole in self._query(_SOURCES.format(", ".join("?" * len(sources))), tuple(sources)):
+            sources[number].append(DeviceSource(*(*source, bool(is_whole))))
         return [IdentifiedDevice(device, tuple(sources[number])) for number, device in found]
 
     def state(self, key: str) -> str | None:

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import msgspec
 
-from esicatalog.esi.records.document import Vendor
+from esicatalog.esi.records.document import Vendor, damage_words
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import Identity, identity_text
 from esicatalog.model.revisions import ACCEPTED, EXACT, NEWER, OLDER, PRODUCT
@@ -89,10 +89,19 @@ class DeviceSource(msgspec.Struct, frozen=True):
     group_type: str | None
     file_version: int | None
     status: str
+    message: str | None
+    """Why it was recovered."""
+    is_whole: bool
+    """Whether nothing of it may be lost."""
 
     def as_json(self) -> dict[str, Any]:
-        """Which document and line, and in which group."""
-        return {"member": self.member, "line": self.line, "group_type": self.group_type}
+        """Which document and line, in which group, and whether nothing of the document may be lost."""
+        return {
+            "member": self.member,
+            "line": self.line,
+            "group_type": self.group_type,
+            "is_whole": self.is_whole,
+        }
 
 
 class IdentifiedDevice(msgspec.Struct, frozen=True):
@@ -100,6 +109,13 @@ class IdentifiedDevice(msgspec.Struct, frozen=True):
 
     device: FoundDevice
     sources: tuple[DeviceSource, ...]
+
+    @property
+    def damage(self) -> str | None:
+        """That the description may lack something, in words; None where a whole document says the same."""
+        if not self.sources or any(source.is_whole for source in self.sources):
+            return None
+        return damage_words(self.sources[0].member, self.sources[0].message)
 
     def as_json(self) -> dict[str, Any]:
         """The device's JSON with its sources."""
@@ -143,8 +159,9 @@ class Identification(msgspec.Struct, frozen=True):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What to know before code that was written for one description is used with another."""
-        return tuple(words for words in (self.variant_warning, self.revision_warning) if words is not None)
+        """What to know before code is written for the description, and used with another."""
+        damage = self.device.damage if self.device is not None else None
+        return tuple(words for words in (damage, self.variant_warning, self.revision_warning) if words is not None)
 
     def as_json(self) -> dict[str, Any]:
         """The answer in the shape of ``esicatalog identify --format json``."""

@@ -128,6 +128,8 @@ class DocumentRows(msgspec.Struct):
     root: str
     encoding: str
     recovered: str | None
+    is_whole: bool
+    """See :attr:`Document.is_all_whole`."""
     sections: list[Section]
     devices: list[Placement]
     modules: list[Placement]
@@ -184,6 +186,7 @@ class RowMaker:
             root=document.root,
             encoding=document.encoding,
             recovered=document.recovered,
+            is_whole=document.is_all_whole,
             sections=[_section(info) for info in document.infos],
             devices=[],
             modules=[],

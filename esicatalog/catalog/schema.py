@@ -11,7 +11,7 @@ import sqlalchemy as sa
 from esicatalog.catalog import types
 from esicatalog.catalog.mapping import TABLE_RECORDS, codec
 
-SCHEMA_VERSION = "0013"
+SCHEMA_VERSION = "0014"
 """Revision of the newest migration."""
 
 metadata = sa.MetaData(
@@ -127,6 +127,11 @@ sources = _table(
     _integer("module_count", "Module elements in the document", nullable=False),
     _reference("dictionaries.id", "Dictionary of an EtherCATDict document", index=True),
     _reference("diagnostics.id", "Diagnosis texts of an EtherCATDiag document", name="diagnostics_id", index=True),
+    _boolean(
+        "is_whole",
+        "1 when it and all that it pulls in were read whole, 0 when elements may be lost (broken markup); NULL when it "
+        "was not stored, or by a version that did not tell",
+    ),
 )
 
 source_references = _table(

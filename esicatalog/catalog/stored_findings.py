@@ -8,12 +8,11 @@ import sqlalchemy as sa
 
 from esicatalog.catalog.schema import device_sources, devices, findings, hidden_revisions, source_vendors, sources
 from esicatalog.catalog.spelled_vendors import OF_SECTION
-from esicatalog.esi.notes import Finding
+from esicatalog.esi.notes import REFUSED, Finding
 from esicatalog.esi.records.device import HideType
 from esicatalog.lint.library import DeviceFact, device_element_path, lint_library
 from esicatalog.lint.registry import ERROR, Rule
 from esicatalog.lint.report import DocumentFinding
-from esicatalog.lint.rules.reading import REFUSED
 
 
 def stored_findings(connection: sa.Connection, rules: Iterable[Rule]) -> Iterator[DocumentFinding]:

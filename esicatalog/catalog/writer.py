@@ -249,6 +249,7 @@ class Writer:
             len(document.modules) if document else 0,
             self._part_id("dictionaries", document.dictionary if document else None),
             self._part_id("diagnostics", document.diagnostics if document else None),
+            document.is_whole if document else None,
         )
         self._buffer.add("sources", [row])
         self._sources.put(source.location, number)

@@ -22,6 +22,7 @@ from esicatalog.cli.common import (
     reporting_errors,
 )
 from esicatalog.errors import InputError
+from esicatalog.esi.notes import REFUSED
 from esicatalog.esi.reader import read_esi
 from esicatalog.esi.records.common import display_text
 from esicatalog.identity import Identity, identity_text
@@ -32,7 +33,7 @@ from esicatalog.model.compare_documents import DescribedDevice, described_device
 from esicatalog.model.compare_facts import ADDED, CHANGED, REMOVED, Difference, excerpts
 from esicatalog.words import counted, one_line
 
-_TOLD = ("L01", "L60")
+_TOLD = (REFUSED, "L60")
 """Findings that bear on a comparison: the document had to be repaired, or a part of it was not found."""
 _WIDEST_PLACE, _WIDEST_VALUE = 44, 76
 _WORDS = {ADDED: "only right: {right}", REMOVED: "only left: {left}", CHANGED: "{left} -> {right}"}
@@ -106,6 +107,9 @@ def command(identities: tuple[Identity, ...], files: tuple[Path, Path] | None, d
 def _of_catalog(identities: Sequence[Identity], db: str) -> _Comparison:
     with Catalog.open(db) as catalog:
         found = [catalog.device(identity) for identity in identities]
+    for words in dict.fromkeys(item.identified.damage for item in found):
+        if words is not None:
+            click.echo(words, err=True)
     left, right = (
         _Side(
             DescribedDevice(item.found.vendor_id, item.found.vendor, item.device, item.modules, 0),

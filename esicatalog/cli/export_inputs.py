@@ -51,6 +51,7 @@ class Inputs(NamedTuple):
             found, references = _subject_of_file(self.esi, self.identity)
             self.read.extend(str(self.esi.parent / member) for member in references)
             self.check_output(self.output)
+            self.tell(found)
             return found
         if self.identity is None:
             raise InputError("say which device: an IDENTITY, or --esi FILE")
@@ -60,9 +61,10 @@ class Inputs(NamedTuple):
         return found
 
     def tell(self, subject: "Subject") -> None:
-        """Note, once, what there is to know of the choice of a description."""
+        """Note, once, what there is to know of a description and of its choice."""
         accepted = f"accepted, {subject.substitution}" if subject.substitution is not None else None
-        self.notes.extend(words for words in (accepted, subject.ambiguity) if words and words not in self.notes)
+        told = (accepted, subject.damage, subject.ambiguity)
+        self.notes.extend(words for words in told if words and words not in self.notes)
 
     def check_output(self, output: str | Path | None) -> None:
         """Raise :class:`InputError` where writing there would destroy a file that is read, or the catalog."""
@@ -110,6 +112,8 @@ def content_of_vendor(inputs: Inputs, vendor_id: int) -> "tuple[EsiContent, tupl
         listed = catalog.find(DeviceFilter(vendor_id=vendor_id, all_variants=True, include_hidden=True))
     if not subjects and not unreached.modules:
         raise NotFound(f"vendor {hex32(vendor_id)} has no device and no module in the catalog")
+    for subject in subjects:
+        inputs.tell(subject)
     inputs.notes.extend(_further_descriptions(listed))
     return content_of(subjects) if subjects else EsiContent(unreached.vendor, (), ()), unreached.modules
 

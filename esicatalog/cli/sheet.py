@@ -115,14 +115,15 @@ def _section(title: str, head: tuple[str, ...], rows: list[list[str]]) -> Iterat
 
 
 def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[str]:
-    found = description.found
+    found, described = description.found, description.identified
     yield f"{found.shown_type}  {found.name or ''}".rstrip()
     shown = [
         ("vendor", f"{_hex(found.vendor_id, 8)}  {found.vendor or ''}"),
         ("product", f"{_hex(found.product_code, 8)}  ({_text(found.product_code)})"),
         ("revision", _revision(found)),
         *head_facts(description.device, facts),
-        *(("described in", f"{source.member}, line {source.line}") for source in description.sources),
+        *(("described in", f"{source.member}, line {source.line}") for source in described.sources),
+        *((("damaged", described.damage),) if described.damage is not None else ()),
     ]
     if len(description.variants) > 1:
         rank = "the preferred description" if found.variant == 1 else "not the preferred description"

@@ -1,7 +1,8 @@
 """Opening documents: bytes in, an XML tree out, hardened and tolerant.
 
-External entities are never loaded, DTDs never fetched. What a strict parser refuses is tried again, first with the
-encoding that the bytes really have, then with the recovery of libxml2; the reason is reported, never hidden. A document
+External entities are never loaded, DTDs never fetched. What a strict parser refuses is tried again, first with its XML
+declaration in front and with the encoding that the bytes really have, then with the recovery of libxml2; the reasons
+are reported, never hidden. A document
 beyond a limit that bounds time and memory is refused, not cut: those of libxml2 (256 elements deep, 10 MB of text or
 start tag, entities that expand the document five times) and those below.
 """
@@ -9,13 +10,15 @@ start tag, entities that expand the document five times) and those below.
 import codecs
 import contextlib
 import re
+from collections.abc import Iterable, Iterator
+from itertools import starmap
 from typing import NamedTuple
 
 from lxml import etree
 
 from esicatalog.errors import BrokenDocument, NotAnEsiDocument
 from esicatalog.esi.containers import MAX_DOCUMENT_BYTES, TOO_LARGE
-from esicatalog.words import one_line
+from esicatalog.words import counted, one_line
 
 ESI_ROOTS = ("EtherCATInfo", "EtherCATInfoList", "EtherCATModule", "EtherCATDict", "EtherCATDiag")
 _OTHER_ROOTS = {"EtherCATConfig": "an ENI file (EtherCATConfig: master configuration), not ESI"}
@@ -66,17 +69,38 @@ _CODE_PAGES = {
 have fewer characters. GB 18030 has all of code page 936."""
 _ROOT_STARTS = re.compile(rf"<(?:{'|'.join(ESI_ROOTS)})(?=[\s/>])".encode())
 _LEADING_MARKUP = re.compile(rb"\s*<")
+_LATE_DECLARATION = re.compile(rb"(\xef\xbb\xbf)?((?>\s+|<!--.*?-->)+)(<\?xml\s[^>]*?\?>)", re.DOTALL)
+"""An XML declaration with blanks or comments before it, where XML 1.0 section 2.8 has nothing but a byte order mark."""
+_MOST_DAMAGED_LINES = 20
+"""That are told one by one; behind a tag that does not end, libxml2 stumbles over every end tag."""
+_REPLACED = "; what is no character from here on is read as U+FFFD"
+
+
+class Problem(NamedTuple):
+    """Why a document cannot be read as it stands, and in which line."""
+
+    line: int
+    message: str
 
 
 class ParsedDocument(NamedTuple):
-    """The tree of a document, the encoding it was read with, and why recovery was needed (else None)."""
+    """The tree of a document, the encoding it was read with, and why it was not read as it stands."""
 
     root: etree._Element
     encoding: str
-    recovered: str | None
-    error_line: int
+    problems: tuple[Problem, ...]
+    """The one that stopped a strict parser comes first; one for each damaged line, of many not all."""
     is_whole: bool
     """Whether nothing of it may be lost: it is well-formed once its encoding is known, and has no entities."""
+
+    @property
+    def recovered(self) -> str | None:
+        """The first problem and the lines of the others, None where there is none."""
+        if not self.problems:
+            return None
+        first, *others = self.problems
+        lines = ", ".join(str(line) for line in dict.fromkeys(problem.line for problem in others))
+        return f"{first.message}; more in line {lines}" if others else first.message
 
 
 def make_parser(recover: bool = False, encoding: str | None = None) -> etree.XMLParser:
@@ -113,7 +137,7 @@ def parse_document(content: bytes) -> ParsedDocument:
         return _recover(content, error)
     # Shift_JIS by the letter has a yen sign and an overline where ASCII has \ and ~; nobody who declares it means them.
     meant = _read_as(content, "cp932") if _code_page(content) == "cp932" else None
-    return _known(content, meant if meant is not None else root, None, 0)
+    return _known(content, meant if meant is not None else root)
 
 
 def parse_as_it_is(content: bytes) -> ParsedDocument | None:
@@ -123,7 +147,7 @@ def parse_as_it_is(content: bytes) -> ParsedDocument | None:
         root = etree.fromstring(content, make_parser())
     except etree.XMLSyntaxError:
         return None
-    return _known(content, root, None, 0) if root.tag in ESI_ROOTS else None
+    return _known(content, root) if root.tag in ESI_ROOTS else None
 
 
 def _check_namespaces(content: bytes) -> None:
@@ -151,10 +175,16 @@ def _looks_like_xml(content: bytes) -> bool:
 
 
 def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
-    line, reason = error.lineno or 0, _one_line(error)
+    line, reason = error.lineno or 0, _one_line(error.msg or str(error))
     _check_limits(error.code, reason, line)
     if b"<EtherCAT" not in content and not content.startswith(_WIDE_BOMS):
         raise NotAnEsiDocument(f"XML without an EtherCAT root, and not well-formed: {reason}", line)
+    late = _LATE_DECLARATION.match(content)
+    if late is not None:
+        mark, before, declaration = late.groups(b"")
+        parsed = parse_document(b"".join((mark, declaration, before, content[late.end() :])))
+        told = Problem(line, f"{reason}; read as if it stood there")
+        return parsed._replace(problems=_one_a_line([told, *parsed.problems]))
     label = (declared_encoding(content) or b"").decode()
     # Programs that write XML into a string of UTF-16 declare that, whatever the string is saved as.
     is_narrow = label in _WIDE
@@ -164,7 +194,7 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
         for encoding in ("utf-8", _code_page(content), "windows-1252"):
             root = _read_as(content, encoding) if encoding is not None else None
             if root is not None:
-                return _known(content, root, f"{reason}; read as {encoding}", line)
+                return _known(content, root, [Problem(line, f"{reason}; read as {encoding}")])
     parser, rest = make_parser(recover=True, encoding="utf-8" if is_narrow else None), None
     with contextlib.suppress(etree.XMLSyntaxError):
         rest = etree.fromstring(content, parser)
@@ -174,11 +204,31 @@ def _recover(content: bytes, error: etree.XMLSyntaxError) -> ParsedDocument:
         raise BrokenDocument(f"not well-formed and nothing could be recovered: {reason}", line)
     if not _is_text(rest):
         raise BrokenDocument("a character reference between &#xD800; and &#xDFFF; means no character: remove it", line)
+    first = Problem(line, f"{reason}; read by recovery{_left_out(content, rest)}")
     try:
-        found = _known(content, rest, f"{reason}; read by recovery{_left_out(content, rest)}", line)
+        found = _known(content, rest, _damages(first, parser.error_log))
     except NotAnEsiDocument as other:
         raise BrokenDocument(f"not well-formed: {reason}", line) from other
     return found._replace(is_whole=False)
+
+
+def _damages(first: Problem, log: "etree._ListErrorLog") -> Iterator[Problem]:
+    """What a strict parser stopped at and then what recovery stumbled over, one for each line: libxml2 follows up.
+
+    Past an error of encoding it goes on with U+FFFD for what is no character.
+    """
+    messages = {first.line: first.message}
+    for entry in log.filter_from_errors():
+        messages.setdefault(entry.line, f"{_one_line(entry.message)}; read by recovery")
+        if entry.type == etree.ErrorTypes.ERR_INVALID_ENCODING and _REPLACED not in messages[entry.line]:
+            messages[entry.line] += _REPLACED
+    yield Problem(first.line, messages.pop(first.line))
+    further = sorted(messages.items())
+    yield from starmap(Problem, further[:_MOST_DAMAGED_LINES])
+    if len(further) > _MOST_DAMAGED_LINES:
+        line, more = further[_MOST_DAMAGED_LINES][0], len(further) - _MOST_DAMAGED_LINES
+        # libxml2 itself stops telling at some number.
+        yield Problem(line, f"at least {counted(more, 'more damaged line')} from here on; read by recovery")
 
 
 def _is_text(root: etree._Element) -> bool:
@@ -249,7 +299,7 @@ def _check_limits(code: int, reason: str, line: int) -> None:
         raise BrokenDocument(f"{words}; no ESI document does", line)
 
 
-def _known(content: bytes, root: etree._Element, recovered: str | None, line: int) -> ParsedDocument:
+def _known(content: bytes, root: etree._Element, problems: Iterable[Problem] = ()) -> ParsedDocument:
     if root.tag in ESI_ROOTS:
         encoding = root.getroottree().docinfo.encoding or "UTF-8"
         _check_doctype(content, root)
@@ -257,18 +307,24 @@ def _known(content: bytes, root: etree._Element, recovered: str | None, line: in
             raise BrokenDocument(f"encoded as {encoding}: save it as UTF-8")
         if _has_too_many_attributes(root):
             raise BrokenDocument(f"an element has more than {MAX_ATTRIBUTES} attributes; none of ESI has")
-        problems = [recovered] if recovered is not None else []
+        found = list(problems)
         mislabelled = _mislabelled(content)
         if mislabelled is not None:
-            line = line or 1
-            problems.append(mislabelled)
+            found.append(Problem(1, mislabelled))
         entity = next(root.iter(etree.Entity), None)
         if entity is not None:
-            line = line or entity.sourceline or 0
+            message = f"entity {entity.text} and others are not expanded; left out"
+            found.append(Problem(entity.sourceline or 0, message))
             etree.strip_elements(root, etree.Entity, with_tail=False)
-            problems.append(f"entity {entity.text} and others are not expanded; left out")
-        return ParsedDocument(root, encoding, "; ".join(problems) or None, line, is_whole=entity is None)
+        return ParsedDocument(root, encoding, _one_a_line(found), is_whole=entity is None)
     raise NotAnEsiDocument(_other_root(root), root.sourceline or 0)
+
+
+def _one_a_line(problems: Iterable[Problem]) -> tuple[Problem, ...]:
+    messages: dict[int, list[str]] = {}
+    for problem in problems:
+        messages.setdefault(problem.line, []).append(problem.message)
+    return tuple(Problem(line, "; ".join(of_line)) for line, of_line in messages.items())
 
 
 def _has_too_many_attributes(root: etree._Element) -> bool:
@@ -292,7 +348,6 @@ def local_name(element: etree._Element) -> str:
     return str(element.tag).rpartition("}")[2]
 
 
-def _one_line(error: etree.XMLSyntaxError) -> str:
-    message = one_line(error.msg or str(error))
-    message = re.sub(r"\s*\((<string>|line).*?\)$", "", message)
+def _one_line(message: str) -> str:
+    message = re.sub(r"\s*\((<string>|line).*?\)$", "", one_line(message))
     return message if len(message) <= _LONGEST_REASON else message[: _LONGEST_REASON - 1] + "…"

@@ -12,6 +12,8 @@ from esicatalog.esi.numbers import Remark
 
 MAX_FINDINGS = 100_000
 """That reading one document may bring, and values outside the schema that it may hold; real ones bring hundreds."""
+REFUSED = "L01"
+"""The rule for what a strict XML parser refuses: it is about a document as a whole, whatever its line."""
 _LONGEST_MESSAGE = 300
 _TOO_MANY = f"more than {MAX_FINDINGS} values outside the schema or against its rules; no ESI document holds"
 

@@ -15,7 +15,7 @@ from esicatalog.esi.content import sha256_hex
 from esicatalog.esi.documents import ParsedDocument, parse_as_it_is, parse_document
 from esicatalog.esi.layouts import Layouts
 from esicatalog.esi.lines import Lines
-from esicatalog.esi.notes import Finding, Notes
+from esicatalog.esi.notes import REFUSED, Finding, Notes
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.diagnostics import DiagMessage, joined_diagnostics
@@ -139,8 +139,7 @@ class Reader:
         with_modules: bool,
     ) -> ReadDocument:
         notes = Notes(OWNERS, cut, lines.of)
-        if parsed.recovered:
-            notes.findings.append(Finding("L01", "E", parsed.recovered, parsed.error_line))
+        notes.findings += [Finding(REFUSED, "E", problem.message, problem.line) for problem in parsed.problems]
         if parsed.root.tag == "EtherCATDict":
             return self._read_dictionary(parsed, notes)
         if parsed.root.tag == "EtherCATDiag":

@@ -117,7 +117,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     names = entry_names(device, expanded, images, objects)
     missing = missing_modules(device, subject.modules, plugged)
     remarks = [
-        *((subject.ambiguity,) if subject.ambiguity is not None else ()),
+        *filter(None, (subject.damage, subject.ambiguity)),
         *((missing.words,) if missing is not None else ()),
         *unplugged_remarks(device, subject.modules, plugged),
         *unread_remarks(chosen.device, chosen.plugged, op_mode, images),

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple, Self
 
-from esicatalog.catalog.results import DeviceSource, FoundDevice
+from esicatalog.catalog.results import IdentifiedDevice
 from esicatalog.errors import InputError, NotFound
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device
@@ -25,6 +25,8 @@ class Subject(NamedTuple):
     origin: tuple[str, ...] = ()
     substitution: str | None = None
     """Why this description stands for a device of another revision, in words; None when it is exact."""
+    damage: str | None = None
+    """That the documents were not read whole, in words: the description may lack something."""
     ambiguity: str | None = None
     """That the identity names descriptions with other process data too, in words; None where this one was chosen."""
     document_vendor: Vendor | None = None
@@ -92,22 +94,22 @@ class Subject(NamedTuple):
         return self._replace(substitution=reason)
 
 
-def subject_of_description(
-    found: FoundDevice, sources: Iterable[DeviceSource], device: Device, modules: Iterable[Module]
-) -> Subject:
+def subject_of_description(described: IdentifiedDevice, device: Device, modules: Iterable[Module]) -> Subject:
     """The subject of a description in the catalog. Raises :class:`InputError` when its vendor has no id."""
+    found = described.device
     if found.vendor_id is None:
         raise InputError(f"{device.type or 'the device'} is of a vendor without id")
-    origin = tuple(f"{source.member}, line {source.line}" for source in sources)
-    return Subject(found.vendor_id, found.vendor, device, tuple(modules), origin)
+    origin = tuple(f"{source.member}, line {source.line}" for source in described.sources)
+    return Subject(found.vendor_id, found.vendor, device, tuple(modules), origin, damage=described.damage)
 
 
 def subjects_of_document(document: Document, file_name: str) -> list[Subject]:
     """The devices of one ESI document whose vendor has an id, in document order."""
+    damage = document.damage(file_name)
     return [
-        Subject(info.vendor_id, info.vendor_name, device, modules, (f"{file_name}, line {line}",)).of_document(
-            info.vendor, info.groups
-        )
+        Subject(
+            info.vendor_id, info.vendor_name, device, modules, (f"{file_name}, line {line}",), damage=damage
+        ).of_document(info.vendor, info.groups)
         for info, device, modules, line in offered_devices(document)
         if info.vendor_id is not None
     ]

@@ -10,7 +10,7 @@ from esicatalog.errors import BrokenDocument, DocumentError, InputError, NotAnEs
 from esicatalog.esi.containers import Container, open_container, resolve_reference
 from esicatalog.esi.documents import parse_document
 from esicatalog.esi.lines import Lines
-from esicatalog.esi.notes import Finding
+from esicatalog.esi.notes import REFUSED, Finding
 from esicatalog.esi.reader import Reader
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
@@ -20,7 +20,7 @@ from esicatalog.lint.library import DeviceFact, facts_of_document, lint_library
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.registry import ERROR, Rule
 from esicatalog.lint.report import DocumentFinding
-from esicatalog.lint.rules.reading import NO_ESI, REFUSED, SCHEMA_RULE
+from esicatalog.lint.rules.reading import NO_ESI, SCHEMA_RULE
 from esicatalog.lint.schema import SchemaFolder
 
 Result = TypeVar("Result")

@@ -114,7 +114,14 @@ _DEVICE = {
     "hidden": {"type": "boolean"},
     "evidence": _list({"type": "string"}),
 }
-_SOURCE = _object({"member": {"type": "string"}, "line": {"type": "integer"}, "group_type": _TEXT})
+_SOURCE = _object(
+    {
+        "member": {"type": "string"},
+        "line": {"type": "integer"},
+        "group_type": _TEXT,
+        "is_whole": {"type": "boolean", "description": "false where broken markup may have cost elements"},
+    }
+)
 _SLOT = {"type": "integer", "minimum": 0}
 _FITTING = _object({"choice": {"type": "string"}, "name": {"type": "string"}, "plugged": {"type": "boolean"}})
 _SLOTS = _object({"first": _SLOT, "last": _SLOT, "name": {"type": "string"}, "modules": _list(_FITTING)})
@@ -175,6 +182,10 @@ _SCHEMAS = {
                 "minItems": 1,
                 "description": "All descriptions of this identity, the preferred one first. Several contradict each "
                 "other: this answer is that of one of them, the device may be as another one says",
+            },
+            "warnings": {
+                **_list({"type": "string"}),
+                "description": "That the description may lack something, because its documents are damaged",
             },
             "slots": {
                 **_list(_SLOTS),

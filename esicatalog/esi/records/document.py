@@ -124,7 +124,7 @@ class Document(Record):
     is_whole: bool = True
     """Whether no element of it may be lost; else nothing follows from what it does not have.
 
-    What is wrong with its encoding alone loses none.
+    What is wrong with its encoding alone, or with the place of its XML declaration, loses none.
     """
     schema_version: str | None = None
     """Schema version that the author of an EtherCATDict or EtherCATDiag document used; others say it in ``infos``."""
@@ -143,3 +143,20 @@ class Document(Record):
     module_lines: tuple[tuple[int, ...], ...] = ()
     unmapped: tuple[Unmapped, ...] = ()
     """Values outside of devices and modules that no field holds."""
+
+    @property
+    def is_all_whole(self) -> bool:
+        """Whether nothing is lost of it and of the documents that were found for it."""
+        return self.is_whole and all(item.is_whole for item in self.references if item.sha256 is not None)
+
+    def damage(self, file_name: str) -> str | None:
+        """That its descriptions may lack something, in words; None for a whole document."""
+        return None if self.is_all_whole else damage_words(file_name, self.recovered)
+
+
+def damage_words(file_name: str, reason: str | None) -> str:
+    """That a document is not whole, and why; without reason, one that it pulls in is not."""
+    return (
+        f"{file_name} could not be read whole ({reason or 'a document that it refers to is damaged'}): what "
+        "stands behind or around the damage may be missing here; take an undamaged file"
+    )

@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator
 
+from esicatalog.esi.notes import REFUSED
 from esicatalog.lint.registry import ERROR, WARNING, Found, found_by_reader, rule
 from esicatalog.lint.subjects import InfoSubject
 
-REFUSED, NO_ESI = "L01", "L02"
-"""Rules for documents of which nothing can be checked."""
+NO_ESI = "L02"
+"""The rule for documents of which nothing can be checked, beside :data:`REFUSED`."""
 SCHEMA_RULE = "L03"
 
 found_by_reader(

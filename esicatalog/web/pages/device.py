@@ -91,7 +91,7 @@ def _beside_exports(description: DeviceDescription, choice: Mapping[int, ModuleC
     found = description.found
     if None in (found.vendor_id, found.product_code, found.revision_no):
         return {"eeprom_remarks": (), "left_out": (), "cstruct_remarks": ()}
-    subject = subject_of_description(found, description.sources, description.device, description.modules)
+    subject = subject_of_description(description.identified, description.device, description.modules)
     return {
         "eeprom_remarks": (WHY_MERGE, *eeprom_remarks(subject)),
         "left_out": _left_out(subject),
@@ -162,7 +162,7 @@ def _head(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) ->
         "revision_text": revision_text(found.vendor_id, found.revision_no),
         "image": image_key(description.device.image_data),
         "group": description.device.group_type,
-        "sources": description.sources,
+        "described": description.identified,
         "path": path,
         "chosen": chosen,
         "json_path": f"{path}.json{chosen}",
