@@ -29,9 +29,9 @@ from esicatalog.catalog.schema import (
     modules,
     object_entries,
     objects,
-    parent_column,
 )
 from esicatalog.catalog.shared import Row, Sharing
+from esicatalog.catalog.table_kinds import parent_column
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.derivation import Deriver

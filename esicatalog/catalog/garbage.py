@@ -11,6 +11,7 @@ from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS
 from esicatalog.catalog.schema import devices
 from esicatalog.catalog.settle import Affected
+from esicatalog.catalog.table_kinds import parent_column
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 
@@ -56,7 +57,7 @@ def _delete_owned(connection: sa.Connection, owner: str, numbers: list[int]) -> 
     for parent, child in _PARTS:
         parents, children = schema.metadata.tables[parent], schema.metadata.tables[child]
         held = sa.select(parents.c.id).where(parents.c[owner].in_(numbers))
-        connection.execute(sa.delete(children).where(children.c[schema.parent_column(parent)].in_(held)))
+        connection.execute(sa.delete(children).where(children.c[parent_column(parent)].in_(held)))
     for table in reversed(schema.metadata.sorted_tables):
         if owner in table.c:
             connection.execute(sa.delete(table).where(table.c[owner].in_(numbers)))

@@ -12,7 +12,7 @@ from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.mapping import CHILDREN, TABLE_RECORDS, Child, Codec, codec
 from esicatalog.catalog.pictures import picture_texts
-from esicatalog.catalog.schema import parent_column
+from esicatalog.catalog.table_kinds import parent_column
 from esicatalog.errors import NotFound
 from esicatalog.esi.binding import Record
 from esicatalog.esi.notes import Unmapped
