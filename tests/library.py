@@ -71,10 +71,10 @@ def ingest_command(db: Path, *words: object, jobs: int = 2) -> list[str]:
     return [*PROGRAM, "ingest", *map(str, words), "--db", str(db), "--jobs", str(jobs)]
 
 
-def ingested(db: Path, *inputs: Path, prune: bool = False) -> str:
+def ingested(db: Path, *inputs: Path) -> str:
     """The content hash after an ingest that nothing disturbs."""
     with Catalog.open(db, create=True) as catalog:
-        catalog.ingest(inputs, jobs=1, prune=prune)
+        catalog.ingest(inputs, jobs=1)
         result = catalog.check()
     assert result.problems == []
     return result.content_hash
