@@ -33,7 +33,6 @@ _APPLICATIONS = {"web_client", "esicatalog.web.app"}
 gc.set_threshold(20_000, 20, 10)
 
 
-
 class _CompiledForAll(dict[Any, Any]):
     """Statements that SQLAlchemy has compiled, by statement and kind of engine instead of the very engine."""
 
