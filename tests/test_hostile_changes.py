@@ -186,7 +186,7 @@ def children(process: int) -> list[int]:
 
 @pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="finds the workers through /proc")
 def test_a_killed_worker_costs_one_document(tmp_path):
-    names = [f"{number:02}.xml" for number in range(20)]
+    names = [f"{number:02}.xml" for number in range(8)]
     content = "".join(device("<Sm>Outputs</Sm>" * 20, product=f"#x{n:X}") for n in range(1, 400))
     write(tmp_path / "in", dict.fromkeys(names, esi(content)))
     command = [sys.executable, "-m", "esicatalog", "ingest", str(tmp_path / "in"), "--db", str(tmp_path / "c.db")]
@@ -250,7 +250,7 @@ def test_a_document_without_end_is_given_up_where_the_ingest_itself_reads(tmp_pa
 
 
 def test_long_requests_and_long_answers_do_not_wait_for_each_other(tmp_path):
-    names = [f"{number}.xml" for number in range(6)]
+    names = [f"{number}.xml" for number in range(3)]
     for number, name in enumerate(names):
         devices = (device("<Sm>Outputs</Sm>" * 6_000, product=f"#x{number}{n}") for n in range(1, 9))
         write(tmp_path, {name: esi("".join(devices))})
