@@ -72,48 +72,43 @@ def becomes_a_device(path: Path) -> None:
     path.symlink_to("/dev/zero")
 
 
-@pytest.mark.parametrize("jobs", [1, 2])
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        (Path.unlink, "No such file"),
-        (becomes_a_pipe, "not a regular file"),
-        (becomes_a_device, "not a regular file"),
-        (becomes_a_folder, "cannot be read"),
-        (becomes_huge, "larger than 256 MB"),
-        (lambda path: os.truncate(path, 0), "the file is empty"),
-    ],
-)
-def test_a_file_that_changes_between_finding_and_reading(tmp_path, folder, monkeypatch, change, words, jobs):
-    lines = ingest_changed(tmp_path, monkeypatch, lambda: change(folder / "victim.xml"), jobs)
-    status, message = lines["victim.xml"]
-    assert status == "failed"
-    assert words in message
-    assert lines[GOOD] == ("stored", None)
-
-
 def packed(path: Path, *names: str) -> None:
     with zipfile.ZipFile(path, "w") as archive:
         for name in names:
             archive.writestr(name, esi(device(product="#x3")))
 
 
+CHANGES = {
+    "gone.xml": (Path.unlink, "No such file"),
+    "pipe.xml": (becomes_a_pipe, "not a regular file"),
+    "device.xml": (becomes_a_device, "not a regular file"),
+    "folder.xml": (becomes_a_folder, "cannot be read"),
+    "huge.xml": (becomes_huge, "larger than 256 MB"),
+    "empty.xml": (lambda path: os.truncate(path, 0), "the file is empty"),
+    "gone.zip": (Path.unlink, "No such file"),
+    "pipe.zip": (becomes_a_pipe, "not a regular file"),
+    "cut.zip": (lambda path: os.truncate(path, 30), "not a usable zip archive"),
+    "other.zip": (lambda path: packed(path, "other.xml"), "ingest again"),
+}
+"""What becomes of a file, and what is said then."""
+
+
 @pytest.mark.parametrize("jobs", [1, 2])
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        (Path.unlink, "No such file"),
-        (becomes_a_pipe, "not a regular file"),
-        (lambda path: os.truncate(path, 30), "not a usable zip archive"),
-        (lambda path: packed(path, "other.xml"), "ingest again"),
-    ],
-)
-def test_an_archive_that_changes_between_finding_and_reading(tmp_path, folder, monkeypatch, change, words, jobs):
-    packed(folder / "a.zip", "a.xml")
-    lines = ingest_changed(tmp_path, monkeypatch, lambda: change(folder / "a.zip"), jobs)
-    status, message = lines["a.zip!a.xml"]
-    assert status == "failed"
-    assert words in message
+def test_files_and_archives_that_change_between_finding_and_reading(tmp_path, folder, monkeypatch, jobs):
+    for name in CHANGES:
+        if name.endswith(".zip"):
+            packed(folder / name, "a.xml")
+        else:
+            write(folder, {name: esi(device(product="#x3"))})
+
+    def change() -> None:
+        for name, (changed, _) in CHANGES.items():
+            changed(folder / name)
+
+    lines = ingest_changed(tmp_path, monkeypatch, change, jobs)
+    for name, (_, words) in CHANGES.items():
+        status, message = lines[f"{name}!a.xml" if name.endswith(".zip") else name]
+        assert (status, words in message) == ("failed", True), name
     assert lines[GOOD] == ("stored", None)
 
 
