@@ -440,7 +440,7 @@ def test_a_catalog_that_was_emptied_fills_again(tmp_path, library):
     shutil.copytree(moved, library, dirs_exist_ok=True)
     journals = set()
     with Catalog.open(tmp_path / "c.db") as catalog:
-        catalog.ingest([library], progress=lambda *done: journals.add(one(tmp_path / "c.db", "PRAGMA journal_mode")))
+        catalog.ingest([library], 1, progress=lambda *done: journals.add(one(tmp_path / "c.db", "PRAGMA journal_mode")))
     assert journals == {"wal"}, "whoever has it open goes on reading"
     assert ingest(tmp_path / "c.db", library, prune=True)[1] == first
 
