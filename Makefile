@@ -3,6 +3,7 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+DATASETTE_1 := $(VENV)/datasette-1
 ESI ?= data
 DB ?= catalog.db
 PORT ?= 8001
@@ -30,12 +31,13 @@ test: install lint
 	$(BIN)/python -m pytest -n auto --dist loadfile --no-loadscope-reorder -m 'not corpus and not faults'
 
 # The web pages and routes once more, on the coming line of Datasette, which would close after each test what it made.
-test-datasette-1: $(VENV)-datasette-1/installed
-	$(VENV)-datasette-1/bin/python -m pytest -n auto --dist loadfile -m 'datasette and not corpus and not faults' -o datasette_autoclose=false
+test-datasette-1: $(DATASETTE_1)/installed
+	PYTHONPATH=$(CURDIR)/$(DATASETTE_1) $(BIN)/python -m pytest -n auto --dist loadfile -m 'datasette and not corpus and not faults' -o datasette_autoclose=false
 
-$(VENV)-datasette-1/installed: pyproject.toml
-	$(PYTHON) -m venv $(VENV)-datasette-1
-	$(VENV)-datasette-1/bin/python -m pip install --quiet --disable-pip-version-check --pre --editable '.[dev]' 'datasette>=1.0a41,<2'
+# A folder that is searched before the packages of the environment.
+$(DATASETTE_1)/installed: $(VENV)/installed
+	rm -rf $(DATASETTE_1)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --target $(DATASETTE_1) 'datasette>=1.0a41,<2'
 	touch $@
 
 lint: install
@@ -76,4 +78,4 @@ screenshots: install
 	$(BIN)/python docs/screenshots.py
 
 clean:
-	rm -rf $(VENV) $(VENV)-datasette-1 dist build .pytest_cache .mypy_cache .ruff_cache
+	rm -rf $(VENV) dist build .pytest_cache .mypy_cache .ruff_cache

@@ -1,6 +1,7 @@
 """``python -m fuzz [TARGET]``: look for inputs that a target does not answer, FUZZ_SECONDS (60) each.
 
-Inputs found are written to ``fuzz/found/``. Without a target all are run in turn, and the inputs tried are printed.
+Inputs found are written to ``fuzz/found/``. Without a target all are run, as many at once as there are processors, and
+the inputs tried are printed.
 """
 
 import importlib
@@ -9,6 +10,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 TARGETS = ("reader", "pipeline", "sii", "scan")
@@ -20,13 +22,18 @@ _MEMORY_MB = 4096
 
 def run_all(seconds: int) -> int:
     """Run every target in a process of its own; returns how many failed."""
+
+    def process(target: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, "-m", "fuzz", target]
+        return subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False)
+
     failed = 0
-    for target in TARGETS:
-        run = subprocess.run([sys.executable, "-m", "fuzz", target], stderr=subprocess.PIPE, text=True, check=False)
-        tried = _TRIED.search(run.stderr)
-        failed += run.returncode != 0
-        words = "nothing found" if run.returncode == 0 else run.stderr[-3_000:]
-        print(f"{target}: {tried[1] if tried else '?'} inputs in {seconds} s: {words}", flush=True)
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for target, ended in zip(TARGETS, pool.map(process, TARGETS), strict=True):
+            tried = _TRIED.search(ended.stderr)
+            failed += ended.returncode != 0
+            words = "nothing found" if ended.returncode == 0 else ended.stderr[-3_000:]
+            print(f"{target}: {tried[1] if tried else '?'} inputs in {seconds} s: {words}", flush=True)
     return failed
 
 

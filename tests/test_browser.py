@@ -30,16 +30,24 @@ def browser() -> Iterator[Browser]:
         browser.close()
 
 
-@pytest.fixture
-def page(browser: Browser, served: str) -> Iterator[Page]:
-    """A page that fails the test when anything is asked of another host or a script breaks."""
-    context = browser.new_context(base_url=served, viewport={"width": 1280, "height": 900})
-    opened = context.new_page()
+@pytest.fixture(scope="module")
+def tab(browser: Browser, served: str) -> tuple[Page, list[str]]:
+    """A page, which takes as long to make as several take to load, and what went wrong in it."""
+    opened = browser.new_page(base_url=served)
     problems: list[str] = []
     opened.on("request", lambda request: request.url.startswith((served, "data:")) or problems.append(request.url))
     opened.on("pageerror", lambda error: problems.append(str(error)))
+    return opened, problems
+
+
+@pytest.fixture
+def page(tab: tuple[Page, list[str]]) -> Iterator[Page]:
+    """A page that fails the test when anything is asked of another host or a script breaks."""
+    opened, problems = tab
+    problems.clear()
+    opened.set_viewport_size({"width": 1280, "height": 900})
+    opened.emulate_media(color_scheme="light")
     yield opened
-    context.close()
     assert problems == []
 
 
@@ -163,75 +171,103 @@ def test_by_keyboard_alone(page: Page):
     expect(page.locator("section[aria-labelledby=pdos] table").first).to_be_visible()
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+WIDTHS = (1280, 400)
+"""A large screen and a small one."""
+
+
+def assert_nothing_sticks_out(page: Page) -> None:
+    for width in WIDTHS:
+        page.set_viewport_size({"width": width, "height": 900})
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
 @pytest.mark.parametrize("path", PAGES)
-def test_accessibility(browser: Browser, served: str, path: str, scheme):
-    """axe-core finds nothing serious, in either scheme of colours."""
-    opened = browser.new_page(base_url=served, color_scheme=scheme)
-    opened.goto(path)
-    violations = Axe().run(opened).response["violations"]
-    serious = [
-        (found["id"], node["html"][:200], node["failureSummary"][:200])
-        for found in violations
-        if found["impact"] in ("serious", "critical")
-        for node in found["nodes"][:3]
-    ]
-    opened.close()
-    assert serious == []
+def test_accessibility_and_width(page: Page, path: str):
+    """axe-core finds nothing serious, in either scheme of colours; nothing is wider than the screen."""
+    page.goto(path)
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        violations = Axe().run(page).response["violations"]
+        assert [
+            (found["id"], node["html"][:200], node["failureSummary"][:200])
+            for found in violations
+            if found["impact"] in ("serious", "critical")
+            for node in found["nodes"][:3]
+        ] == [], scheme
+    assert_nothing_sticks_out(page)
 
 
-@pytest.mark.parametrize("width", [1280, 400])
-@pytest.mark.parametrize("path", PAGES)
-def test_nothing_sticks_out(browser: Browser, served: str, path: str, width: int):
-    opened = browser.new_page(base_url=served, viewport={"width": width, "height": 900})
-    opened.goto(path)
-    assert opened.evaluate("document.documentElement.scrollWidth") <= width
-    opened.close()
+RIGHT_TO_LEFT = ("מנוע", "מנוע 5", 'בע"מ', "محرك", "A\u202eB", "\u202bA", "\u2067A")
+"""Names in Hebrew and Arabic, and with characters that order text and that nothing ends."""
 
 
-@pytest.fixture(scope="module")
-def long_names(tmp_path_factory) -> Iterator[str]:
-    """Names that nothing breaks, and a number of two digits beside one of them."""
+def long_names() -> list[str]:
+    """Names that nothing breaks, and a number of two digits beside one of them; slots and modules with long names."""
     content = pdo("RxPdo", "#x1600", 8).replace("RxPdo #x1600", "n" * 400)
     devices = "".join(device(content, product=str(number), name="d" * 400) for number in range(1, 13))
     vendor = f"<Id>#xE5C</Id><Name>A company for motors, drives and {'very' * 30} long names</Name>"
-    with serving(catalog_of(tmp_path_factory.mktemp("long"), esi(devices, vendor=vendor))) as address:
-        yield address
-
-
-@pytest.mark.parametrize("width", [1280, 400])
-def test_long_names_are_broken_and_numbers_are_not(browser: Browser, long_names: str, width: int):
-    opened = browser.new_page(base_url=long_names, viewport={"width": width, "height": 900})
-    for path in ("/-/esi/", "/-/esi/device/0xe5c/1/1"):
-        opened.goto(path)
-        assert opened.evaluate("document.documentElement.scrollWidth") <= width
-    opened.goto("/-/esi/")
-    lines = (
-        "node => { const range = new Range(); range.selectNodeContents(node); return range.getClientRects().length }"
-    )
-    assert opened.locator("aside .count").first.evaluate(lines) == 1
-    opened.close()
-
-
-@pytest.fixture(scope="module")
-def long_modules(tmp_path_factory) -> Iterator[str]:
-    """Slots and modules with names longer than a small screen is wide."""
     slots = "".join(
         f"<Slot MinInstances='0' MaxInstances='1'><Name>{name}</Name><ModuleIdent>#x10</ModuleIdent></Slot>"
         for name in ("s" * 120, "Slot for a terminal")
     )
     modules = f"<Module><Type ModuleIdent='#x10'>M</Type><Name>{'A module with a long name, ' * 6}</Name></Module>"
-    folder = tmp_path_factory.mktemp("modules")
-    with serving(catalog_of(folder, esi(device(f"<Slots>{slots}</Slots>"), modules))) as address:
+    modular = esi(device(f"<Slots>{slots}</Slots>", product="99"), modules, vendor=vendor)
+    return [esi(devices, vendor=vendor), modular]
+
+
+def right_to_left() -> list[str]:
+    """Every name is written from right to left, or says that the rest is."""
+    documents = []
+    for number, name in enumerate(RIGHT_TO_LEFT):
+        quoted = name.replace('"', "&quot;")
+        mapped = (
+            f"<RxPdo Sm='0'><Index>#x1600</Index><Name>{name}</Name><Entry><Index>#x60FF</Index><SubIndex>0</SubIndex>"
+            f"<BitLen>32</BitLen><Name>{name}</Name><DataType>DINT</DataType></Entry></RxPdo>"
+        )
+        objects = f"<Object><Index>#x2000</Index><Name>{name}</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
+        content = (
+            dictionary("<DataType><Name>UINT</Name><BitSize>16</BitSize></DataType>", objects)
+            + f"<Sm StartAddress='#x1100' ControlByte='#x64'>Outputs</Sm><Dc><OpMode><Name>{name}</Name>"
+            + "<AssignActivate>#x700</AssignActivate></OpMode></Dc><Slots><Slot MinInstances='1' MaxInstances='1'>"
+            + f"<Name>{name}</Name><ModuleIdent Default='1'>#x10</ModuleIdent></Slot></Slots>"
+        )
+        module = f"<Module><Type ModuleIdent='#x10'>{name}</Type><Name>{name} csv</Name>{mapped}</Module>"
+        devices = "".join(
+            device(content, product=f"#x{number + 1}", revision=revision, type_text=name, name=quoted)
+            for revision in ("#x1", "#x2")
+        )
+        documents.append(esi(devices, module, vendor=f"<Id>#x{0x9000 + number:x}</Id><Name>{name}</Name>"))
+    return documents
+
+
+@pytest.fixture(scope="module")
+def odd_names(tmp_path_factory) -> Iterator[str]:
+    """A server of what is hard to lay out."""
+    with serving(catalog_of(tmp_path_factory.mktemp("odd"), *long_names(), *right_to_left())) as address:
         yield address
 
 
-@pytest.mark.parametrize("width", [1280, 400])
-def test_the_module_picker_stays_within_the_page(browser: Browser, long_modules: str, width: int):
-    opened = browser.new_page(base_url=long_modules, viewport={"width": width, "height": 900})
+def test_long_names_are_broken_and_numbers_are_not(browser: Browser, odd_names: str):
+    opened = browser.new_page(base_url=odd_names)
     opened.goto("/-/esi/device/0xe5c/1/1")
+    assert_nothing_sticks_out(opened)
+    opened.goto("/-/esi/")
+    lines = (
+        "node => { const range = new Range(); range.selectNodeContents(node); return range.getClientRects().length }"
+    )
+    for width in WIDTHS:
+        opened.set_viewport_size({"width": width, "height": 900})
+        assert opened.evaluate("document.documentElement.scrollWidth") <= width
+        expect(opened.locator("aside .count").first).to_have_text("13")
+        assert opened.locator("aside .count").first.evaluate(lines) == 1
+    opened.close()
+
+
+def test_the_module_picker_stays_within_the_page(browser: Browser, odd_names: str):
+    opened = browser.new_page(base_url=odd_names)
+    opened.goto("/-/esi/device/0xe5c/99/1")
     expect(opened.get_by_label("Slot 1")).to_be_visible()
-    assert opened.evaluate("document.documentElement.scrollWidth") <= width
+    assert_nothing_sticks_out(opened)
     opened.close()
 
 
@@ -249,18 +285,17 @@ def test_copy_button(browser: Browser, served: str):
     context.close()
 
 
-def test_a_scan_is_read_on_a_small_screen(browser: Browser, served: str):
+def test_a_scan_is_read_on_a_small_screen(page: Page):
     """The answer stands within the screen, and remarks have its width."""
-    opened = browser.new_page(base_url=served, viewport={"width": 400, "height": 900})
-    opened.goto("/-/esi/scan")
-    opened.get_by_label("Output of").fill(SLAVES)
-    opened.get_by_role("button", name="Identify").click()
+    page.set_viewport_size({"width": 400, "height": 900})
+    page.goto("/-/esi/scan")
+    page.get_by_label("Output of").fill(SLAVES)
+    page.get_by_role("button", name="Identify").click()
     for place in ("[data-label=ESI]", "[data-label=Device]", ".remarks td"):
-        box = opened.locator(f"table.slaves {place}").first.bounding_box()
+        box = page.locator(f"table.slaves {place}").first.bounding_box()
         assert box is not None
         assert box["x"] + box["width"] <= 400
         assert box["width"] >= 300
-    opened.close()
 
 
 def test_several_files_dropped_are_refused(page: Page):
@@ -294,8 +329,6 @@ def test_sentences_in_tables_have_room(page: Page):
         assert box["width"] >= 24 * 14
 
 
-RIGHT_TO_LEFT = ("מנוע", "מנוע 5", 'בע"מ', "محرك", "A\u202eB", "\u202bA", "\u2067A")
-"""Names in Hebrew and Arabic, and with characters that order text and that nothing ends."""
 NUMBERS_OUT_OF_ORDER = """() => {
   const found = [], range = new Range(), walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   const boxesOf = (node, from, to) => {
@@ -319,48 +352,21 @@ NUMBERS_OUT_OF_ORDER = """() => {
 """Numbers that are torn apart within a line, or of which the last character stands left of the first."""
 
 
-@pytest.fixture(scope="module")
-def right_to_left(tmp_path_factory) -> Iterator[str]:
-    """A catalog in which every name is written from right to left, or says that the rest is."""
-    documents = []
-    for number, name in enumerate(RIGHT_TO_LEFT):
-        quoted = name.replace('"', "&quot;")
-        mapped = (
-            f"<RxPdo Sm='0'><Index>#x1600</Index><Name>{name}</Name><Entry><Index>#x60FF</Index><SubIndex>0</SubIndex>"
-            f"<BitLen>32</BitLen><Name>{name}</Name><DataType>DINT</DataType></Entry></RxPdo>"
-        )
-        objects = f"<Object><Index>#x2000</Index><Name>{name}</Name><Type>UINT</Type><BitSize>16</BitSize></Object>"
-        content = (
-            dictionary("<DataType><Name>UINT</Name><BitSize>16</BitSize></DataType>", objects)
-            + f"<Sm StartAddress='#x1100' ControlByte='#x64'>Outputs</Sm><Dc><OpMode><Name>{name}</Name>"
-            + "<AssignActivate>#x700</AssignActivate></OpMode></Dc><Slots><Slot MinInstances='1' MaxInstances='1'>"
-            + f"<Name>{name}</Name><ModuleIdent Default='1'>#x10</ModuleIdent></Slot></Slots>"
-        )
-        module = f"<Module><Type ModuleIdent='#x10'>{name}</Type><Name>{name} csv</Name>{mapped}</Module>"
-        devices = "".join(
-            device(content, product=f"#x{number + 1}", revision=revision, type_text=name, name=quoted)
-            for revision in ("#x1", "#x2")
-        )
-        documents.append(esi(devices, module, vendor=f"<Id>#x{0x9000 + number:x}</Id><Name>{name}</Name>"))
-    with serving(catalog_of(tmp_path_factory.mktemp("right-to-left"), *documents)) as address:
-        yield address
-
-
-def test_names_from_right_to_left_leave_numbers_in_their_place(browser: Browser, right_to_left: str):
-    opened = browser.new_page(base_url=right_to_left, viewport={"width": 1280, "height": 900})
+def test_names_from_right_to_left_leave_numbers_in_their_place(browser: Browser, odd_names: str):
+    opened = browser.new_page(base_url=odd_names, viewport={"width": 1280, "height": 900})
     tables = ("/catalog/device_drive_modes", "/catalog/device_dc_modes", "/catalog/pdos?_facet=name")
     for path in ("/-/esi/", "/-/esi/?mode=CSV&maps=0x60FF", *tables):
         opened.goto(path)
         assert opened.evaluate(NUMBERS_OUT_OF_ORDER) == [], path
     for number in range(len(RIGHT_TO_LEFT)):
         vendor, product = 0x9000 + number, number + 1
-        identity = f"{vendor:#x}:{product:#x}"
-        for path in (
-            f"/-/esi/device/{vendor:#x}/{product:#x}/0x1",
+        # The page of a device has every place of a name; of the others each shows some of the names.
+        others = (
             f"/-/esi/device/{vendor:#x}/{product:#x}/0x1/objects",
             f"/-/esi/device/{vendor:#x}/{product:#x}/0x99",
-            f"/-/esi/compare?a={identity}:1&b=0x9001:2:1",
-        ):
+            f"/-/esi/compare?a={vendor:#x}:{product:#x}:1&b=0x9001:2:1",
+        )
+        for path in (f"/-/esi/device/{vendor:#x}/{product:#x}/0x1", others[number % len(others)]):
             opened.goto(path)
             opened.evaluate("document.querySelectorAll('details').forEach(item => { item.open = true })")
             assert opened.evaluate(NUMBERS_OUT_OF_ORDER) == [], path

@@ -172,7 +172,12 @@ def test_an_output_that_is_closed_early_is_no_error_message(data_db):
 
 @pytest.mark.skipif(shutil.which("bash") is None or not Path("/dev/full").exists(), reason="no bash or no /dev/full")
 @pytest.mark.parametrize(
-    "words", ["show 0x1097:0x2406", "devices --format json", "check", "export igh 0x1097:0x2406 -o /dev/full"]
+    "words",
+    [
+        "check",
+        "export igh 0x1097:0x2406 -o /dev/full",
+        *(pytest.param(text, marks=pytest.mark.faults) for text in ("show 0x1097:0x2406", "devices --format json")),
+    ],
 )
 def test_an_output_that_is_full_is_one_line(data_db, words):
     code, said = piped(f"PYTHONUNBUFFERED= {PROGRAM} {words} --db {data_db} >/dev/full")
@@ -288,13 +293,10 @@ def test_mappings_on_the_command_line(data_db):
 
 def test_json_is_utf_8_whatever_the_locale(tmp_path):
     write(tmp_path, {"a.xml": esi(device(name="Gerät 设备"))})
+    run("ingest", tmp_path / "a.xml", db=tmp_path / "c.db")
     environment = {**os.environ, "LC_ALL": "C", "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0"}
-    command = [sys.executable, "-m", "esicatalog"]
-    db = str(tmp_path / "c.db")
-    subprocess.run(
-        [*command, "ingest", tmp_path / "a.xml", "--db", db], check=True, capture_output=True, env=environment
-    )
-    done = subprocess.run([*command, "devices", "--format", "json", "--db", db], capture_output=True, env=environment)
+    command = [sys.executable, "-m", "esicatalog", "devices", "--format", "json", "--db", tmp_path / "c.db"]
+    done = subprocess.run(command, capture_output=True, env=environment)
     assert json.loads(done.stdout.decode())[0]["name"] == "Gerät 设备"
 
 
@@ -541,9 +543,10 @@ def test_a_profile_of_an_ingest_accounts_for_all_stages(tmp_path, data):
     assert list(profile) == ["read", "parse", "extract", "lint", "rows", "transfer", "write", "order", "index", "start"]
     assert all(seconds >= 0 for seconds in profile.values())
     assert profile["extract"] > 0 and profile["write"] > 0
-    again = run("ingest", data, "--profile", db=tmp_path / "c.db")
+    again = run("ingest", data, "--jobs", "1", "--profile", db=tmp_path / "c.db")
     assert [line.split()[0] for line in again.stderr.splitlines()[1:]] == list(profile)
-    assert "profile" not in json.loads(run("ingest", data, "--format", "json", db=tmp_path / "c.db").stdout)
+    plain = run("ingest", data, "--jobs", "1", "--format", "json", db=tmp_path / "c.db")
+    assert "profile" not in json.loads(plain.stdout)
 
 
 @pytest.mark.parametrize("db", [None, "sqlite:///catalog.db", "link.db"])
@@ -554,7 +557,7 @@ def test_a_catalog_that_lies_among_its_documents_is_none_of_them(tmp_path, monke
     monkeypatch.chdir(tmp_path)
     monkeypatch.delenv("ESICATALOG_DB", raising=False)
     for _ in range(2):
-        result = run("ingest", ".", "--format", "json", *(("--db", db) if db else ()))
+        result = run("ingest", ".", "--jobs", "1", "--format", "json", *(("--db", db) if db else ()))
         assert result.exit_code == 0, result.output
         paths = [line["path"] for line in json.loads(result.stdout)["documents"]]
         assert paths == ["a.xml", "catalog.db-wal.xml"]

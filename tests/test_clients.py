@@ -61,7 +61,7 @@ async def many_clients(address: str, seconds: float) -> None:
 
 
 async def test_a_hundred_clients_for_some_seconds(served):
-    await many_clients(served, 1.5)
+    await many_clients(served, 0.5)
 
 
 @pytest.mark.faults

@@ -17,7 +17,7 @@ from esicatalog.catalog.listing import list_devices
 from esicatalog.catalog.schema import devices
 from esicatalog.catalog.search import conditions, device_query, find_devices, found_devices
 
-EXAMPLES = settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+EXAMPLES = settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 @pytest.fixture(scope="module")

@@ -138,7 +138,7 @@ TYPES = all_types(EsiInfo, all_types(DictInfo, all_types(DiagInfo, {})))
 def test_an_element_gives_its_record_back(name):
     record_type = TYPES[name]
 
-    @settings(max_examples=25, deadline=None)
+    @settings(max_examples=15, deadline=None)
     @given(records(record_type))
     def check(record: Record) -> None:
         notes = Notes()

@@ -72,48 +72,43 @@ def becomes_a_device(path: Path) -> None:
     path.symlink_to("/dev/zero")
 
 
-@pytest.mark.parametrize("jobs", [1, 2])
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        (Path.unlink, "No such file"),
-        (becomes_a_pipe, "not a regular file"),
-        (becomes_a_device, "not a regular file"),
-        (becomes_a_folder, "cannot be read"),
-        (becomes_huge, "larger than 256 MB"),
-        (lambda path: os.truncate(path, 0), "the file is empty"),
-    ],
-)
-def test_a_file_that_changes_between_finding_and_reading(tmp_path, folder, monkeypatch, change, words, jobs):
-    lines = ingest_changed(tmp_path, monkeypatch, lambda: change(folder / "victim.xml"), jobs)
-    status, message = lines["victim.xml"]
-    assert status == "failed"
-    assert words in message
-    assert lines[GOOD] == ("stored", None)
-
-
 def packed(path: Path, *names: str) -> None:
     with zipfile.ZipFile(path, "w") as archive:
         for name in names:
             archive.writestr(name, esi(device(product="#x3")))
 
 
+CHANGES = {
+    "gone.xml": (Path.unlink, "No such file"),
+    "pipe.xml": (becomes_a_pipe, "not a regular file"),
+    "device.xml": (becomes_a_device, "not a regular file"),
+    "folder.xml": (becomes_a_folder, "cannot be read"),
+    "huge.xml": (becomes_huge, "larger than 256 MB"),
+    "empty.xml": (lambda path: os.truncate(path, 0), "the file is empty"),
+    "gone.zip": (Path.unlink, "No such file"),
+    "pipe.zip": (becomes_a_pipe, "not a regular file"),
+    "cut.zip": (lambda path: os.truncate(path, 30), "not a usable zip archive"),
+    "other.zip": (lambda path: packed(path, "other.xml"), "ingest again"),
+}
+"""What becomes of a file, and what is said then."""
+
+
 @pytest.mark.parametrize("jobs", [1, 2])
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        (Path.unlink, "No such file"),
-        (becomes_a_pipe, "not a regular file"),
-        (lambda path: os.truncate(path, 30), "not a usable zip archive"),
-        (lambda path: packed(path, "other.xml"), "ingest again"),
-    ],
-)
-def test_an_archive_that_changes_between_finding_and_reading(tmp_path, folder, monkeypatch, change, words, jobs):
-    packed(folder / "a.zip", "a.xml")
-    lines = ingest_changed(tmp_path, monkeypatch, lambda: change(folder / "a.zip"), jobs)
-    status, message = lines["a.zip!a.xml"]
-    assert status == "failed"
-    assert words in message
+def test_files_and_archives_that_change_between_finding_and_reading(tmp_path, folder, monkeypatch, jobs):
+    for name in CHANGES:
+        if name.endswith(".zip"):
+            packed(folder / name, "a.xml")
+        else:
+            write(folder, {name: esi(device(product="#x3"))})
+
+    def change() -> None:
+        for name, (changed, _) in CHANGES.items():
+            changed(folder / name)
+
+    lines = ingest_changed(tmp_path, monkeypatch, change, jobs)
+    for name, (_, words) in CHANGES.items():
+        status, message = lines[f"{name}!a.xml" if name.endswith(".zip") else name]
+        assert (status, words in message) == ("failed", True), name
     assert lines[GOOD] == ("stored", None)
 
 
@@ -186,7 +181,7 @@ def children(process: int) -> list[int]:
 
 @pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="finds the workers through /proc")
 def test_a_killed_worker_costs_one_document(tmp_path):
-    names = [f"{number:02}.xml" for number in range(20)]
+    names = [f"{number:02}.xml" for number in range(8)]
     content = "".join(device("<Sm>Outputs</Sm>" * 20, product=f"#x{n:X}") for n in range(1, 400))
     write(tmp_path / "in", dict.fromkeys(names, esi(content)))
     command = [sys.executable, "-m", "esicatalog", "ingest", str(tmp_path / "in"), "--db", str(tmp_path / "c.db")]
@@ -250,7 +245,7 @@ def test_a_document_without_end_is_given_up_where_the_ingest_itself_reads(tmp_pa
 
 
 def test_long_requests_and_long_answers_do_not_wait_for_each_other(tmp_path):
-    names = [f"{number}.xml" for number in range(6)]
+    names = [f"{number}.xml" for number in range(3)]
     for number, name in enumerate(names):
         devices = (device("<Sm>Outputs</Sm>" * 6_000, product=f"#x{number}{n}") for n in range(1, 9))
         write(tmp_path, {name: esi("".join(devices))})

@@ -18,6 +18,8 @@ from typing import NamedTuple
 import pytest
 from snippets import REPEATED_ATTRIBUTE, UNDECLARED_PREFIX, device, dictionary, esi, faulty_vendor_texts, pdo, rows
 
+from esicatalog.esi.notes import MAX_FINDINGS
+
 GOOD = "io_terminal_8di_8do.xml"
 SECRET = "words that only the file outside holds"
 SECONDS = 300
@@ -139,12 +141,14 @@ DOCUMENTS = {
         ),
         "stored",
     ),
-    "unknown-elements.xml": Case(lambda: esi(device("<X/>" * 150_000)), "failed", "values outside the schema"),
+    "unknown-elements.xml": Case(
+        lambda: esi(device("<X/>" * (MAX_FINDINGS + 1))), "failed", "values outside the schema"
+    ),
     "unknown-values.xml": Case(
-        lambda: esi(device(f"<X>{'<Y>1</Y>' * 150_000}</X>")), "failed", "values outside the schema"
+        lambda: esi(device(f"<X>{'<Y>1</Y>' * (MAX_FINDINGS + 1)}</X>")), "failed", "values outside the schema"
     ),
     "no-numbers.xml": Case(
-        lambda: esi(device('<Sm StartAddress="?">Outputs</Sm>' * 150_000)), "failed", "against its rules"
+        lambda: esi(device('<Sm StartAddress="?">Outputs</Sm>' * (MAX_FINDINGS + 1))), "failed", "against its rules"
     ),
     "huge-number.xml": Case(lambda: esi(device(f'<Sm StartAddress="{"9" * 5_000_000}">Outputs</Sm>')), "stored"),
     "oversampled.xml": Case(

@@ -721,7 +721,7 @@ def sharpens_what_is_asked(case) -> bool:
     return all(any(given.get(of, [])) for name, of in SHARPENS.items() if given.get(name))
 
 
-@pytest.mark.parametrize("examples", [8, pytest.param(100, marks=pytest.mark.faults)])
+@pytest.mark.parametrize("examples", [4, pytest.param(100, marks=pytest.mark.faults)])
 def test_openapi_says_what_the_routes_do(data_db, examples):
     """Requests made from the document, sensible and broken ones, get the answers that the document promises."""
     api = schemathesis.openapi.from_asgi("/-/esi/openapi.json", datasette_app(data_db).app())

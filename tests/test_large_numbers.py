@@ -64,15 +64,17 @@ LARGE_SUMS = {
 }
 
 
-@pytest.mark.parametrize("content", LARGE_SUMS.values(), ids=LARGE_SUMS)
 @pytest.mark.parametrize("jobs", [1, 2])
-def test_the_other_documents_of_an_ingest_are_stored(content, jobs, tmp_path):
-    write(tmp_path / "in", {"large.xml": esi(device(content)), "plain.xml": esi(device(product="#x2"))})
+def test_all_documents_of_an_ingest_are_stored(jobs, tmp_path):
+    contents = [*LARGE_SUMS.values(), ""]
+    write(tmp_path / "in", {f"{n}.xml": esi(device(text, product=f"#x{n}")) for n, text in enumerate(contents)})
     with Catalog.open(tmp_path / "c.db", create=True) as catalog:
         report = catalog.ingest([tmp_path / "in"], jobs=jobs)
         assert catalog.check().problems == []
-    assert report.counts["stored"] == 2
-    assert rows(tmp_path / "c.db", "SELECT product_code FROM devices ORDER BY 1") == [(1,), (2,)]
+    assert {line.path: line.status for line in report.documents} == {f"{n}.xml": "stored" for n in range(len(contents))}
+    assert rows(tmp_path / "c.db", "SELECT product_code FROM devices ORDER BY 1") == [
+        (n,) for n in range(len(contents))
+    ]
 
 
 def test_an_offset_that_no_database_takes_is_not_known(tmp_path):

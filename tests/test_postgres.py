@@ -22,7 +22,7 @@ from click.testing import CliRunner, Result
 from conftest import CHECKOUT
 from questions import FILTERS, answers
 from snippets import device, dictionary, esi, write
-from test_upgrade import OLDER, some
+from test_upgrade import OLDER
 
 from esicatalog import Catalog, CatalogError
 from esicatalog.catalog import database, schema
@@ -220,7 +220,11 @@ DERIVED = (
 )
 
 
-@pytest.mark.parametrize("dump", some(OLDER), ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "dump",
+    [OLDER[0], *(pytest.param(dump, marks=pytest.mark.faults) for dump in OLDER[1:])],
+    ids=lambda path: path.stem,
+)
 def test_an_old_catalog_is_brought_up_to_date(postgres, tmp_path, dump):
     """A catalog of an older version, row by row in PostgreSQL, becomes what the same one becomes in SQLite."""
     old = tmp_path / "old.db"

@@ -133,7 +133,7 @@ def check(engine: sa.Engine, wanted: DeviceFilter) -> None:
 
 
 @pytest.mark.parametrize("name", FILTERS)
-@settings(max_examples=8, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=5, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(data=st.data())
 def test_a_filter_alone(engine, name, data):
     check(engine, DeviceFilter(**{name: data.draw(FILTERS[name])}))
@@ -145,7 +145,7 @@ def test_evidence_of_mappings_begins_with_the_devices_found(engine, index, bits)
     check(engine, DeviceFilter(maps=((index, None),), bits=bits))
 
 
-@settings(max_examples=20, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=10, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(wanted=filters())
 def test_filters_together(engine, wanted):
     check(engine, wanted)

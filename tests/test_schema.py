@@ -1,7 +1,10 @@
 """The schema: every table and column explained, and migrations that lead to exactly what the metadata says."""
 
 import ast
+import sqlite3
+from contextlib import closing
 from pathlib import Path
+from typing import Any
 
 import pytest
 import sqlalchemy as sa
@@ -27,17 +30,22 @@ def migrated(path: Path) -> sa.Engine:
 def described(path: Path) -> dict[str, object]:
     """Tables as SQLite reports them: columns, references, indexes, STRICT."""
     found: dict[str, object] = {}
-    for (name,) in rows(path, "SELECT name FROM sqlite_master WHERE type = 'table' AND sql NOT LIKE '%VIRTUAL%'"):
-        if not name.startswith((FULL_TEXT, "alembic", "sqlite_")):
-            indexes = rows(path, f"PRAGMA index_list({name})")
-            found[name] = (
-                sorted(row[1:] for row in rows(path, f"PRAGMA table_info({name})")),
-                sorted(row[2:] for row in rows(path, f"PRAGMA foreign_key_list({name})")),
-                sorted(
-                    (row[2], tuple(part[2] for part in rows(path, f"PRAGMA index_info({row[1]})"))) for row in indexes
-                ),
-                one(path, "SELECT strict FROM pragma_table_list WHERE name = ?", name),
-            )
+    with closing(sqlite3.connect(path)) as connection:
+
+        def asked(sql: str) -> list[tuple[Any, ...]]:
+            return connection.execute(sql).fetchall()
+
+        for (name,) in asked("SELECT name FROM sqlite_master WHERE type = 'table' AND sql NOT LIKE '%VIRTUAL%'"):
+            if not name.startswith((FULL_TEXT, "alembic", "sqlite_")):
+                indexes = asked(f"PRAGMA index_list({name})")
+                found[name] = (
+                    sorted(row[1:] for row in asked(f"PRAGMA table_info({name})")),
+                    sorted(row[2:] for row in asked(f"PRAGMA foreign_key_list({name})")),
+                    sorted(
+                        (row[2], tuple(part[2] for part in asked(f"PRAGMA index_info({row[1]})"))) for row in indexes
+                    ),
+                    asked(f"SELECT strict FROM pragma_table_list WHERE name = '{name}'"),
+                )
     return found
 
 

@@ -22,9 +22,11 @@ from esicatalog.identity import Bounds, Identity
 MODULAR, IO, EYOU, L6N, RT118X = "ECX-A202", "ECX-D808", "EYOU_ServoModule_V143", "L6N", "RT118X-SERVO-MOTOR"
 
 
-def types(db: Path, **wanted) -> list[str]:
+def types(db: Path | Catalog, **wanted) -> list[str]:
+    if isinstance(db, Catalog):
+        return [found.type for found in db.devices(**wanted)]
     with Catalog.open(db) as catalog:
-        return [found.type for found in catalog.devices(**wanted)]
+        return types(catalog, **wanted)
 
 
 @pytest.mark.parametrize(
@@ -394,15 +396,15 @@ def test_objects_of_modules_are_those_in_the_slots(tmp_path):
         "<DataType><Name>USINT</Name><BitSize>8</BitSize></DataType>", objects
     )
     modules = "".join(f'<Module><Type ModuleIdent="{n}">M</Type><Name>M</Name>{content}</Module>' for n in (1, 2))
-    db = catalog_of(tmp_path, esi(device(slots), modules))
     there = [0x2000, 0x2001, 0x2010, 0x2020, 0x2300]
-    for index in (*there, 0x2002, 0x2011, 0x2030, 0x2100):
-        expected = ["T1"] if index in there else []
-        for limit in (None, 10):
-            assert types(db, maps=[(index, 1)], bits=8, limit=limit) == expected
-            assert types(db, objects=[(index, 0)], limit=limit) == expected
-            assert types(db, not_maps=[(index, None)], limit=limit) == [name for name in ["T1"] if not expected]
-    with Catalog.open(db) as catalog:
+    with Catalog.open(catalog_of(tmp_path, esi(device(slots), modules))) as catalog:
+        for index in (*there, 0x2002, 0x2011, 0x2030, 0x2100):
+            expected = ["T1"] if index in there else []
+            for limit in (None, 10):
+                assert types(catalog, maps=[(index, 1)], bits=8, limit=limit) == expected
+                assert types(catalog, objects=[(index, 0)], limit=limit) == expected
+                not_mapping = [name for name in ["T1"] if not expected]
+                assert types(catalog, not_maps=[(index, None)], limit=limit) == not_mapping
         (last,), (fixed_one,) = (catalog.devices(maps=[(index, None)]) for index in (0x2020, 0x2001))
     assert last.evidence == ("0x2020:01, 8 bit, in RxPdo 0x1604 of module 0x1 in slot 2 (on SM2 when plugged)",)
     assert fixed_one.evidence == tuple(
@@ -424,11 +426,12 @@ def test_objects_that_describe_pdos_move_as_these_do(tmp_path):
     )
     content = dictionary("<DataType><Name>USINT</Name><BitSize>8</BitSize></DataType>", objects)
     module = f'<Module><Type ModuleIdent="1">M</Type><Name>M</Name>{content}</Module>'
-    db = catalog_of(tmp_path, esi(device(slots), module))
     there = [0x1600, 0x17FF, 0x1800, 0x1600 + 2 + 0x40, 0x17FF + 2 + 0x40, 0x1800 + 0x10 + 0x200]
-    for index in (*there, 0x1600 + 0x10 + 0x200, 0x1602, 0x1640, 0x1800 + 2 + 0x40):
-        for limit in (None, 10):
-            assert types(db, objects=[(index, None)], limit=limit) == (["T1"] if index in there else []), hex(index)
+    with Catalog.open(catalog_of(tmp_path, esi(device(slots), module))) as catalog:
+        for index in (*there, 0x1600 + 0x10 + 0x200, 0x1602, 0x1640, 0x1800 + 2 + 0x40):
+            for limit in (None, 10):
+                expected = ["T1"] if index in there else []
+                assert types(catalog, objects=[(index, None)], limit=limit) == expected, hex(index)
 
 
 def test_increments_that_lead_out_of_16_bits_move_nothing(tmp_path):

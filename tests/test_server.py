@@ -309,7 +309,7 @@ async def test_scans_of_too_many_slaves_are_refused(data_db):
 # Uploads: whatever is sent, the answer is one of these.
 
 EXPECTED = {200, 400, 404, 413, 415}
-FUZZ = settings(max_examples=100, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+FUZZ = settings(max_examples=50, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 
 SLAVES = "=== Master 0, Slave 0 ===\nIdentity:\n  Vendor Id:       0x00001097\n  Product code:    0x00002406\n"
 HEADS = st.sampled_from(

@@ -159,14 +159,21 @@ def test_all_that_is_derived_is_derived_again(tmp_path: Path):
         assert catalog.check().problems == []
 
 
+@pytest.fixture(scope="module")
+def new(tmp_path_factory: pytest.TempPathFactory, data: Path) -> Path:
+    """What the dumps hold, ingested now."""
+    path = tmp_path_factory.mktemp("new") / "new.db"
+    with Catalog.open(path, create=True) as catalog:
+        catalog.ingest([data / name for name in EXAMPLES], jobs=1)
+    return path
+
+
 @pytest.mark.parametrize("dump", some(OLDER), ids=lambda path: path.stem)
-def test_an_old_catalog_becomes_what_a_new_one_is(tmp_path: Path, data: Path, dump: Path):
-    old, new = spoil(loaded(dump, tmp_path / "old.db")), tmp_path / "new.db"
+def test_an_old_catalog_becomes_what_a_new_one_is(tmp_path: Path, new: Path, dump: Path):
+    old = spoil(loaded(dump, tmp_path / "old.db"))
     with pytest.raises(CatalogError, match=f"esicatalog migrate --db {old}"):
         Catalog.open(old)
     assert Catalog.migrate(old) == (dump.stem, SCHEMA_VERSION)
-    with Catalog.open(new, create=True) as catalog:
-        catalog.ingest([data / name for name in EXAMPLES], jobs=1)
     assert described(old) == described(new)
     assert contents(old) == contents(new)
     with Catalog.open(old) as upgraded, Catalog.open(new) as made:
