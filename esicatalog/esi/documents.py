@@ -2,9 +2,8 @@
 
 External entities are never loaded, DTDs never fetched. What a strict parser refuses is tried again, first with its XML
 declaration in front and with the encoding that the bytes really have, then with the recovery of libxml2; the reasons
-are reported, never hidden. A document
-beyond a limit that bounds time and memory is refused, not cut: those of libxml2 (256 elements deep, 10 MB of text or
-start tag, entities that expand the document five times) and those below.
+are reported, never hidden. A document beyond a limit that bounds time and memory is refused, not cut: those of libxml2
+(256 elements deep, 10 MB of text or start tag, entities that expand the document five times) and those below.
 """
 
 import codecs
