@@ -24,4 +24,7 @@ async def new_client(db: Path, **options: Any) -> Any:
     for name, value in options.items():
         setattr(application, name, value)
     await application.invoke_startup()
+    # As a server has it; the client of Datasette 1.0 would make one for every request.
+    served = application.app()
+    application.app = lambda: served
     return application.client
