@@ -1155,6 +1155,33 @@ def test_bits_of_two_sync_managers_are_added_before_they_are_rounded(tmp_path):
     assert notes(7) == ["bytes out: 1 configured, 2 in the default process image of the description"]
 
 
+VIRTUAL = '<Sm Virtual="1">Outputs</Sm>'
+SOEM_PDOS = {
+    "virtual": pdo("RxPdo", "#x1601", 8, attributes='Sm="1" Virtual="1"'),
+    "excluded": pdo("RxPdo", "#x1601", 8, attributes='Sm="0"', extra="<Exclude>#x1600</Exclude>"),
+}
+ALL_OF_EEPROM = "; all that the EEPROM assigns, also what the default leaves out"
+
+
+@pytest.mark.parametrize(
+    ("second", "mailbox", "bits", "reason"),
+    [
+        ("virtual", "", 10, None),
+        ("virtual", "", 17, ""),
+        ("excluded", "", 10, ALL_OF_EEPROM),
+        ("excluded", "<Mailbox><CoE/></Mailbox>", 10, ""),
+    ],
+)
+def test_soem_counts_what_the_eeprom_assigns(tmp_path, second, mailbox, bits, reason):
+    """Without CoE ecx_siiPDO adds up 2 bits and 8, by default there are 2; with CoE SOEM asks the device."""
+    first = pdo("RxPdo", "#x1600", 2, attributes='Sm="0"')
+    db = catalog_of(tmp_path, esi(device("<Sm>Outputs</Sm>" + VIRTUAL + first + SOEM_PDOS[second] + mailbox)))
+    block = f"Slave:1\n Output size: {bits}bits\n Input size: 0bits\n Man: 00000e5c ID: 00000001 Rev: 00000001\n"
+    (found,) = json.loads(run("identify", "--slaves", "-", "--format", "json", db=db, stdin=block).stdout)
+    size = f"bytes out: {-(-bits // 8)} configured, 1 in the default process image of the description"
+    assert found["slave"]["notes"] == ([] if reason is None else [size + reason])
+
+
 def test_variants_that_fit_best_alike_are_all_named(tmp_path):
     """The first assigns another PDO than the printed one and lacks that, the others have it with other entries."""
     pdos = (("#x1601", 8, 8), ("#x1600", 16), ("#x1600", 32))

@@ -14,6 +14,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import NO_REVISION, identity_text
 from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, as_listed, look_at_bus, with_virtual
+from esicatalog.model.eeprom_pdos import soem_bits
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.process_image import virtual_pdos
 from esicatalog.model.required_slots import missing_pdos
@@ -229,8 +230,14 @@ def _at_bus(
     at_bus = lookup.at_bus(described) if described is not None else None
     if described is None or at_bus is None or (slave.output_bits is None and slave.input_bits is None):
         return at_bus
-    data = ProcessData(*records(described))
-    at_bus = at_bus._replace(output_bits=data.bit_size(OUTPUT), input_bits=data.bit_size(INPUT))
+    device, modules = records(described)
+    data = ProcessData(device, modules)
+    at_bus = at_bus._replace(
+        output_bits=data.bit_size(OUTPUT),
+        input_bits=data.bit_size(INPUT),
+        soem_outputs=soem_bits(device, OUTPUT, data.images),
+        soem_inputs=soem_bits(device, INPUT, data.images),
+    )
     return with_virtual(at_bus, lists, virtual_pdos(data.images))
 
 

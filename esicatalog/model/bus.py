@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import msgspec
 
+from esicatalog.model.eeprom_pdos import SoemBits
 from esicatalog.model.ports import has_e_bus
 from esicatalog.model.sm_facts import BUFFERED, INPUT, OUTPUT, control_facts
 from esicatalog.model.values import byte_length
@@ -35,6 +36,9 @@ class DeviceAtBus(NamedTuple):
     output_bits: int | None = None
     """All bits, which masters add up over SyncManagers before they round; None where they are not known."""
     input_bits: int | None = None
+    soem_outputs: SoemBits | None = None
+    """What a master exchanges that takes the PDOs from the EEPROM; None where it asks the device."""
+    soem_inputs: SoemBits | None = None
     virtual_output_bytes: int = 0
     """Bytes of the slave's process data that are listed for virtual PDOs, which no size here has."""
     virtual_input_bytes: int = 0
@@ -154,12 +158,8 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
         if slave.alias in duplicates:
             others = ", ".join(str(position) for position in duplicates[slave.alias] if position != slave.position)
             notes.append(f"alias {slave.alias} is also that of slave {others}")
-        outputs, inputs = _Size(slave.output_bits), _Size(slave.input_bits)
-        if device is not None:
-            outputs = outputs._replace(described_bytes=device.output_bytes, virtual_bytes=device.virtual_output_bytes)
-            inputs = inputs._replace(described_bytes=device.input_bytes, virtual_bytes=device.virtual_input_bytes)
-        notes += outputs.notes("out", device.output_bits if device else None)
-        notes += inputs.notes("in", device.input_bits if device else None)
+        outputs, inputs = _sizes(slave, device)
+        notes += [*outputs.notes("out"), *inputs.notes("in")]
         reports.append(
             SlaveReport(
                 output_bytes=outputs.byte_size,
@@ -192,22 +192,36 @@ class _Size(NamedTuple):
 
     configured_bits: int | None
     described_bytes: int | None = None
+    described_bits: int | None = None
     virtual_bytes: int = 0
     """How many of the configured bytes are those of virtual PDOs: they are not compared."""
+    soem: SoemBits | None = None
 
     @property
     def byte_size(self) -> int | None:
         """As configured, else as described."""
         return byte_length(self.configured_bits) if self.configured_bits is not None else self.described_bytes
 
-    def notes(self, way: str, described_bits: int | None) -> Iterator[str]:
-        """A note where neither the bytes are the same nor the bits."""
+    def notes(self, way: str) -> Iterator[str]:
+        """A note where neither the bytes are the same nor the bits, and virtual PDOs are not why."""
         if self.configured_bits is None or self.described_bytes is None or self.byte_size is None:
             return
-        if self.configured_bits == described_bits or self.byte_size - self.virtual_bytes == self.described_bytes:
+        if self.configured_bits == self.described_bits or self.byte_size - self.virtual_bytes == self.described_bytes:
             return
-        described = f"{self.described_bytes} in the default process image of the description"
-        yield f"bytes {way}: {self.byte_size} configured, {described}"
+        counted = self.soem if self.soem is not None and self.soem.bit_size == self.configured_bits else None
+        if counted is None or not counted.is_default:
+            described = f"{self.described_bytes} in the default process image of the description"
+            reason = "" if counted is None else "; all that the EEPROM assigns, also what the default leaves out"
+            yield f"bytes {way}: {self.byte_size} configured, {described}{reason}"
+
+
+def _sizes(slave: ScannedSlave, device: DeviceAtBus | None) -> tuple[_Size, _Size]:
+    """Outputs and inputs."""
+    if device is None:
+        return _Size(slave.output_bits), _Size(slave.input_bits)
+    outputs = device.output_bytes, device.output_bits, device.virtual_output_bytes, device.soem_outputs
+    inputs = device.input_bytes, device.input_bits, device.virtual_input_bytes, device.soem_inputs
+    return _Size(slave.output_bits, *outputs), _Size(slave.input_bits, *inputs)
 
 
 class _EBusBudget:
