@@ -1305,10 +1305,11 @@ def test_a_master_configuration(data_db, tmp_path):
     eni = (
         "<EtherCATConfig><Config><Slave><Info><Name>Term</Name><PhysAddr>1001</PhysAddr><VendorId>3676</VendorId>"
         "<ProductCode>218630152</ProductCode><RevisionNo>1114112</RevisionNo></Info>"
-        "<DC><ReferenceClock>1</ReferenceClock></DC></Slave></Config></EtherCATConfig>"
+        "<DC><ReferenceClock>1</ReferenceClock><CycleTime0>2000000</CycleTime0></DC></Slave></Config></EtherCATConfig>"
     )
     (tmp_path / "bus.xml").write_text(eni)
     (found,) = json.loads(run("identify", "--eni", str(tmp_path / "bus.xml"), "--format", "json", db=data_db).stdout)
+    assert found["slave"]["notes"] == [], "AssignActivate 0x300 generates SYNC0"
     assert (found["slave"]["reference_clock"], found["slave"]["potential_reference_clock"]) == (True, None)
     lines = run("identify", "--eni", tmp_path / "bus.xml", db=data_db).stdout.splitlines()
     assert "  reference clock  slave 0 is configured as reference clock" in lines

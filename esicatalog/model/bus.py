@@ -33,6 +33,8 @@ class DeviceAtBus(NamedTuple):
     """Says False also where it says nothing of clocks."""
     potential_reference_clock: bool | None = None
     """Dc/@PotentialReferenceClock."""
+    supports_sync0: bool = False
+    """Whether an OpMode generates SYNC0."""
     output_bits: int | None = None
     """All bits, which masters add up over SyncManagers before they round; None where they are not known."""
     input_bits: int | None = None
@@ -154,7 +156,7 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
     for slave, device in bus:
         notes = list(budget.pass_over(missing[slave.position])) if slave.position in missing else []
         budget.pass_by(slave, device)
-        notes += [*_troubles(slave), *budget.notes]
+        notes += [*_troubles(slave), *_clock_troubles(slave, device), *budget.notes]
         if slave.alias in duplicates:
             others = ", ".join(str(position) for position in duplicates[slave.alias] if position != slave.position)
             notes.append(f"alias {slave.alias} is also that of slave {others}")
@@ -185,6 +187,18 @@ def _troubles(slave: ScannedSlave) -> Iterator[str]:
         yield f"the slave reports an error{state}{code}"
     if slave.master_device == "Backup":
         yield "reached by the backup link of the master only"
+
+
+def _clock_troubles(slave: ScannedSlave, device: DeviceAtBus | None) -> Iterator[str]:
+    """What an ENI configures of the clocks that the description, or the ENI itself, excludes."""
+    if slave.reference_clock and slave.potential_reference_clock is False:
+        yield "configured as reference clock, which the configuration itself excludes: PotentialReferenceClock is false"
+    if device is None:
+        return
+    if slave.reference_clock and device.potential_reference_clock is False:
+        yield "configured as reference clock, which its description excludes: PotentialReferenceClock is false"
+    if slave.sync0_cycle_ns and not device.supports_sync0:
+        yield f"SYNC0 is configured every {slave.sync0_cycle_ns} ns; no OpMode of its description generates it"
 
 
 class _Size(NamedTuple):
