@@ -902,6 +902,18 @@ def test_gaps_of_a_listing_are_told(data_db):
     assert "  process data     2 bytes out, 2 bytes in; unknown of slaves 1, 2, 4 to 9" in lines
 
 
+def test_a_listing_of_one_slave_is_of_that_slave(data_db):
+    """`ethercat slaves -v -p 3`: the summary names the others once, and calls it no reference clock of their bus."""
+    _, first, _, _ = re.split("(?m)^(?==== )", SLAVES)
+    lines = run("identify", "--slaves", "-", db=data_db, stdin=first.replace("Slave 0", "Slave 3")).stdout.splitlines()
+    assert lines[lines.index("Summary") + 1 :] == [
+        "  slaves           1, 1 with exact ESI",
+        "  not listed       slaves 0 to 2",
+        "  process data     1 byte out, 1 byte in",
+    ]
+    assert not any(line.startswith("  3: slaves") for line in lines)
+
+
 async def test_a_description_without_revision_at_a_bus(tmp_path):
     """Its sizes and its E-bus current count; it is shown without a revision, not with 0."""
     content = "<Info><Electrical><EBusCurrent>200</EBusCurrent></Electrical></Info><Sm>Outputs</Sm>"

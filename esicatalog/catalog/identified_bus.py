@@ -125,16 +125,22 @@ class BusReport(NamedTuple):
 
 
 def bus_facts(bus: BusReport) -> list[tuple[str, str]]:
-    """What is to be known of a bus as a whole: names of facts and their words, those that there are."""
+    """What is to be known of a bus as a whole: names of facts and their words, those that there are.
+
+    Who lists one slave of several (``ethercat slaves -v -p 3``) asks for that one: nothing makes it the reference clock.
+    """
     summary = bus.summary
-    unknown = f"; unknown of {slave_words(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
+    is_one_of_several = len(bus.slaves) == 1 and bool(summary.not_listed)
+    tells_clock = not is_one_of_several or summary.reference_clock_at
+    unknown_at = [n for n in summary.bytes_unknown_at if not (is_one_of_several and n in summary.not_listed)]
+    unknown = f"; unknown of {slave_words(unknown_at)}" if unknown_at else ""
     sizes = f"{counted(summary.output_bytes, 'byte')} out, {counted(summary.input_bytes, 'byte')} in"
     facts = [
         ("slaves", f"{len(bus.slaves)}, {len(bus.slaves) - len(bus.not_exact_at)} with exact ESI"),
         ("not listed", slave_words(summary.not_listed)),
         ("no exact ESI", slave_words(bus.not_exact_at)),
         ("process data", sizes + unknown),
-        ("reference clock", _reference_clock_words(bus)),
+        ("reference clock", _reference_clock_words(bus) if tells_clock else ""),
         ("no LRW", slave_words(summary.no_lrw_at)),
         ("E-bus exceeded", slave_words(summary.e_bus_exceeded_at)),
         ("E-bus unknown", slave_words(summary.e_bus_unknown_at)),

@@ -152,9 +152,11 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
     duplicates = {alias: tuple(positions) for alias, positions in aliases.items() if len(positions) > 1}
     budget = _EBusBudget()
     missing = gaps(slave for slave, _ in bus)
+    # A listing of one slave has no gaps: it is that of this slave.
+    told = missing if len(bus) > 1 else {}
     reports = []
     for slave, device in bus:
-        notes = list(budget.pass_over(missing[slave.position])) if slave.position in missing else []
+        notes = list(budget.pass_over(told[slave.position])) if slave.position in told else []
         budget.pass_by(slave, device)
         notes += [*_troubles(slave), *_clock_troubles(slave, device), *budget.notes]
         if slave.alias in duplicates:
