@@ -1172,7 +1172,7 @@ SOEM_PDOS = {
     "virtual": pdo("RxPdo", "#x1601", 8, attributes='Sm="1" Virtual="1"'),
     "excluded": pdo("RxPdo", "#x1601", 8, attributes='Sm="0"', extra="<Exclude>#x1600</Exclude>"),
 }
-ALL_OF_EEPROM = "; all that the EEPROM assigns, also what the default leaves out"
+OF_EEPROM = "; the EEPROM assigns that many"
 
 
 @pytest.mark.parametrize(
@@ -1180,7 +1180,7 @@ ALL_OF_EEPROM = "; all that the EEPROM assigns, also what the default leaves out
     [
         ("virtual", "", 10, None),
         ("virtual", "", 17, ""),
-        ("excluded", "", 10, ALL_OF_EEPROM),
+        ("excluded", "", 10, OF_EEPROM),
         ("excluded", "<Mailbox><CoE/></Mailbox>", 10, ""),
     ],
 )

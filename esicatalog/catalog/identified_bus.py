@@ -127,7 +127,7 @@ class BusReport(NamedTuple):
 def bus_facts(bus: BusReport) -> list[tuple[str, str]]:
     """What is to be known of a bus as a whole: names of facts and their words, those that there are.
 
-    Who lists one slave of several (``ethercat slaves -v -p 3``) asks for that one: nothing makes it the reference clock.
+    Who lists one slave of several (``ethercat slaves -v -p 3``) asks for that one; nothing says that it gives the time.
     """
     summary = bus.summary
     is_one_of_several = len(bus.slaves) == 1 and bool(summary.not_listed)

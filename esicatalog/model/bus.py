@@ -227,7 +227,7 @@ class _Size(NamedTuple):
         counted = self.soem if self.soem is not None and self.soem.bit_size == self.configured_bits else None
         if counted is None or not counted.is_default:
             described = f"{self.described_bytes} in the default process image of the description"
-            reason = "" if counted is None else "; all that the EEPROM assigns, also what the default leaves out"
+            reason = "" if counted is None else "; the EEPROM assigns that many"
             yield f"bytes {way}: {self.byte_size} configured, {described}{reason}"
 
 

@@ -81,7 +81,8 @@ class SoemBits(NamedTuple):
 
     bit_size: int
     is_default: bool
-    """Whether it is the default process image and what is virtual, nothing that the default leaves out otherwise."""
+    """Whether all but virtual PDOs is as long as the default process image: PDOs that exclude each other make it
+    longer, samples of which the EEPROM has one make it shorter."""
 
 
 def soem_bits(device: Device, transfer_direction: str, images: Iterable[SmImage]) -> SoemBits | None:
@@ -90,5 +91,7 @@ def soem_bits(device: Device, transfer_direction: str, images: Iterable[SmImage]
     if pdos is None:
         return None
     images = list(images)
-    expected = {(image.sm, item.pdo.pdo_index) for image in images for item in image.pdos} | virtual_pdos(images)
-    return SoemBits(sum(pdo.bit_size for pdo in pdos), all((pdo.sm, pdo.pdo_index) in expected for pdo in pdos))
+    virtual = virtual_pdos(images)
+    transported = sum(pdo.bit_size for pdo in pdos if (pdo.sm, pdo.pdo_index) not in virtual)
+    default = sum(image.bit_size for image in images if image.transfer_direction == transfer_direction)
+    return SoemBits(sum(pdo.bit_size for pdo in pdos), transported == default)
