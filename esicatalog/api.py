@@ -252,21 +252,23 @@ class Catalog:
         with self._connection() as connection:
             return _subject_among_variants(connection, wanted)
 
-    def export_subjects(self, vendor_id: int) -> "list[Subject]":
+    def export_subjects(self, vendor_id: int) -> "Iterator[Subject]":
         """What generators get of all devices of a vendor, with codes and without: the preferred descriptions.
 
-        Raises :class:`~esicatalog.errors.InputError` for what is no number of 32 bits.
+        They are read one by one, as they are asked for. Raises :class:`~esicatalog.errors.InputError` for what is no
+        number of 32 bits.
         """
         checked_number(vendor_id, "vendor")
+        return self._subjects_of_vendor(vendor_id)
+
+    def _subjects_of_vendor(self, vendor_id: int) -> "Iterator[Subject]":
         from esicatalog.catalog.devices import devices_of_vendor
         from esicatalog.catalog.reader import RecordReader
 
         with self._connection() as connection:
             reader = RecordReader(connection)
-            return [
-                _export_subject(connection, reader, number, found)
-                for number, found in devices_of_vendor(connection, vendor_id)
-            ]
+            for number, found in devices_of_vendor(connection, vendor_id):
+                yield _export_subject(connection, reader, number, found)
 
     def unreached_modules(self, vendor_id: int) -> "UnreachedModules":
         """The modules of a vendor that no slot of any device reaches, which :meth:`export_subjects` lacks therefore.

@@ -158,6 +158,27 @@ def test_what_a_configuration_says_of_the_reference_clock_counts():
     assert (summary.reference_clock_candidate, summary.reference_clock_at) == (1, (2,))
 
 
+def test_a_clock_that_the_description_excludes_is_told():
+    """ENI (ETG.2100): Slave/DC with ReferenceClock and CycleTime0; an AssignActivate of 0 is no SYNC0."""
+    is_clock, sync0 = {"dc_capable": True, "reference_clock": True}, {"dc_capable": True, "sync0_cycle_ns": 1_000_000}
+    with_sync0 = CLOCK._replace(supports_sync0=True)
+    excluded = "configured as reference clock, which {} excludes: PotentialReferenceClock is false"
+    no_sync0 = "SYNC0 is configured every 1000000 ns; no OpMode of its description generates it"
+    for described, configured, notes in (
+        (NO_CLOCK, is_clock, (excluded.format("its description"),)),
+        (CLOCK, is_clock, ()),
+        (SILENT, is_clock, ()),
+        (None, is_clock | {"potential_reference_clock": False}, (excluded.format("the configuration itself"),)),
+        (CLOCK, sync0, (no_sync0,)),
+        (SILENT, sync0, (no_sync0,)),
+        (with_sync0, sync0, ()),
+        (CLOCK, sync0 | {"sync0_cycle_ns": 0}, ()),
+        (None, sync0, ()),
+    ):
+        (report,), _ = bus(described, at0=configured)
+        assert report.notes == notes
+
+
 def test_a_slave_of_which_nothing_is_known_may_be_the_reference_clock():
     assert clocks(SILENT, None, DRIVE, SILENT) == (2, (0, 1))
     assert clocks(SILENT, None) == (None, (0, 1))
@@ -190,7 +211,7 @@ def test_slaves_that_are_not_listed_are_unknown():
     assert summary.not_listed == summary.e_bus_unknown_at == summary.bytes_unknown_at == (1, 2)
     assert (summary.reference_clock_candidate, summary.clock_unknown_at) == (4, (0, 1, 2, 3))
     reports, summary = bus(TERMINAL, at0={"position": 3})
-    assert reports[0].notes == ("slaves 0 to 2 are not in the listing",)
+    assert reports[0].notes == (), "who lists one slave asks for that one"
     assert (summary.not_listed, summary.e_bus_unknown_at) == ((0, 1, 2), ())
 
 

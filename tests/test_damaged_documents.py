@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from snippets import device, esi, pdo, rows, write
 from test_export_cli import run
+from test_pages import page
 
 from esicatalog import Catalog, read_esi
 from esicatalog.catalog.description import description_json
@@ -52,6 +53,16 @@ def test_every_door_tells_of_a_damaged_document(tmp_path):
     assert rows(db, "SELECT status, is_whole FROM sources") == [("recovered", 0)]
     with Catalog.open(db) as catalog:
         assert [item.is_whole for item in catalog.device("0xe5c:1:1").sources] == [False]
+
+
+async def test_the_compare_page_tells_of_damage(tmp_path):
+    db = catalog_of(tmp_path, {"cut.xml": CUT, "whole.xml": esi(device("", revision="#x2"))})
+    for given, told_at in (("a=0xe5c:1:1&b=0xe5c:1:2", [True, False]), ("a=0xe5c:1:2&b=0xe5c:1:2", [])):
+        tree = await page(db, f"/-/esi/compare?{given}")
+        cells = [
+            row.cssselect("td") for row in tree.cssselect("table.sides tbody tr") if "damaged" in row.text_content()
+        ]
+        assert [WORDS in cell.text_content() for row in cells for cell in row] == told_at
 
 
 @pytest.mark.parametrize("content", WHOLE.values(), ids=list(WHOLE))

@@ -16,8 +16,15 @@ from esicatalog.esi.records.document import EsiInfo, Group, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.profile import Profile
 from esicatalog.esi.records.slots import Slot, SlotModuleClass, SlotModuleIdent
-from esicatalog.export.esi import DeviceWithModules, content_of, export_esi, export_esi_files, export_vendor_esi
-from esicatalog.export.subject import subjects_of_document
+from esicatalog.export.esi import (
+    DeviceWithModules,
+    content_of,
+    export_esi,
+    export_esi_files,
+    export_vendor_esi,
+    sharing_a_document,
+)
+from esicatalog.export.subject import Subject, subjects_of_document
 from esicatalog.model.slots import reachable_modules
 
 VENDOR = Vendor(vendor_id=0xE5C, names=(Name(text="Test vendor"),))
@@ -123,6 +130,14 @@ def test_a_module_that_is_taken_as_another_vendors_only_is_not_lost_in_silence(t
 def test_devices_share_equal_modules():
     both = [DeviceWithModules(modular(name, 0x10), [module(0x10, "M1")]) for name in ("T1", "T2")]
     assert info_of(export_esi(VENDOR, (), both)).modules == (module(0x10, "M1"),)
+
+
+def test_what_cannot_share_a_document_is_refused_before_the_rest_is_read():
+    devices = (modular("T1", 0x10), [module(0x10, "M1")]), (modular("T2", 0x10), [module(0x10, "M2")]), (drive(), [])
+    subjects = iter([Subject(1, "V", item, tuple(modules)) for item, modules in devices])
+    with pytest.raises(InputError, match="'T2' cannot share a document"):
+        list(sharing_a_document(subjects))
+    assert [subject.device for subject in subjects] == [drive()]
 
 
 def test_devices_with_different_modules_of_one_ident_stand_apart():

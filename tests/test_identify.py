@@ -902,6 +902,18 @@ def test_gaps_of_a_listing_are_told(data_db):
     assert "  process data     2 bytes out, 2 bytes in; unknown of slaves 1, 2, 4 to 9" in lines
 
 
+def test_a_listing_of_one_slave_is_of_that_slave(data_db):
+    """`ethercat slaves -v -p 3`: the summary names the others once, and calls it no reference clock of their bus."""
+    _, first, _, _ = re.split("(?m)^(?==== )", SLAVES)
+    lines = run("identify", "--slaves", "-", db=data_db, stdin=first.replace("Slave 0", "Slave 3")).stdout.splitlines()
+    assert lines[lines.index("Summary") + 1 :] == [
+        "  slaves           1, 1 with exact ESI",
+        "  not listed       slaves 0 to 2",
+        "  process data     1 byte out, 1 byte in",
+    ]
+    assert not any(line.startswith("  3: slaves") for line in lines)
+
+
 async def test_a_description_without_revision_at_a_bus(tmp_path):
     """Its sizes and its E-bus current count; it is shown without a revision, not with 0."""
     content = "<Info><Electrical><EBusCurrent>200</EBusCurrent></Electrical></Info><Sm>Outputs</Sm>"
@@ -1155,6 +1167,33 @@ def test_bits_of_two_sync_managers_are_added_before_they_are_rounded(tmp_path):
     assert notes(7) == ["bytes out: 1 configured, 2 in the default process image of the description"]
 
 
+VIRTUAL = '<Sm Virtual="1">Outputs</Sm>'
+SOEM_PDOS = {
+    "virtual": pdo("RxPdo", "#x1601", 8, attributes='Sm="1" Virtual="1"'),
+    "excluded": pdo("RxPdo", "#x1601", 8, attributes='Sm="0"', extra="<Exclude>#x1600</Exclude>"),
+}
+OF_EEPROM = "; the EEPROM assigns that many"
+
+
+@pytest.mark.parametrize(
+    ("second", "mailbox", "bits", "reason"),
+    [
+        ("virtual", "", 10, None),
+        ("virtual", "", 17, ""),
+        ("excluded", "", 10, OF_EEPROM),
+        ("excluded", "<Mailbox><CoE/></Mailbox>", 10, ""),
+    ],
+)
+def test_soem_counts_what_the_eeprom_assigns(tmp_path, second, mailbox, bits, reason):
+    """Without CoE ecx_siiPDO adds up 2 bits and 8, by default there are 2; with CoE SOEM asks the device."""
+    first = pdo("RxPdo", "#x1600", 2, attributes='Sm="0"')
+    db = catalog_of(tmp_path, esi(device("<Sm>Outputs</Sm>" + VIRTUAL + first + SOEM_PDOS[second] + mailbox)))
+    block = f"Slave:1\n Output size: {bits}bits\n Input size: 0bits\n Man: 00000e5c ID: 00000001 Rev: 00000001\n"
+    (found,) = json.loads(run("identify", "--slaves", "-", "--format", "json", db=db, stdin=block).stdout)
+    size = f"bytes out: {-(-bits // 8)} configured, 1 in the default process image of the description"
+    assert found["slave"]["notes"] == ([] if reason is None else [size + reason])
+
+
 def test_variants_that_fit_best_alike_are_all_named(tmp_path):
     """The first assigns another PDO than the printed one and lacks that, the others have it with other entries."""
     pdos = (("#x1601", 8, 8), ("#x1600", 16), ("#x1600", 32))
@@ -1278,10 +1317,11 @@ def test_a_master_configuration(data_db, tmp_path):
     eni = (
         "<EtherCATConfig><Config><Slave><Info><Name>Term</Name><PhysAddr>1001</PhysAddr><VendorId>3676</VendorId>"
         "<ProductCode>218630152</ProductCode><RevisionNo>1114112</RevisionNo></Info>"
-        "<DC><ReferenceClock>1</ReferenceClock></DC></Slave></Config></EtherCATConfig>"
+        "<DC><ReferenceClock>1</ReferenceClock><CycleTime0>2000000</CycleTime0></DC></Slave></Config></EtherCATConfig>"
     )
     (tmp_path / "bus.xml").write_text(eni)
     (found,) = json.loads(run("identify", "--eni", str(tmp_path / "bus.xml"), "--format", "json", db=data_db).stdout)
+    assert found["slave"]["notes"] == [], "AssignActivate 0x300 generates SYNC0"
     assert (found["slave"]["reference_clock"], found["slave"]["potential_reference_clock"]) == (True, None)
     lines = run("identify", "--eni", tmp_path / "bus.xml", db=data_db).stdout.splitlines()
     assert "  reference clock  slave 0 is configured as reference clock" in lines

@@ -56,6 +56,31 @@ def test_what_is_virtual_may_be_listed_or_not(listed, found):
     assert compare_scanned_pdos(only_device(esi(device(content))), (), slave) == found
 
 
+def test_a_list_of_all_that_the_eeprom_assigns_is_told_as_that():
+    """Both TxPDOs name SM3, and 0x1A01 excludes 0x1A00: the default is the first, IgH lists what the SII has."""
+    content = (
+        SMS
+        + pdo("TxPdo", "#x1A00", 8, attributes='Sm="3"')
+        + pdo("TxPdo", "#x1A01", 8, attributes='Sm="3"', extra="<Exclude>#x1A00</Exclude>")
+        + pdo("TxPdo", "#x1A02", 8, attributes="")
+    )
+    described = only_device(esi(device(content)))
+    for listed, found in (
+        ((0x1A00,), []),
+        (
+            (0x1A00, 0x1A01),
+            [
+                "SM3: assigned are 0x1A00, 0x1A01 (all that the EEPROM assigns, also what the default leaves out); "
+                "the default is 0x1A00"
+            ],
+        ),
+        ((0x1A00, 0x1A02), ["SM3: assigned are 0x1A00, 0x1A02; the default is 0x1A00"]),
+    ):
+        pdos = "".join(f'  TxPDO 0x{index:04x} "L"\n    PDO entry 0x7000:01, 8 bit, ""\n' for index in listed)
+        (slave,) = read_pdos(f"SM3: PhysAddr 0x1180, DefaultSize 0, ControlRegister 0x20, Enable 1\n{pdos}").slaves
+        assert compare_scanned_pdos(described, (), slave) == found
+
+
 def test_another_mapping_is_told_entry_by_entry():
     text = '  RxPDO 0x1600 "R"\n    PDO entry 0x7000:01, 16 bit, "a"\n    PDO entry 0x0000:00, 32 bit, "gap"\n'
     assert pdos(text) == ["RxPDO 0x1600, entry 2: maps padding (32 bit); described is 0x7000:02 (32 bit)"]

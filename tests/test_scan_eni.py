@@ -95,7 +95,8 @@ def test_mailbox_clocks_and_process_data():
             + "<Mailbox><Send><Start>4096</Start><Length>128</Length></Send><Recv><Length>192</Length></Recv>"
             + "<Protocol>CoE</Protocol><Protocol>FoE</Protocol></Mailbox>"
             + "<ProcessData><Send><BitLength>16</BitLength></Send><Send><BitLength>8</BitLength></Send></ProcessData>"
-            + "<DC><PotentialReferenceClock>0</PotentialReferenceClock><ReferenceClock>true</ReferenceClock></DC>",
+            + "<DC><PotentialReferenceClock>0</PotentialReferenceClock><ReferenceClock>true</ReferenceClock>"
+            + "<CycleTime0>1000000</CycleTime0><CycleTime1>0</CycleTime1></DC>",
             info() + "<Mailbox><Receive><Length>64</Length></Receive></Mailbox><DC/>",
             info(),
         )
@@ -105,6 +106,7 @@ def test_mailbox_clocks_and_process_data():
     assert (first.output_bits, first.input_bits, first.dc_capable, first.reference_clock) == (24, 0, True, True)
     assert (second.mailbox_in_bytes, second.dc_capable, second.reference_clock) == (64, True, None)
     assert (first.potential_reference_clock, second.potential_reference_clock) == (False, None)
+    assert (first.sync0_cycle_ns, second.sync0_cycle_ns) == (1_000_000, None)
     assert (third.mailbox_protocols, third.output_bits, third.dc_capable) == (None, None, None)
 
 

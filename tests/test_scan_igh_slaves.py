@@ -298,6 +298,36 @@ def test_terminal_decoration():
         assert scan.findings == ()
 
 
+def test_lines_that_were_joined_are_read_apart():
+    """A name ends where the next key follows; those that its slave has told already may stand in it."""
+    lines = STABLE.splitlines()
+    for number in range(1, len(lines)):
+        scan = read_scan(
+            "\n".join([*lines[: number - 1], " ".join(lines[number - 1 : number + 1]), *lines[number + 1 :]])
+        )
+        assert (without_lines(scan.slaves), scan.findings) == (without_lines((COUPLER, DRIVE)), ())
+    for joined in (" ".join(lines), " ".join(STABLE.split())):
+        scan = read_scan(joined + "\n")
+        assert (without_lines(scan.slaves), scan.findings) == (without_lines((COUPLER, DRIVE)), ())
+    (_, drive) = (scan := read_scan(STABLE.replace("Servo: type A", "Servo Device: type A"))).slaves
+    assert (drive.name, drive.not_lrw, scan.findings) == ("Servo Device: type A", True, ())
+
+
+def test_a_joined_line_that_is_not_understood_is_told():
+    """The kernel writes into the same terminal."""
+    scan = read_scan(STABLE.replace("DL information:\n", "DL information: [ 12.1] x\n", 1))
+    assert scan.slaves == (COUPLER, DRIVE)
+    assert messages(scan) == [
+        (10, "1 line is not read as `ethercat slaves -v`; the first: 'DL information: [ 12.1] x'")
+    ]
+    lost = read_scan(STABLE.replace("-2000 mA\n=== Master 0, Slave 1 ===\n", "-2000 mA === Master 0, Slave 1 ==\n"))
+    assert (lost.slaves, len(lost.findings)) == ((COUPLER,), 2)
+
+
+def without_lines(slaves: tuple[ScannedSlave, ...]) -> list[ScannedSlave]:
+    return [msgspec.structs.replace(slave, line=0) for slave in slaves]
+
+
 def test_what_programs_write_into_terminals_beside_colours():
     """``tput sgr0`` of most terminals is ESC ( B ESC [ m; OSC sets titles, ended by BEL or ESC and a backslash."""
     heading = "=== Master 0, Slave 1 ==="

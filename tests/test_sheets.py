@@ -74,6 +74,13 @@ async def test_a_device_whose_modules_alone_have_start_up_commands(data_db):
     assert texts(tree, f"{rows} td:nth-child(3)") == ["0x6060:00", "0x6860:00"]
     assert texts(tree, f"{rows} td:nth-child(4)") == ["08", "09"]
     assert texts(tree, "nav.toc a[href='#commands']") == ["Start-up commands"]
+    idents = (
+        "Module idents, slot by slot: 0x00010800, 0x00010900, expected in 0xF030 (configured; exports write it at PS)"
+    )
+    assert f"{idents} and 0xF050 (detected)" in texts(tree, "section[aria-labelledby=image] p")
+    sheet = run("show", "0xe5c:0xa202:0x10002", "--module", "1=0x10900", db=data_db).stdout
+    assert f"  {idents[0].lower()}{idents[1:]} and 0xF050 (detected)" in sheet.splitlines()
+    assert "module idents" not in run("show", "0x1097:0x2406:0x8f", db=data_db).stdout, "it has no such objects"
 
 
 SMS = "<Sm>MBoxOut</Sm><Sm>MBoxIn</Sm><Sm ControlByte='#x64'>Outputs</Sm><Sm ControlByte='#x20'>Inputs</Sm>"

@@ -18,6 +18,7 @@ from snippets import rows
 from test_schema import described
 
 from esicatalog import Catalog
+from esicatalog.catalog import load
 from esicatalog.catalog.database import catalog_url, make_engine
 from esicatalog.catalog.rederive import derive_again
 from esicatalog.catalog.schema import SCHEMA_VERSION, metadata
@@ -98,6 +99,23 @@ def test_a_newer_catalog_is_left_as_it_is(tmp_path: Path, data_db: Path, data: P
     with pytest.raises(CatalogError, match="newer esicatalog"), Catalog.open(copy, create=True) as catalog:
         catalog.ingest([data])
     assert copy.read_bytes() == before
+
+
+def test_a_migration_waits_for_readers_as_an_ingest_does(tmp_path: Path, monkeypatch):
+    """SQLite itself gives up after the five seconds of its busy timeout."""
+    old = loaded(DUMPS[0], tmp_path / "old.db")
+    with closing(sqlite3.connect(old)) as reader:
+        half_read = reader.execute("SELECT * FROM objects")
+        half_read.fetchone()
+        waited = []
+
+        def end_reading(seconds: float) -> None:
+            waited.append(seconds)
+            half_read.close()
+
+        monkeypatch.setattr(load.time, "sleep", end_reading)
+        assert Catalog.migrate(old) == (DUMPS[0].stem, SCHEMA_VERSION)
+    assert (len(waited), rows(old, "PRAGMA journal_mode")) == (1, [("delete",)])
 
 
 def test_views_of_others_stay_and_read_what_is_new(tmp_path: Path):

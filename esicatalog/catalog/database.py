@@ -291,13 +291,30 @@ def upgrade_catalog(target: str | os.PathLike[str]) -> tuple[str, str]:
         if version > SCHEMA_VERSION:
             raise CatalogError(_version_message(shown_target(target), version))
         if version != SCHEMA_VERSION:
-            with only_writer(sqlite_path(engine.url)):
+            with only_writer(sqlite_path(engine.url)), _beside_readers(engine):
                 upgrade(engine)
     except sa.exc.DBAPIError as error:
         raise database_error(shown_target(target), error, is_writing=True) from error
     finally:
         engine.dispose()
     return version, SCHEMA_VERSION
+
+
+@contextlib.contextmanager
+def _beside_readers(engine: sa.Engine) -> Iterator[None]:
+    """Wait for those who are reading an SQLite file, as an ingest does; who begins meanwhile reads what was there."""
+    from esicatalog.catalog.load import begin_log, end_load
+
+    if engine.dialect.name != "sqlite":
+        yield
+        return
+    with engine.connect() as connection:
+        begin_log(connection)
+    try:
+        yield
+    finally:
+        with engine.connect() as connection:
+            end_load(connection)
 
 
 def _version_message(target: str, version: str) -> str:

@@ -14,6 +14,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.identity import NO_REVISION, identity_text
 from esicatalog.model.bus import BusSummary, DeviceAtBus, SlaveReport, as_listed, look_at_bus, with_virtual
+from esicatalog.model.eeprom_pdos import soem_bits
 from esicatalog.model.process_data import ProcessData
 from esicatalog.model.process_image import virtual_pdos
 from esicatalog.model.required_slots import missing_pdos
@@ -124,16 +125,22 @@ class BusReport(NamedTuple):
 
 
 def bus_facts(bus: BusReport) -> list[tuple[str, str]]:
-    """What is to be known of a bus as a whole: names of facts and their words, those that there are."""
+    """What is to be known of a bus as a whole: names of facts and their words, those that there are.
+
+    Who lists one slave of several (``ethercat slaves -v -p 3``) asks for that one; nothing says that it gives the time.
+    """
     summary = bus.summary
-    unknown = f"; unknown of {slave_words(summary.bytes_unknown_at)}" if summary.bytes_unknown_at else ""
+    is_one_of_several = len(bus.slaves) == 1 and bool(summary.not_listed)
+    tells_clock = not is_one_of_several or summary.reference_clock_at
+    unknown_at = [n for n in summary.bytes_unknown_at if not (is_one_of_several and n in summary.not_listed)]
+    unknown = f"; unknown of {slave_words(unknown_at)}" if unknown_at else ""
     sizes = f"{counted(summary.output_bytes, 'byte')} out, {counted(summary.input_bytes, 'byte')} in"
     facts = [
         ("slaves", f"{len(bus.slaves)}, {len(bus.slaves) - len(bus.not_exact_at)} with exact ESI"),
         ("not listed", slave_words(summary.not_listed)),
         ("no exact ESI", slave_words(bus.not_exact_at)),
         ("process data", sizes + unknown),
-        ("reference clock", _reference_clock_words(bus)),
+        ("reference clock", _reference_clock_words(bus) if tells_clock else ""),
         ("no LRW", slave_words(summary.no_lrw_at)),
         ("E-bus exceeded", slave_words(summary.e_bus_exceeded_at)),
         ("E-bus unknown", slave_words(summary.e_bus_unknown_at)),
@@ -229,8 +236,14 @@ def _at_bus(
     at_bus = lookup.at_bus(described) if described is not None else None
     if described is None or at_bus is None or (slave.output_bits is None and slave.input_bits is None):
         return at_bus
-    data = ProcessData(*records(described))
-    at_bus = at_bus._replace(output_bits=data.bit_size(OUTPUT), input_bits=data.bit_size(INPUT))
+    device, modules = records(described)
+    data = ProcessData(device, modules)
+    at_bus = at_bus._replace(
+        output_bits=data.bit_size(OUTPUT),
+        input_bits=data.bit_size(INPUT),
+        soem_outputs=soem_bits(device, OUTPUT, data.images),
+        soem_inputs=soem_bits(device, INPUT, data.images),
+    )
     return with_virtual(at_bus, lists, virtual_pdos(data.images))
 
 

@@ -132,7 +132,7 @@ class _Row(NamedTuple):
 
 _AT_BUS = (
     "SELECT d.physics, d.e_bus_current_ma, d.use_lrd_lwr, f.output_bytes, f.input_bytes, f.dc_supported, "
-    "d.dc_potential_reference_clock "
+    "d.dc_potential_reference_clock, f.supports_sync0 "
     "FROM devices d JOIN device_facts f ON f.device_id = d.id "
     "WHERE d.vendor_id = ? AND d.product_code = ? AND d.variant = ? AND d.revision_no "
 )
@@ -248,9 +248,17 @@ class IdentityLookup:
         row = next(iter(rows), None)
         if row is None:
             return None
-        physics, current, no_lrw, output_bytes, input_bytes, dc_supported, reference_clock = row
-        may_be_clock = bool(reference_clock) if reference_clock is not None else None
-        return DeviceAtBus(physics, current, bool(no_lrw), output_bytes, input_bytes, bool(dc_supported), may_be_clock)
+        physics, current, no_lrw, output_bytes, input_bytes, dc_supported, reference_clock, sync0 = row
+        return DeviceAtBus(
+            physics,
+            current,
+            bool(no_lrw),
+            output_bytes,
+            input_bytes,
+            bool(dc_supported),
+            potential_reference_clock=bool(reference_clock) if reference_clock is not None else None,
+            supports_sync0=bool(sync0),
+        )
 
     def _unknown_product(self, query: tuple[int, int, int | None]) -> Identification:
         vendor_id, product_code, _ = query

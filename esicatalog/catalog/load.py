@@ -66,7 +66,7 @@ def _prepare_file(connection: sa.Connection, is_new: bool) -> None:
     if is_new:
         _end_log(connection)
     else:
-        _begin_log(connection)
+        begin_log(connection)
     connection.exec_driver_sql(f"PRAGMA cache_size = -{_CACHE_KB}")
     connection.commit()
     finish_indexes(connection)
@@ -150,7 +150,7 @@ def _end_log(connection: sa.Connection) -> None:
     _has_mode(connection, "DELETE")
 
 
-def _begin_log(connection: sa.Connection) -> None:
+def begin_log(connection: sa.Connection) -> None:
     """Go over to the write-ahead log, waiting for those who have begun to read without it.
 
     While SQLite waits for them it lets nobody else begin, so it is asked again and again for a short time.

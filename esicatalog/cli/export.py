@@ -274,7 +274,7 @@ def esi(context: click.Context, inputs: Inputs, vendor: int | None, with_files: 
     from esicatalog.export.esi import content_of, export_esi_files, export_vendor_esi
 
     if vendor is not None:
-        content, unreached = content_of_vendor(inputs, vendor)
+        content, unreached = content_of_vendor(inputs, vendor, not with_files)
     else:
         content, unreached = content_of([inputs.subject()]), ()
     if not with_files:

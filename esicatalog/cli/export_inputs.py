@@ -97,18 +97,21 @@ def configurations_of_scan(inputs: Inputs, file: Path) -> "BusConfigurations":
     return found
 
 
-def content_of_vendor(inputs: Inputs, vendor_id: int) -> "tuple[EsiContent, tuple[Module, ...]]":
+def content_of_vendor(inputs: Inputs, vendor_id: int, in_one_document: bool) -> "tuple[EsiContent, tuple[Module, ...]]":
     """The preferred description of every device of a vendor, and the modules that no slot of any device reaches.
 
-    The other descriptions are noted. Raises :class:`NotFound` when there is neither.
+    The other descriptions are noted. Raises :class:`NotFound` when there is neither, and :class:`InputError` at the
+    first device that cannot be ``in_one_document`` with those before it.
     """
     from esicatalog.api import Catalog
     from esicatalog.catalog.device_filter import DeviceFilter
-    from esicatalog.export.esi import EsiContent, content_of
+    from esicatalog.export.esi import EsiContent, content_of, sharing_a_document
 
     inputs.check_no_device("--vendor")
     with Catalog.open(inputs.db) as catalog:
-        subjects, unreached = catalog.export_subjects(vendor_id), catalog.unreached_modules(vendor_id)
+        found = catalog.export_subjects(vendor_id)
+        subjects = list(sharing_a_document(found) if in_one_document else found)
+        unreached = catalog.unreached_modules(vendor_id)
         listed = catalog.find(DeviceFilter(vendor_id=vendor_id, all_variants=True, include_hidden=True))
     if not subjects and not unreached.modules:
         raise NotFound(f"vendor {hex32(vendor_id)} has no device and no module in the catalog")

@@ -11,6 +11,8 @@ from esicatalog.cli.common import Command, db_option, reporting_errors
 def command(db: str) -> None:
     """Bring a catalog of an older version up to date. A catalog is never downgraded.
 
+    It waits, up to a minute, for those who are reading an SQLite file.
+
     Its views and its search are made anew; views of your own stay. On PostgreSQL a view of your own that reads one of
     the catalog's is in the way: drop it before, make it anew afterwards. Who only reads needs the right to it again.
     """

@@ -18,6 +18,7 @@ from esicatalog.model.device_facts import DeviceFacts
 from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels, slot_offers
+from esicatalog.model.module_idents import module_idents_words
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdo_flags, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
@@ -226,12 +227,15 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
 
 
 def _slots(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> Iterator[str]:
+    plugged = description.plugged(choice)
     rows = []
-    for offer in slot_offers(description.device, description.modules, description.plugged(choice)):
+    for offer in slot_offers(description.device, description.modules, plugged):
         cells = [["*" if item.is_plugged else "", str(item.choice), item.name] for item in offer.fitting]
         place = [offer.number_words, offer.name]
         rows += [[*place, *row] for row in cells or [["", "", "no described module to choose"]]]
     yield from _section("Slots and the modules that fit (* = plugged)", ("slot", "", "", "module", "name"), rows)
+    if words := module_idents_words(description.device, plugged):
+        yield f"  module idents, slot by slot: {words}"
 
 
 def _module(module: Module, label: str) -> Iterator[str]:

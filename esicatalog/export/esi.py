@@ -48,6 +48,14 @@ def content_of(subjects: Sequence[Subject]) -> EsiContent:
     )
 
 
+def sharing_a_document(subjects: Iterable[Subject]) -> Iterator[Subject]:
+    """The same descriptions. Raises :class:`InputError` at the first that cannot share a document with those before."""
+    document = _Document()
+    for subject in subjects:
+        document.require(subject.device, _by_key(subject.modules))
+        yield subject
+
+
 class VendorEsi(NamedTuple):
     """A document of a vendor, and of the modules that no slot reaches those that cannot stand in it."""
 
@@ -72,15 +80,11 @@ def export_vendor_esi(
 
     One cannot that a slot of these devices would take, or whose ModuleIdent another module of the document has.
     """
-    documents = _documents(devices)
-    if len(documents) > 1:
-        other = documents[1].devices[0]
-        raise InputError(
-            f"device {other.type!r} cannot share a document with the others: modules of the same ModuleIdent or "
-            "ModuleClass would fit its slots or theirs; write several documents: --with-files -o OUT"
-        )
-    left_out = tuple([module for module in unreached if not documents[0].take_unreached(module)])
-    return VendorEsi(write_esi(_info(vendor, tuple(groups), documents[0], None)), left_out)
+    document = _Document()
+    for device, modules in devices:
+        document.require(device, _by_key(modules))
+    left_out = tuple([module for module in unreached if not document.take_unreached(module)])
+    return VendorEsi(write_esi(_info(vendor, tuple(groups), document, None)), left_out)
 
 
 def export_esi_files(
@@ -136,6 +140,14 @@ class _Document:
         self.modules = together
         return True
 
+    def require(self, device: Device, modules: dict[bytes, Module]) -> None:
+        """Take a device in. Raises :class:`InputError` where that cannot be."""
+        if not self.take(device, modules):
+            raise InputError(
+                f"device {device.type!r} cannot share a document with the others: modules of the same ModuleIdent or "
+                "ModuleClass would fit its slots or theirs; write several documents: --with-files -o OUT"
+            )
+
     def take_unreached(self, module: Module) -> bool:
         """Take a module in, unless a device that is here would reach it or another module has its ModuleIdent."""
         idents = {held.module_ident for held in self.modules.values()} - {None}
@@ -149,6 +161,10 @@ def _key(module: Module) -> bytes:
     return digest(msgspec.msgpack.encode(module))
 
 
+def _by_key(modules: Iterable[Module]) -> dict[bytes, Module]:
+    return {_key(module): module for module in modules}
+
+
 def _by_ident(modules: dict[bytes, Module]) -> list[bytes]:
     """Modules by ModuleIdent, those that share one in their order: the first of them is the default."""
     return sorted(modules, key=lambda key: modules[key].module_ident or 0)
@@ -157,7 +173,7 @@ def _by_ident(modules: dict[bytes, Module]) -> list[bytes]:
 def _documents(devices: Iterable[DeviceWithModules], unreached: Iterable[Module] = ()) -> list[_Document]:
     documents = [_Document()]
     for device, modules in devices:
-        own = {_key(module): module for module in modules}
+        own = _by_key(modules)
         if not any(document.take(device, own) for document in documents):
             documents.append(_Document())
             documents[-1].take(device, own)

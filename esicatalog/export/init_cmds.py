@@ -10,12 +10,12 @@ from esicatalog.esi.records.device import Device
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.access import states_to_write
 from esicatalog.model.device_words import soe_target
+from esicatalog.model.module_idents import MODULE_IDENT_LIST, list_transition, module_idents
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
-from esicatalog.model.slots import ExpandedModule, PluggedModule, numbered_slots
+from esicatalog.model.slots import ExpandedModule, PluggedModule
 from esicatalog.model.start_up import TRANSITIONS, OwnedInitCmd, all_init_cmds, transition_of, unusable_part
 from esicatalog.words import one_line
 
-MODULE_IDENT_LIST = 0xF030
 _WITHOUT_GENERATOR = ("AoE", "EoE")
 _ADDRESS_LIST = (
     "Slots/@DownloadModuleAddressList: the device wants to be told the addresses of its modules at start, which are "
@@ -150,16 +150,12 @@ def _module_list(device: Device, plugged: Iterable[PluggedModule], count_is_read
     """The idents of the plugged modules, 0 for an empty slot, where the device wants to be told (0xF030)."""
     if not device.download_module_ident_list:
         return
-    idents = {item.slot_number: item.module.module_ident or 0 for item in plugged}
-    count = min(max(idents, default=-1) + 1, 255)
-    if not count:
+    values = [ident.to_bytes(4, "little") for ident in module_idents(device, plugged)]
+    if not values:
         return
-    transition = (device.download_module_list_transition or "PS").upper()
-    transition = transition if transition in TRANSITIONS else "PS"
-    values = [idents.get(number, 0).to_bytes(4, "little") for number, _, _ in numbered_slots(device)][:count]
-    data = count.to_bytes(2, "little") + b"".join(values)
+    data = len(values).to_bytes(2, "little") + b"".join(values)
     whole = StartCommand(
-        transition,
+        list_transition(device),
         "CoE",
         MODULE_IDENT_LIST,
         0,

@@ -16,7 +16,7 @@ from esicatalog.export.esc_registers import NO_REGISTERS, register_remarks
 from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.igh_files import Listed, listed
 from esicatalog.export.igh_limits import pieces
-from esicatalog.export.init_cmds import MODULE_IDENT_LIST, StartCommand, single_accesses
+from esicatalog.export.init_cmds import StartCommand, single_accesses
 from esicatalog.export.mode_commands import started_modes
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
@@ -30,6 +30,7 @@ from esicatalog.model.cia402 import (
     STATUSWORD,
 )
 from esicatalog.model.drive_evidence import mode_code
+from esicatalog.model.module_idents import MODULE_IDENT_LIST
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 
 PROGRAM = "ethercat_driver_ros2"

@@ -14,10 +14,11 @@ from esicatalog.esi.records.document import Group
 from esicatalog.esi.records.mailbox import Mailbox
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.esi.records.pdo import Pdo as EsiPdo
-from esicatalog.export.sii_header import computed_header, declared_categories, flags_of, whole_image
+from esicatalog.export.sii_header import computed_header, declared_categories, flags_of
 from esicatalog.export.sii_texts import Texts
 from esicatalog.export.subject import Subject
 from esicatalog.model.base_types import BASE_TYPES, base_type
+from esicatalog.model.eeprom_pdos import stored_pdos, whole_image
 from esicatalog.model.pdo_facts import entry_facts
 from esicatalog.model.ports import port_kind
 from esicatalog.model.sm_facts import sm_usages
@@ -206,11 +207,6 @@ def _pdos(pdos: Iterable[EsiPdo], texts: Texts) -> Iterator[Pdo]:
             sm=NOT_ASSIGNED if pdo.sm is None else pdo.sm,
             flags=flags_of(PdoFlags(0), _PDO_FLAGS, pdo),
         )
-
-
-def stored_pdos(pdos: Iterable[EsiPdo]) -> Iterator[EsiPdo]:
-    """Those that an image holds: without an index, a reference of files before schema 1.2, nothing can be assigned."""
-    return (pdo for pdo in pdos if pdo.pdo_index is not None)
 
 
 def _entry(entry: Entry, texts: Texts) -> PdoEntry:

@@ -14,11 +14,12 @@ from esicatalog.esi.records.device import Fmmu as EsiFmmu
 from esicatalog.esi.records.device import SyncManager as EsiSyncManager
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.esi.records.pdo import Pdo as EsiPdo
-from esicatalog.export.sii import FMMU_USAGE_CODES, described_image, op_modes_of_image, stored_pdos
+from esicatalog.export.sii import FMMU_USAGE_CODES, described_image, op_modes_of_image
 from esicatalog.export.sii_changes import numbered_pdos
-from esicatalog.export.sii_header import configuration_bytes, whole_image, words_not_given
+from esicatalog.export.sii_header import configuration_bytes, words_not_given
 from esicatalog.export.sii_merge import merged_general, merged_header
 from esicatalog.export.subject import Subject
+from esicatalog.model.eeprom_pdos import stored_pdos, whole_image
 from esicatalog.sii.codes import AssignActivate, SmEnable
 from esicatalog.sii.image import (
     Category,

@@ -11,6 +11,7 @@ from esicatalog.esi.numbers import decode_hex_binary
 from esicatalog.esi.records.device import Device, Eeprom, EepromCategory, SyncManager
 from esicatalog.esi.records.mailbox import Mailbox
 from esicatalog.esi.unreadable import unreadable
+from esicatalog.model.eeprom_pdos import whole_image
 from esicatalog.model.sm_facts import sm_usages
 from esicatalog.sii.checksum import CHECKSUM_OFFSET, with_checksum
 from esicatalog.sii.codes import CoeDetails, GeneralFlags, MailboxProtocols, PdoFlags, SmEnable
@@ -60,11 +61,6 @@ F = TypeVar("F", CoeDetails, GeneralFlags, MailboxProtocols, PdoFlags, SmEnable)
 def flags_of(none: F, flags: Mapping[str, F], record: Record) -> F:
     """The flags of all fields of ``record`` that are set, beside those of ``none``."""
     return reduce(or_, (flag for field, flag in flags.items() if getattr(record, field)), none)
-
-
-def whole_image(device: Device) -> bytes | None:
-    """The bytes of Eeprom/Data, which is the whole image; None without one, or with one that cannot be read."""
-    return decode_hex_binary(device.eeprom.data) if device.eeprom is not None else None
 
 
 def eeprom_bytes(header: Header, device: Device) -> int:

@@ -19,12 +19,12 @@ from esicatalog.export.sii_header import (
     category_data,
     computed_header,
     has_category_number,
-    whole_image,
 )
 from esicatalog.export.sii_merge import PDI_BYTES
 from esicatalog.export.sii_texts import storable
 from esicatalog.export.subject import Subject
 from esicatalog.identity import Identity
+from esicatalog.model.eeprom_pdos import whole_image
 from esicatalog.model.pdo_facts import entry_facts, entry_words, has_length, has_object, lacks_subindex
 from esicatalog.model.ports import port_kind
 from esicatalog.model.sm_facts import SM_ROLES, mailbox_sync_managers, sm_facts, sm_usages

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import msgspec
 
+from esicatalog.model.eeprom_pdos import SoemBits
 from esicatalog.model.ports import has_e_bus
 from esicatalog.model.sm_facts import BUFFERED, INPUT, OUTPUT, control_facts
 from esicatalog.model.values import byte_length
@@ -32,9 +33,14 @@ class DeviceAtBus(NamedTuple):
     """Says False also where it says nothing of clocks."""
     potential_reference_clock: bool | None = None
     """Dc/@PotentialReferenceClock."""
+    supports_sync0: bool = False
+    """Whether an OpMode generates SYNC0."""
     output_bits: int | None = None
     """All bits, which masters add up over SyncManagers before they round; None where they are not known."""
     input_bits: int | None = None
+    soem_outputs: SoemBits | None = None
+    """What a master exchanges that takes the PDOs from the EEPROM; None where it asks the device."""
+    soem_inputs: SoemBits | None = None
     virtual_output_bytes: int = 0
     """Bytes of the slave's process data that are listed for virtual PDOs, which no size here has."""
     virtual_input_bytes: int = 0
@@ -146,20 +152,18 @@ def look_at_bus(bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]]) -> tuple
     duplicates = {alias: tuple(positions) for alias, positions in aliases.items() if len(positions) > 1}
     budget = _EBusBudget()
     missing = gaps(slave for slave, _ in bus)
+    # A listing of one slave has no gaps: it is that of this slave.
+    told = missing if len(bus) > 1 else {}
     reports = []
     for slave, device in bus:
-        notes = list(budget.pass_over(missing[slave.position])) if slave.position in missing else []
+        notes = list(budget.pass_over(told[slave.position])) if slave.position in told else []
         budget.pass_by(slave, device)
-        notes += [*_troubles(slave), *budget.notes]
+        notes += [*_troubles(slave), *_clock_troubles(slave, device), *budget.notes]
         if slave.alias in duplicates:
             others = ", ".join(str(position) for position in duplicates[slave.alias] if position != slave.position)
             notes.append(f"alias {slave.alias} is also that of slave {others}")
-        outputs, inputs = _Size(slave.output_bits), _Size(slave.input_bits)
-        if device is not None:
-            outputs = outputs._replace(described_bytes=device.output_bytes, virtual_bytes=device.virtual_output_bytes)
-            inputs = inputs._replace(described_bytes=device.input_bytes, virtual_bytes=device.virtual_input_bytes)
-        notes += outputs.notes("out", device.output_bits if device else None)
-        notes += inputs.notes("in", device.input_bits if device else None)
+        outputs, inputs = _sizes(slave, device)
+        notes += [*outputs.notes("out"), *inputs.notes("in")]
         reports.append(
             SlaveReport(
                 output_bytes=outputs.byte_size,
@@ -187,27 +191,53 @@ def _troubles(slave: ScannedSlave) -> Iterator[str]:
         yield "reached by the backup link of the master only"
 
 
+def _clock_troubles(slave: ScannedSlave, device: DeviceAtBus | None) -> Iterator[str]:
+    """What an ENI configures of the clocks that the description, or the ENI itself, excludes."""
+    if slave.reference_clock and slave.potential_reference_clock is False:
+        yield "configured as reference clock, which the configuration itself excludes: PotentialReferenceClock is false"
+    if device is None:
+        return
+    if slave.reference_clock and device.potential_reference_clock is False:
+        yield "configured as reference clock, which its description excludes: PotentialReferenceClock is false"
+    if slave.sync0_cycle_ns and not device.supports_sync0:
+        yield f"SYNC0 is configured every {slave.sync0_cycle_ns} ns; no OpMode of its description generates it"
+
+
 class _Size(NamedTuple):
     """Process data of one direction, as configured and as described."""
 
     configured_bits: int | None
     described_bytes: int | None = None
+    described_bits: int | None = None
     virtual_bytes: int = 0
     """How many of the configured bytes are those of virtual PDOs: they are not compared."""
+    soem: SoemBits | None = None
 
     @property
     def byte_size(self) -> int | None:
         """As configured, else as described."""
         return byte_length(self.configured_bits) if self.configured_bits is not None else self.described_bytes
 
-    def notes(self, way: str, described_bits: int | None) -> Iterator[str]:
-        """A note where neither the bytes are the same nor the bits."""
+    def notes(self, way: str) -> Iterator[str]:
+        """A note where neither the bytes are the same nor the bits, and virtual PDOs are not why."""
         if self.configured_bits is None or self.described_bytes is None or self.byte_size is None:
             return
-        if self.configured_bits == described_bits or self.byte_size - self.virtual_bytes == self.described_bytes:
+        if self.configured_bits == self.described_bits or self.byte_size - self.virtual_bytes == self.described_bytes:
             return
-        described = f"{self.described_bytes} in the default process image of the description"
-        yield f"bytes {way}: {self.byte_size} configured, {described}"
+        counted = self.soem if self.soem is not None and self.soem.bit_size == self.configured_bits else None
+        if counted is None or not counted.is_default:
+            described = f"{self.described_bytes} in the default process image of the description"
+            reason = "" if counted is None else "; the EEPROM assigns that many"
+            yield f"bytes {way}: {self.byte_size} configured, {described}{reason}"
+
+
+def _sizes(slave: ScannedSlave, device: DeviceAtBus | None) -> tuple[_Size, _Size]:
+    """Outputs and inputs."""
+    if device is None:
+        return _Size(slave.output_bits), _Size(slave.input_bits)
+    outputs = device.output_bytes, device.output_bits, device.virtual_output_bytes, device.soem_outputs
+    inputs = device.input_bytes, device.input_bits, device.virtual_input_bytes, device.soem_inputs
+    return _Size(slave.output_bits, *outputs), _Size(slave.input_bits, *inputs)
 
 
 class _EBusBudget:

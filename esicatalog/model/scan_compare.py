@@ -18,6 +18,7 @@ from esicatalog.model.access import STATE_WORDS, access_text
 from esicatalog.model.base_types import base_type
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews, EntriesBySubindex, counting_view
+from esicatalog.model.eeprom_pdos import eeprom_pdos
 from esicatalog.model.oversampling import has_oversampling
 from esicatalog.model.pdo_facts import Mapped, has_length, is_described, mapped, mapped_words
 from esicatalog.model.process_image import PlacedPdo, default_process_image, process_image, virtual_pdos
@@ -40,7 +41,8 @@ def compare_scanned_pdos(device: Device, modules: Sequence[Module], seen: Scanne
 
     SyncManagers without PDOs may be left out of the list, those that have some by default not. Mappings are compared
     where entries are listed; any assignment is as described where nothing describes what a SyncManager exchanges. What
-    is virtual at a SyncManager may be listed there, as the EEPROM has it, or not.
+    is virtual at a SyncManager may be listed there, as the EEPROM has it, or not. Where all that the EEPROM
+    assigns is more than the default, a list of that is told as what it is: it says nothing of the device's assignment.
     """
     slots = _AnySlot(device, modules, sum(1 + len(pdo.entries) for module in modules for _, pdo in _pdos(module)))
     printed = {pdo.index for sync_manager in seen.sync_managers for pdo in sync_manager.pdos}
@@ -49,6 +51,9 @@ def compare_scanned_pdos(device: Device, modules: Sequence[Module], seen: Scanne
     assigned = {image.sm: [pdo.pdo.pdo_index for pdo in image.pdos] for image in images}
     left_open = {image.sm for image in images if image.left_open is not None}
     virtual = virtual_pdos(images)
+    in_eeprom: dict[int, list[int]] = defaultdict(list)
+    for item in eeprom_pdos(device):
+        in_eeprom[item.sm].append(item.pdo_index)
     found: list[str] = []
     for sync_manager in seen.sync_managers:
         for pdo in sync_manager.pdos:
@@ -56,7 +61,10 @@ def compare_scanned_pdos(device: Device, modules: Sequence[Module], seen: Scanne
         now = [pdo.index for pdo in sync_manager.pdos if (sync_manager.number, pdo.index) not in virtual]
         default = [index for index in assigned.get(sync_manager.number, ()) if index is not None]
         if now != default and sync_manager.number not in left_open:
-            words = f"assigned are {_pdo_words(now)}; the default is {_pdo_words(default)}"
+            listed_pdos = [pdo.index for pdo in sync_manager.pdos]
+            is_eeprom = listed_pdos == in_eeprom[sync_manager.number] and set(default) < set(now)
+            reason = " (all that the EEPROM assigns, also what the default leaves out)" if is_eeprom else ""
+            words = f"assigned are {_pdo_words(now)}{reason}; the default is {_pdo_words(default)}"
             found.append(f"SM{sync_manager.number}: {words}")
     listed = {sync_manager.number for sync_manager in seen.sync_managers}
     for number, indices in assigned.items():

@@ -111,7 +111,7 @@ def _slave(place: int, element: etree._Element, findings: list[ScanFinding]) -> 
         serial_no=numbers.child("Info/SerialNo"),
         **identity,
         **_mailbox(element, numbers),
-        **_clocks(element),
+        **_clocks(element, numbers),
         **_process_data(element, numbers),
     )
 
@@ -128,13 +128,14 @@ def _mailbox(element: etree._Element, numbers: _Numbers) -> dict[str, Any]:
     }
 
 
-def _clocks(element: etree._Element) -> dict[str, Any]:
+def _clocks(element: etree._Element, numbers: _Numbers) -> dict[str, Any]:
     """A slave that the configuration synchronises has clocks; of the others it says nothing."""
     clocks = element.find("DC")
     if clocks is None:
         return {}
     told = {"reference_clock": "ReferenceClock", "potential_reference_clock": "PotentialReferenceClock"}
-    return {"dc_capable": True} | {field: BOOL.read(clocks.findtext(tag) or "").value for field, tag in told.items()}
+    known = {"dc_capable": True, "sync0_cycle_ns": numbers.child("DC/CycleTime0")}
+    return known | {field: BOOL.read(clocks.findtext(tag) or "").value for field, tag in told.items()}
 
 
 def _process_data(element: etree._Element, numbers: _Numbers) -> dict[str, Any]:

@@ -3,6 +3,9 @@
 Layouts, by the sources of the tool: headings ``=== Slave 0 ===`` and plain mailboxes (1.4); headings with the master,
 bootstrap and standard mailboxes, DL information with distributed clocks and the port table (1.5, 1.6); forks that
 print the identity without a heading ``Identity:``. All are read by key, whatever their order and indent.
+
+Forums and mail programs join lines, so a line goes on where another key follows that its slave has not told yet. Names
+are not quoted: one that holds such words is cut there.
 """
 
 import re
@@ -27,7 +30,7 @@ from esicatalog.words import one_line
 FORMAT = "ethercat slaves -v"
 
 HEADING_OF_SLAVE = re.compile(
-    r"^[ \t]*===[ \t]*(?:Master[ \t]+[0-9]+,[ \t]*)?Slave[ \t]+[0-9]+[ \t]*===[ \t]*(?:\n|\Z)(?!SM[0-9]|SDO |Sdo |===)",
+    r"^[ \t]*===[ \t]*(?:Master[ \t]+[0-9]+,[ \t]*)?Slave[ \t]+[0-9]+[ \t]*===(?:\s+|\Z)(?!\s|SM[0-9]|SDO |Sdo |===)",
     re.MULTILINE,
 )
 """Such a heading, unless it is one of ``ethercat pdos`` or ``ethercat sdos``."""
@@ -41,6 +44,7 @@ _MAILBOXES = re.compile(r"0x[0-9a-f]{1,8}/([0-9]{1,5}), TX: 0x[0-9a-f]{1,8}/([0-
 _CURRENT = re.compile(r"(-?[0-9]{1,5}) mA")
 _DELAY = re.compile(r"([0-9]{1,10}) ns")
 _PORT = re.compile(r"\s*([0-3])[* ]\s*(EBUS|MII|N/A|N/C|\?\?\?)\s+(up|down)\s+(?:open|closed|bypass)\s.*")
+_PORT_TITLES = re.compile(r"\s*Port\s+Type\s")
 _OTHER_COMMAND = re.compile(rf"\s*(?:{OF_LISTS})")
 
 _STATES = ("INIT", "PREOP", "BOOT", "SAFEOP", "OP")
@@ -119,12 +123,9 @@ _COE: dict[str, _Read] = {
     "enable upload at startup": _choice("upload_at_startup", _YES_NO),
     "enable sdo complete access": _choice("complete_access", _YES_NO),
 }
-_UNUSED = frozenset(
-    (
-        *("identity", "sii", "parallel read", "dl information", "fmmu bit operation", "mailboxes", "bootstrap rx"),
-        *("general", "image name", "coe details", "flags", "enable safeop"),
-    )
-)
+_SECTIONS = frozenset(("identity", "sii", "dl information", "mailboxes", "general", "coe details", "flags"))
+"""Keys without value."""
+_UNUSED = frozenset(("parallel read", "fmmu bit operation", "bootstrap rx", "image name", "enable safeop"))
 _OPEN_ENDED = frozenset(
     (
         *("alias", "state", "vendor id", "product code", "revision number", "serial number", "standard rx", "rx"),
@@ -132,6 +133,12 @@ _OPEN_ENDED = frozenset(
     )
 )
 """Keys of values that still read well when their end is missing."""
+_KEYS = "|".join(re.escape(key).replace(r"\ ", r"\s+") for key in (*_FACTS, *_COE, *_SECTIONS, *_UNUSED))
+_BETWEEN_ITEMS = re.compile(
+    rf"(?<=\S)(?<!standard)(?<!bootstrap)(?=\s+(?:(?:{_KEYS}):|Port\s+Type\s|===\s*(?:Master|Slave)\s"
+    r"|[0-3][* ]\s*(?:EBUS|MII|N/A|N/C|\?\?\?)\s+(?:up|down)\s))",
+    re.IGNORECASE,
+)
 _REQUIRED = {"vendor_id": "vendor id", "product_code": "product code", "revision_no": "revision number"}
 
 
@@ -179,6 +186,16 @@ class _Reader:
 
     def take(self, number: int, line: str, unfinished: bool) -> None:
         """Read one line; ``unfinished``: no line end follows it."""
+        item, *following = _BETWEEN_ITEMS.split(line)
+        for text in following:
+            if self.blocks and _key_and_value(text)[0] in self.blocks[-1].read_keys:
+                item += text
+            else:
+                self._take_item(number, item, False)
+                item = text
+        self._take_item(number, item, unfinished)
+
+    def _take_item(self, number: int, line: str, unfinished: bool) -> None:
         if heading := heading_of(line):
             self.blocks.append(_Block(number, *heading))
         elif self.blocks and is_broken_heading(line):
@@ -189,8 +206,7 @@ class _Reader:
             self.skipped.add(number, line)
 
     def _taken(self, block: _Block, number: int, line: str, unfinished: bool) -> bool:
-        text, colon, value = line.partition(":")
-        key, value = one_line(text.lower()) if colon else "", value.strip()
+        key, value = _key_and_value(line)
         if key in block.read_keys:  # a slave says nothing twice: the heading of another one is lost
             block.open = False
             return False
@@ -206,7 +222,7 @@ class _Reader:
         elif _OTHER_COMMAND.match(line):
             block.of_other_command = True
         else:
-            return key in _UNUSED or line.startswith("Port  Type")
+            return key in _UNUSED or (key in _SECTIONS and not value) or _PORT_TITLES.match(line) is not None
         return True
 
 
@@ -229,6 +245,12 @@ def read_igh_slaves(text: str) -> Scan:
     slaves, bus_findings = separate_buses([block.slave() for block in blocks])
     findings += bus_findings + reader.skipped.findings(f"`{FORMAT}`")
     return Scan(format=FORMAT, slaves=slaves, findings=in_order(findings))
+
+
+def _key_and_value(item: str) -> tuple[str, str]:
+    """What stands before and behind the first colon; no key without one."""
+    text, colon, value = item.partition(":")
+    return one_line(text.lower()) if colon else "", value.strip()
 
 
 def _may_be_cut(key: str, value: str) -> bool:

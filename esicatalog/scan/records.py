@@ -140,6 +140,8 @@ class ScannedSlave(msgspec.Struct, frozen=True, gc=False, kw_only=True):
     """The ENI makes the slave the reference clock."""
     potential_reference_clock: bool | None = None
     """The ENI says whether the slave can be the reference clock."""
+    sync0_cycle_ns: int | None = None
+    """Cycle of SYNC0 that the ENI configures; 0 without SYNC0."""
     not_lrw: bool | None = None
     """The slave cannot take LRW; it needs separate LRD and LWR commands."""
     mailbox_protocols: tuple[str, ...] | None = None

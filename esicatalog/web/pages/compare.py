@@ -59,7 +59,10 @@ def _compared(left: DeviceDescription, right: DeviceDescription) -> dict[str, An
     for item in differences:
         areas[f"{item.module}: {item.area}" if item.module else item.area].append(item)
     return {
-        "sides": [{"found": side.found, "path": device_path(side.found)} for side in (left, right)],
+        "sides": [
+            {"found": side.found, "path": device_path(side.found), "damage": side.identified.damage}
+            for side in (left, right)
+        ],
         "areas": list(areas.items()),
         "summary": summary_words(differences, images_are_known(left, right)),
         "verdict": revision_verdict(left.device, right.device),

@@ -24,6 +24,7 @@ from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
 from esicatalog.model.module_choice import module_labels, module_name, slot_offers
+from esicatalog.model.module_idents import module_idents_words
 from esicatalog.model.pdo_facts import bits_words, entry_words, pdo_flags, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
@@ -174,7 +175,8 @@ def _head(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) ->
 
 def _module_picker(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) -> dict[str, Any]:
     """Slots with what fits them, those that nothing fits, and the number of the last one where not all are shown."""
-    offers = list(slot_offers(description.device, description.modules, description.plugged(choice)))
+    plugged = description.plugged(choice)
+    offers = list(slot_offers(description.device, description.modules, plugged))
     last_slot = offers[-1].numbers[-1] if offers else 0
     return {
         "choice": choice,
@@ -185,6 +187,7 @@ def _module_picker(description: DeviceDescription, choice: Mapping[int, ModuleCh
             if offer.fitting and (number < _MOST_SLOTS or number in choice)
         ],
         "not_fitted": [offer for offer in offers if not offer.fitting],
+        "module_idents": module_idents_words(description.device, plugged),
         "last_slot": last_slot if last_slot >= _MOST_SLOTS else None,
     }
 
