@@ -61,6 +61,21 @@ def test_an_init_cmd_counts_where_no_assigned_pdo_has_0x6060():
     assert csv.recipe.endswith("0x6060 = 9 is written by an InitCmd")
 
 
+@pytest.mark.parametrize(("access", "is_written"), [("ro", False), ("rw", True), ("wo", True), ("r7w0", False)])
+def test_a_0x6060_that_is_read_only_is_not_told_to_be_written(access, is_written):
+    """The drive aborts the download (0x06010002). Beside an RxPDO it is process data, whatever SDOs may do."""
+    flags = f"<Flags><Access>{access}</Access></Flags></Object>"
+    mode = "<Object><Index>#x6060</Index><Name>m</Name><Type>SINT</Type><BitSize>8</BitSize>" + flags
+    described = dictionary(CSV, mode)
+    csv = verdict_of(one_drive(described + in_rx_pdo("1600", ("6040", 16), ("60FF", 32))), "CSV")
+    told = ": write 9 to it before operation"
+    if not is_written:
+        told = ", and read-only by the description: nothing that is described sets 9 there"
+    assert csv.recipe == f"RxPDO 0x1600 maps the setpoint; 0x6060 is in none of the assigned RxPDOs{told}"
+    csv = verdict_of(one_drive(described + in_rx_pdo("1600", ("60FF", 32), ("6060", 8))), "CSV")
+    assert csv.recipe.endswith("0x6060 is mapped in RxPDO 0x1600: set it to 9")
+
+
 def test_homing_has_no_setpoint_and_takes_0x6060_from_the_default_pdo():
     homing = supported_modes("20000000")
     hm = verdict_of(one_drive(dictionary(homing) + in_rx_pdo("1600", ("6040", 16), ("6060", 8))), "HM")

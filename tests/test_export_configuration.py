@@ -1266,6 +1266,11 @@ def test_a_setpoint_without_a_mode_is_told():
         words.format("6060")
     ]
     assert told(control, position, content=dictionary(described[0], described[1].format("08"))) == []
+    read_only = dictionary(described[0], described[1].format("00").replace("rw", "ro"))
+    assert told(control, position, content=read_only) == [
+        "0x6060 is in none of the assigned RxPDOs, and read-only by the description: nothing that is described sets "
+        "the mode that is wanted there, for no start-up command does"
+    ]
     assert told(control, position, content=coe.format(mode_command("08"))) == []
     assert told(control, entry("#x647A", 64)) == [words.format("6060")], "a setpoint of the vendor's"
     assert told(entry("#x2040", 16), position) == [], "no axis"
