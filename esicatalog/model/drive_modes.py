@@ -47,7 +47,7 @@ from esicatalog.model.slots import default_modules
 LIKELY = "likely"
 YES_FROM, LIKELY_FROM, POSSIBLE_FROM = 0.8, 0.5, 0.2
 _CAP_AGAINST_DECLARATION = 0.2
-"""Names and inference count little where 0x6502 declares the mode absent."""
+"""Names and inference count little where 0x6502 or a value of 0x6060 denies the mode."""
 _CAPPED_RANKS = ("C", "D")
 
 
