@@ -300,6 +300,18 @@ def test_both_words_in_a_dictionary_are_an_axis(profile):
     assert verdicts(found)["CSV"] == "yes"
 
 
+@pytest.mark.parametrize(("number", "modes"), [("406", {"CSV"}), ("0", {"CSV", "IP"})])
+@pytest.mark.parametrize("moves", ["", ' DependOnSlot="1"'])
+def test_an_encoder_module_of_a_drive_says_nothing_of_modes(number, modes, moves):
+    """0x6502 of CiA 406, 64 revolutions, is not the bit of IP; in a module of another profile it is."""
+    revolutions = dictionary(supported_modes("40000000").replace("<Index>", f"<Index{moves}>"))
+    module = f'<Module><Type ModuleIdent="2">M</Type><Name>E</Name><Profile><ProfileNo>{number}</ProfileNo>'
+    own = "<Profile><ProfileNo>402</ProfileNo>" + dictionary(supported_modes("00010000")) + rx_pdo(("60FF", 32))
+    found = modular_drive(slot(2, is_default=True), f"{module}{revolutions}</Module>", profile=own)
+    assert {mode for mode, word in verdicts(found).items() if word != "no"} == modes
+    assert {item.module_ident for item in found.evidence} == ({None} if number == "406" else {None, 2})
+
+
 def test_input_channel_0x6040_is_no_controlword():
     channels = '<TxPdo Sm="3"><Index>#x1A00</Index><Name>I</Name><Entry><Index>#x6040</Index><SubIndex>1</SubIndex>'
     channels += "<BitLen>1</BitLen></Entry></TxPdo>"
