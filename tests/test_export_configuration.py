@@ -210,6 +210,22 @@ def test_a_chosen_pdo_cannot_exclude_the_default_of_another_sync_manager():
     assert pdos(found) == {2: [0x1601], 3: [0x1A01]}
 
 
+@pytest.mark.parametrize(
+    ("other", "advice"),
+    [
+        (pdo("TxPdo", "#x1A01", 16), "; choose the PDOs of SM3 too, without it"),
+        (pdo("TxPdo", "#x1A01", 16, extra="<Exclude>#x1601</Exclude>"), ", for which no other PDO can be chosen"),
+        (pdo("TxPdo", "#x1A01", 16, extra="<ExcludedSm>3</ExcludedSm>"), ", for which no other PDO can be chosen"),
+        ("", ", for which no other PDO can be chosen"),
+    ],
+)
+def test_another_choice_is_advised_where_there_is_one(other, advice):
+    described = BOTH_WAYS.replace(pdo("TxPdo", "#x1A01", 16), other)
+    with pytest.raises(InputError) as refused:
+        configured(SMS + described + COE, pdos=parse_pdo_choice("0x1601"))
+    assert str(refused.value).endswith(f"0x1A00 is the default of SM3{advice}")
+
+
 def test_the_list_of_the_op_mode_is_the_default_that_a_chosen_pdo_may_exclude():
     """With OpMode 0 SM3 has 0x1A01, which nothing excludes; with OpMode 1 0x1A00."""
     modes = dc(*((name, f'{times("0")}<Sm No="3"><Pdo>{index}</Pdo></Sm>') for name, index in LISTED_INPUTS))

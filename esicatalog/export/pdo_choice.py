@@ -16,13 +16,13 @@ from esicatalog.model.assignable_pdos import (
     AvailablePdo,
     assignment_place,
     available_pdos,
+    excluded_beside,
     meant_by_index,
-    staying_pdos,
 )
 from esicatalog.model.pdo_assignment import Assignment
 from esicatalog.model.pdo_facts import PDO_FIELDS, mapped_entries, pdos_by_direction, symmetric_exclusions
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
-from esicatalog.model.process_image import SmImage
+from esicatalog.model.process_image import SmImage, assigned_indices
 from esicatalog.model.slots import PluggedModule
 from esicatalog.words import counted
 
@@ -109,26 +109,24 @@ def _check_exclusions(
 ) -> None:
     """Chosen PDOs among themselves, and against those that are assigned beside them without being chosen."""
     exclusions = symmetric_exclusions(item.pdo for item in available)
-    beside = {
-        placed.pdo.pdo_index: f"is the default of SM{image.sm}; choose the PDOs of SM{image.sm} too, without it"
-        for image in default
-        if image.sm not in assignment
-        for placed in image.pdos
-    }
-    chosen = [index for indices in assignment.values() for index in indices]
-    by_default = [placed.pdo.pdo_index for image in default for placed in image.pdos]
-    beside |= {
-        index: "is mandatory"
-        for index, sm in staying_pdos(device, available, [*chosen, *by_default]).items()
-        if sm in assignment or index in beside
-    }
+    chosen = {index: sm for sm, indices in assignment.items() for index in indices}
     for index in sorted(chosen):
         for rival in exclusions.get(index, ()):
-            words = f"PDO 0x{index:04X} and PDO 0x{rival:04X} exclude each other"
             if rival in chosen:
-                raise InputError(f"{words}; choose one of them")
-            if rival in beside:
-                raise InputError(f"{words}, and 0x{rival:04X} {beside[rival]}")
+                raise InputError(f"{_exclusion_words(index, rival)}; choose one of them")
+    for found in excluded_beside(device, available, chosen, assigned_indices(default)):
+        if found.is_mandatory:
+            why = "is mandatory"
+        elif found.has_others:
+            why = f"is the default of SM{found.sm}; choose the PDOs of SM{found.sm} too, without it"
+        else:
+            why = f"is the default of SM{found.sm}, for which no other PDO can be chosen"
+        words = _exclusion_words(found.chosen, found.pdo_index)
+        raise InputError(f"{words}, and 0x{found.pdo_index:04X} {why}")
+
+
+def _exclusion_words(index: int, rival: int) -> str:
+    return f"PDO 0x{index:04X} and PDO 0x{rival:04X} exclude each other"
 
 
 def _chosen_entries(device: Device, found: AvailablePdo, wanted: PdoChoice, objects: ObjectTable) -> tuple[Entry, ...]:

@@ -207,7 +207,7 @@ def _bits(entry: ObjectEntry) -> int:
 def _listed(part: Part) -> Iterator[ModeEvidence]:
     """Values that 0x6060 can have by an enumeration or options: codes of modes, each for or against its mode.
 
-    Not where the text names another one, or others beside it and denies something: which it means is for people to read.
+    Not where the text names another one, or others beside it and denies something: which is for people to read.
     """
     index = part.at(MODES_OF_OPERATION)
     for what, value, text in _listed_values(part, index):

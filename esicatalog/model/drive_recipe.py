@@ -101,7 +101,10 @@ def _setpoint(mode: DriveMode, parts: Sequence[Part], usable: Sequence[Part], se
             return f"{words}; assigned twice {setup.assigning}, which no export makes: choose it once"
         subject = "it is not" if len(pdos) == 1 else "not all are"
         doubt = "" if declares_pdo_assign(setup.device) else f", and {NO_PDO_ASSIGN}"
-        return f"{words}; {subject} assigned {setup.assigning}{doubt}"
+        others = [
+            f"; choose the PDOs of SM{item.sm} too, without 0x{item.pdo_index:04X}" for item in setup.beside(pdos)
+        ]
+        return f"{words}; {subject} assigned {setup.assigning}{doubt}{''.join(others)}"
     objects = setpoint_words(parts[-1], mode)
     problem = _mapping_problem(mode, usable, setup)
     if problem is None:
