@@ -443,6 +443,25 @@ def test_programs_that_reach_one_copy_say_what_becomes_of_the_others(export):
     assert "every copy is sent" not in text
 
 
+@pytest.mark.parametrize(
+    ("mandatory", "coe", "is_advised"),
+    [
+        (("#x1600", "#x1601"), '<CoE PdoAssign="1"/>', False),
+        (("#x1600",), '<CoE PdoAssign="1"/>', True),
+        # Entries of a mandatory PDO can be chosen.
+        (("#x1600", "#x1601"), '<CoE PdoAssign="1" PdoConfig="1"/>', True),
+    ],
+)
+@pytest.mark.parametrize("export", [igh_header, pysoem_module, ros2_slave, linuxcnc_configuration])
+def test_no_choice_is_advised_against_copies_in_mandatory_pdos(export, mandatory, coe, is_advised):
+    content = SMS + REPEATED + f"<Mailbox>{coe}</Mailbox>"
+    for index in mandatory:
+        content = content.replace(f'<RxPdo Sm="2"><Index>{index}', f'<RxPdo Sm="2" Mandatory="1"><Index>{index}')
+    text = " ".join(export(configured(content)).replace("#", "").replace("*", "").split())
+    assert "0x6040:00 Controlword is mapped 3 times: " in text
+    assert ("pdo) so that it is mapped once" in text) == is_advised
+
+
 @pytest.mark.parametrize("export", [ros2_slave, linuxcnc_configuration])
 def test_samples_that_are_not_reached_are_no_matter_of_pdos(export):
     """0x1600 is sampled four times by the OpMode, chosen with --pdo or not."""

@@ -115,7 +115,8 @@ def _unreached(configuration: Configuration, program: str, outputs: Iterable[Map
     }
     repeats = mapped_again((entry.entry_index, entry.subindex, entry.bit_length, entry.name) for entry in entries)
     for place, again in repeats.items():
-        advice = f": {_SAMPLE_ONCE if place in sampled else MAP_ONCE}" if again.are_copies else ""
+        helps = again.are_copies and (place in sampled or place not in configuration.staying_copies)
+        advice = f": {_SAMPLE_ONCE if place in sampled else MAP_ONCE}" if helps else ""
         ending = f", the others stay 0{advice}" if place in written else ""
         yield f"{again.words}: {program} finds entries by index and subindex, and reaches the first one only{ending}"
 

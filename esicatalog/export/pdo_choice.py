@@ -10,6 +10,7 @@ from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry
+from esicatalog.esi.unreadable import reason_words
 from esicatalog.export.choice import PdoChoice
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.assignable_pdos import (
@@ -17,10 +18,19 @@ from esicatalog.model.assignable_pdos import (
     assignment_place,
     available_pdos,
     excluded_beside,
+    has_other_pdos,
     meant_by_index,
 )
 from esicatalog.model.pdo_assignment import Assignment
-from esicatalog.model.pdo_facts import PDO_FIELDS, mapped_entries, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import (
+    PDO_FIELDS,
+    entry_words,
+    has_length,
+    has_object,
+    mapped_entries,
+    pdos_by_direction,
+    symmetric_exclusions,
+)
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
 from esicatalog.model.process_image import SmImage, assigned_indices
 from esicatalog.model.slots import PluggedModule
@@ -85,6 +95,37 @@ def _without_later_samples(chosen: Sequence[PdoChoice], default: Iterable[SmImag
     samples = ((placed.pdo.pdo_index or 0, placed.sample) for image in default for placed in image.pdos)
     brought = {index for index, sample in samples if sample > 1 and index - sample + 1 in indices}
     return [item for item in chosen if item.entries or item.pdo_index not in brought]
+
+
+def check_entries(device: Device, plugged: Sequence[PluggedModule], images: Iterable[SmImage]) -> None:
+    """Raise :class:`InputError` for an assigned entry of which nothing can be made, with what can be chosen instead."""
+    for image in images:
+        for placed in image.pdos:
+            problems = (_problem(item.entry, number) for number, item in enumerate(placed.entries, 1))
+            problem = next((words for words in problems if words is not None), None)
+            if problem is None or placed.pdo.pdo_index is None:
+                continue
+            pdo, available = placed.pdo, available_pdos(device, plugged).pdos
+            choices = []
+            if not pdo.mandatory and has_other_pdos(device, available, image.sm, {pdo.pdo_index}):
+                choices.append("other PDOs")
+            if mapping_obstacle(device, pdo) is None:
+                choices.append("entries of it")
+            advice = f", or choose {' or '.join(choices)} (--pdo)" if choices else ""
+            raise InputError(f"PDO 0x{pdo.pdo_index:04X} {problem}; correct the file{advice}")
+
+
+def _problem(entry: Entry, number: int) -> str | None:
+    """Why nothing can be made of an assigned entry."""
+    if not has_object(entry):
+        field, element = ("entry_index", "Index") if entry.entry_index is None else ("subindex", "SubIndex")
+        reason = reason_words(entry, field)
+        return f"has an entry, number {number}, without a usable {element}{reason}: what it maps is unknown"
+    if not has_length(entry):
+        what = entry_words(entry) if entry.entry_index else "a gap"
+        reason = reason_words(entry, "bit_length")
+        return f"maps {what} without a usable BitLen{reason}, and nothing tells where the entries behind it lie"
+    return None
 
 
 def _find(available: Sequence[AvailablePdo], wanted: PdoChoice) -> AvailablePdo:
