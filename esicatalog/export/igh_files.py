@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration
-from esicatalog.export.igh_limits import check_limits, lrw_remarks, master_written
+from esicatalog.export.igh_limits import check_limits, lrw_remarks, master_written, unassigned_remarks
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.export.process_image_remarks import MAP_ONCE, mapped_again
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
@@ -46,7 +46,11 @@ def listed(configuration: Configuration, program: str) -> Listed:
         raise InputError(f"the description assigns no PDO: {program} has nothing to configure")
     repeated = list(_repeated(configuration))
     written = master_written(configuration)
-    remarks = [*_left_out_sync_managers(configuration), *_left_out_commands(configuration, program, written)]
+    remarks = [
+        *_left_out_sync_managers(configuration),
+        *unassigned_remarks(configuration),
+        *_left_out_commands(configuration, program, written),
+    ]
     remarks += lrw_remarks(
         configuration.subject.device, f"see whether {program} has domains for outputs and for inputs in its version"
     )
