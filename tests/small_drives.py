@@ -1,6 +1,7 @@
 """Small drives to judge: parts of their descriptions, and what is found for them."""
 
 from esicatalog.esi.reader import Reader
+from esicatalog.esi.records.device import Device
 from esicatalog.model.drive_modes import DriveModes, DriveModeVerdict, drive_modes
 
 SMS = "".join(f"<Sm>{usage}</Sm>" for usage in ("MBoxOut", "MBoxIn", "Outputs", "Inputs"))
@@ -8,11 +9,15 @@ SMS = "".join(f"<Sm>{usage}</Sm>" for usage in ("MBoxOut", "MBoxIn", "Outputs", 
 
 def one_drive(body: str, profile: str = "402", sync_managers: str = SMS) -> DriveModes:
     """Modes of a drive with this content after its profile's opening."""
+    return drive_modes(one_device(body, profile, sync_managers))
+
+
+def one_device(body: str, profile: str = "402", sync_managers: str = SMS) -> Device:
+    """The drive itself."""
     text = f"""<EtherCATInfo><Vendor><Id>1</Id><Name>V</Name></Vendor><Descriptions><Groups/><Devices>
       <Device Physics="YY"><Type ProductCode="#x1" RevisionNo="#x1">D</Type><Name>D</Name><GroupType>G</GroupType>
       <Profile><ProfileNo>{profile}</ProfileNo>{body}{sync_managers}</Device></Devices></Descriptions></EtherCATInfo>"""
-    device = Reader().read(text.encode()).document.infos[0].devices[0]
-    return drive_modes(device)
+    return Reader().read(text.encode()).document.infos[0].devices[0]
 
 
 def dictionary(*objects: str, types: str = "") -> str:

@@ -13,7 +13,7 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.model.cia402 import denies, named_modes
 from esicatalog.model.drive_evidence import RANKS
-from esicatalog.model.drive_modes import DriveModes, drive_modes
+from esicatalog.model.drive_modes import DriveModes, DriveModeVerdict, drive_modes
 from esicatalog.model.slots import reachable_modules
 
 DATA = Path(__file__).parent.parent / "data"
@@ -64,7 +64,31 @@ def enumerated(**texts: str) -> DriveModes:
 
 def test_a_value_counts_by_its_code_unless_its_text_says_otherwise():
     found = enumerated(v1="Position", v3="", v6="Preserved home", v8="CSP", v9="reserved", v10="Cyclic sync velocity")
-    assert verdicts(found) == dict.fromkeys(("PP", "PV", "HM", "CSP"), "likely")
+    assert verdicts(found) == {**dict.fromkeys(("PP", "PV", "HM", "CSP"), "likely"), "CSV": "no"}
+
+
+def test_a_value_that_is_denied_speaks_against_its_mode():
+    """The setpoint and SYNC0 alone would make CSV likely; against 0x6502 it is a conflict."""
+    values = "<EnumInfo><Text>{}</Text><Enum>9</Enum></EnumInfo>"
+    types = f"<DataType><Name>EM</Name><BaseType>SINT</BaseType><BitSize>8</BitSize>{values}</DataType>"
+    enumerating, mapped = MODES_OF_OPERATION.replace("SINT", "EM"), rx_pdo(("6040", 16), ("60FF", 32)) + DC
+
+    def csv(text: str, *objects: str) -> DriveModeVerdict:
+        described = dictionary(enumerating, *objects, types=types.format(text))
+        return verdict_of(one_drive(described + mapped), "CSV")
+
+    denied = csv("CSV (not supported)")
+    assert (denied.verdict, denied.recipe) == ("no", None)
+    assert denied.evidence == "values of 0x6060 list 9 (CSV (not supported))"
+    assert csv("CSV").verdict == "likely"
+    contradicted = csv("not supported", supported_modes("00010000"))
+    assert (contradicted.verdict, contradicted.conflict) == ("likely", True)
+
+
+@pytest.mark.parametrize("text", ["CSP (csv not supported)", "CSV, no csp", "CSP not supported"])
+def test_a_value_whose_text_names_another_mode_says_nothing_of_its_own(text):
+    """Which of the two it denies is for people to read."""
+    assert verdicts(enumerated(v9=text)) == {}
 
 
 def test_a_list_of_values_is_that_of_the_base_type_too():
@@ -93,14 +117,19 @@ def test_a_list_of_values_is_that_of_the_base_type_too():
         "N.A.",
         "not available",
         "not implemented",
+        "does not support CSV",
+        "no csv",
+        "CSV: not possible",
     ],
 )
 def test_texts_that_deny_a_value(text):
     assert denies(text)
-    assert verdicts(enumerated(v9=text)) == {}
+    assert verdicts(enumerated(v9=text)) == {"CSV": "no"}
 
 
-@pytest.mark.parametrize("text", ["", "Cyclic synchronous velocity", "Preserved", "unusedly", "Nano axis", "notused"])
+@pytest.mark.parametrize(
+    "text", ["", "Cyclic synchronous velocity", "Preserved", "unusedly", "Nano axis", "notused", "Axis no. 1 (csv,csp)"]
+)
 def test_texts_that_deny_nothing(text):
     assert not denies(text)
 
@@ -113,8 +142,8 @@ def with_property(name: str, value: str) -> DriveModes:
 
 def test_options_of_0x6060_list_modes():
     found = with_property("options", '{"8": "CSP", "9": "CSV", "10": "not supported", "-2": "Jog"}')
-    assert verdicts(found) == {"CSP": "likely", "CSV": "likely"}
-    assert {item.rank for item in found.evidence} == {"B2"}
+    assert verdicts(found) == {"CSP": "likely", "CSV": "likely", "CST": "no"}
+    assert {item.rank for item in found.evidence} == {"B2", "B2-"}
 
 
 @pytest.mark.parametrize(
@@ -269,6 +298,18 @@ def test_encoder_claims_no_mode(objects, pdos):
 def test_both_words_in_a_dictionary_are_an_axis(profile):
     found = one_drive(dictionary(supported_modes("00010000"), word_objects("6040", "6041")), profile=profile)
     assert verdicts(found)["CSV"] == "yes"
+
+
+@pytest.mark.parametrize(("number", "modes"), [("406", {"CSV"}), ("0", {"CSV", "IP"})])
+@pytest.mark.parametrize("moves", ["", ' DependOnSlot="1"'])
+def test_an_encoder_module_of_a_drive_says_nothing_of_modes(number, modes, moves):
+    """0x6502 of CiA 406, 64 revolutions, is not the bit of IP; in a module of another profile it is."""
+    revolutions = dictionary(supported_modes("40000000").replace("<Index>", f"<Index{moves}>"))
+    module = f'<Module><Type ModuleIdent="2">M</Type><Name>E</Name><Profile><ProfileNo>{number}</ProfileNo>'
+    own = "<Profile><ProfileNo>402</ProfileNo>" + dictionary(supported_modes("00010000")) + rx_pdo(("60FF", 32))
+    found = modular_drive(slot(2, is_default=True), f"{module}{revolutions}</Module>", profile=own)
+    assert {mode for mode, word in verdicts(found).items() if word != "no"} == modes
+    assert {item.module_ident for item in found.evidence} == ({None} if number == "406" else {None, 2})
 
 
 def test_input_channel_0x6040_is_no_controlword():

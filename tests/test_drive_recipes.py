@@ -1,7 +1,20 @@
 """Recipes for drive modes: they ask for nothing that the description rules out."""
 
+import re
+from contextlib import suppress
+from itertools import combinations
+
 import pytest
-from small_drives import DC, SMS, dictionary, init_cmd, one_drive, rx_pdo, supported_modes, verdict_of
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from small_drives import DC, SMS, dictionary, init_cmd, one_device, one_drive, rx_pdo, supported_modes, verdict_of
+
+from esicatalog.errors import InputError
+from esicatalog.esi.records.device import Device
+from esicatalog.export.choice import Choice, PdoChoice
+from esicatalog.export.configuration import configure
+from esicatalog.export.subject import Subject
+from esicatalog.model.drive_modes import drive_modes
 
 CSV = supported_modes("00010000")
 PDO_ASSIGN = '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
@@ -59,6 +72,21 @@ def test_an_init_cmd_counts_where_no_assigned_pdo_has_0x6060():
     pdos = in_rx_pdo("1600", ("6040", 16), ("60FF", 32)) + in_rx_pdo("1602", ("6060", 8), attributes="")
     csv = verdict_of(one_drive("</Profile>" + pdos + init_cmd(9)), "CSV")
     assert csv.recipe.endswith("0x6060 = 9 is written by an InitCmd")
+
+
+@pytest.mark.parametrize(("access", "is_written"), [("ro", False), ("rw", True), ("wo", True), ("r7w0", False)])
+def test_a_0x6060_that_is_read_only_is_not_told_to_be_written(access, is_written):
+    """The drive aborts the download (0x06010002). Beside an RxPDO it is process data, whatever SDOs may do."""
+    flags = f"<Flags><Access>{access}</Access></Flags></Object>"
+    mode = "<Object><Index>#x6060</Index><Name>m</Name><Type>SINT</Type><BitSize>8</BitSize>" + flags
+    described = dictionary(CSV, mode)
+    csv = verdict_of(one_drive(described + in_rx_pdo("1600", ("6040", 16), ("60FF", 32))), "CSV")
+    told = ": write 9 to it before operation"
+    if not is_written:
+        told = ", and read-only by the description: nothing that is described sets 9 there"
+    assert csv.recipe == f"RxPDO 0x1600 maps the setpoint; 0x6060 is in none of the assigned RxPDOs{told}"
+    csv = verdict_of(one_drive(described + in_rx_pdo("1600", ("60FF", 32), ("6060", 8))), "CSV")
+    assert csv.recipe.endswith("0x6060 is mapped in RxPDO 0x1600: set it to 9")
 
 
 def test_homing_has_no_setpoint_and_takes_0x6060_from_the_default_pdo():
@@ -347,3 +375,74 @@ def test_a_command_that_does_not_tell_where_it_writes_to_starts_no_mode(place, u
     assert (told.verdict, csv.verdict) == ("yes", "likely")
     assert told.recipe.endswith("0x6060 = 9 is written by an InitCmd")
     assert csv.recipe.endswith("0x6060 is in none of the assigned RxPDOs: write 9 to it before operation")
+
+
+TX_PDO = in_rx_pdo("1A00", ("6041", 16), attributes='Sm="3"').replace("RxPdo", "TxPdo")
+OTHER_TX_PDO = in_rx_pdo("1A01", ("6041", 16), attributes="").replace("RxPdo", "TxPdo")
+EXCLUDING_INPUTS = in_rx_pdo("1601", ("60FF", 32), attributes='Fixed="1"', excludes="1A00")
+
+
+def test_a_setpoint_that_excludes_what_another_sync_manager_has_by_default():
+    """``--pdo 0x1601`` alone is refused: SM3 would keep 0x1A00. Where SM3 can have nothing else no choice is left."""
+    excluding = dictionary(CSV) + PLAIN_AND_CSV + EXCLUDING_INPUTS + TX_PDO
+    csv = verdict_of(one_drive(excluding + OTHER_TX_PDO + PDO_ASSIGN), "CSV")
+    assert csv.recipe.startswith(
+        "RxPDO 0x1601 maps the setpoint; it is not assigned by default; choose the PDOs of SM3 too, without 0x1A00; "
+    )
+    csv = verdict_of(one_drive(excluding + PDO_ASSIGN), "CSV")
+    assert csv.recipe.split("; ")[0] == (
+        "no setpoint: RxPDO 0x1601 has 0x60FF, but cannot be assigned beside 0x1A00, the only one that SM3 can have"
+    )
+
+
+def test_a_mandatory_pdo_that_the_op_mode_lists_stays_without_an_sm():
+    listed = MANDATORY.replace('Sm="2"', "")
+    csv = verdict_of(
+        one_drive(dictionary(CSV) + listed + EXCLUDING + PDO_ASSIGN + op_modes(("SM", "0", "#x1600"))), "CSV"
+    )
+    assert csv.recipe.split("; ")[0] == (
+        "no setpoint: RxPDO 0x1601 has 0x60FF, but cannot be assigned beside 0x1600, which is mandatory"
+    )
+
+
+INDICES = ("1600", "1601", "1602", "1A00", "1A01")
+ENTRIES = (("6040", 16), ("60FF", 32), ("607A", 32), ("6060", 8))
+
+
+@st.composite
+def drives(draw: st.DrawFn) -> str:
+    """PDOs that are assigned, mandatory, excluded and listed in any way."""
+    content = ""
+    for index in INDICES:
+        is_rx = index.startswith("16")
+        attributes = draw(st.sampled_from(["", 'Sm="2"' if is_rx else 'Sm="3"']))
+        attributes += draw(st.sampled_from(["", "", ' Mandatory="1"']))
+        entries = draw(st.sets(st.sampled_from(ENTRIES), min_size=1)) if is_rx else {("6041", 16)}
+        excluded = draw(st.sampled_from(["", *(other for other in INDICES if other != index)]))
+        described = in_rx_pdo(index, *sorted(entries), attributes=attributes, excludes=excluded)
+        content += described if is_rx else described.replace("RxPdo", "TxPdo")
+    listed = draw(st.sampled_from(["", "#x1600", "#x1602"]))
+    return f"</Profile>{content}{PDO_ASSIGN}{op_modes(('DC', '#x300', listed))}"
+
+
+@settings(max_examples=100)
+@given(drives())
+def test_exports_take_what_a_recipe_asks_for(content):
+    """The RxPDOs of the setpoint, chosen unless they are assigned, with other PDOs where it says so."""
+    device = one_device(content)
+    for verdict in drive_modes(device).verdicts:
+        if verdict.rx_pdo_index is None or verdict.recipe is None:
+            continue
+        left_out = [int(index, 16) for index in re.findall("too, without (0x[0-9A-F]+)", verdict.recipe)]
+        others = [pdo.pdo_index for pdo in (*device.rx_pdos, *device.tx_pdos) if pdo.pdo_index not in left_out]
+        further = [chosen for count in range(3) for chosen in combinations(others, count)] if left_out else [()]
+        wanted = {} if verdict.rx_pdo_is_default else {verdict.rx_pdo_index: None}
+        choices = (tuple(PdoChoice(index) for index in {**wanted, **dict.fromkeys(more)}) for more in further)
+        assert any(_is_taken(device, Choice(pdos, op_mode=verdict.op_mode), verdict.rx_pdo_index) for pdos in choices)
+
+
+def _is_taken(device: Device, choice: Choice, pdo_index: int) -> bool:
+    with suppress(InputError):
+        found = configure(Subject(1, "V", device), choice)
+        return any(pdo.pdo_index == pdo_index for sm in found.sync_managers for pdo in sm.pdos)
+    return False

@@ -29,6 +29,7 @@ from esicatalog.esi.numbers import (
     MAX_STORED,
     PHYSICS,
     SWITCH,
+    SWITCH8,
     TEXT,
 )
 from esicatalog.esi.records.document import DiagInfo, DictInfo, EsiInfo
@@ -51,6 +52,7 @@ VALUES: dict[Any, st.SearchStrategy[Any]] = {
     DEC16: integers,
     DEC64: integers,
     SWITCH: integers,
+    SWITCH8: integers,
     HEX: st.integers(0, MAX_STORED),
     HEX8: st.integers(0, MAX_STORED),
     HEX16: st.integers(0, MAX_STORED),
@@ -63,7 +65,9 @@ VALUES: dict[Any, st.SearchStrategy[Any]] = {
 }
 OTHER_SPELLINGS: dict[Any, Callable[[Any], str]] = {
     **dict.fromkeys((HEX, HEX8, HEX16, IDENTITY), str),
-    **dict.fromkeys((DEC, DEC8, DEC16, DEC64, SWITCH), lambda value: f"#x{value:X}" if value >= 0 else f"-0{-value}"),
+    **dict.fromkeys(
+        (DEC, DEC8, DEC16, DEC64, SWITCH, SWITCH8), lambda value: f"#x{value:X}" if value >= 0 else f"-0{-value}"
+    ),
     INT: lambda value: f"{value:+03d}" if value >= 0 else f"-0{-value}",
     INTEGER: lambda value: f"{value:+03d}" if value >= 0 else f"-0{-value}",
     BOOL: lambda value: "true" if value else "false",

@@ -210,6 +210,46 @@ def test_a_chosen_pdo_cannot_exclude_the_default_of_another_sync_manager():
     assert pdos(found) == {2: [0x1601], 3: [0x1A01]}
 
 
+@pytest.mark.parametrize(
+    ("other", "advice"),
+    [
+        (pdo("TxPdo", "#x1A01", 16), "; choose the PDOs of SM3 too, without it"),
+        (pdo("TxPdo", "#x1A01", 16, extra="<Exclude>#x1601</Exclude>"), ", for which no other PDO can be chosen"),
+        (pdo("TxPdo", "#x1A01", 16, extra="<ExcludedSm>3</ExcludedSm>"), ", for which no other PDO can be chosen"),
+        ("", ", for which no other PDO can be chosen"),
+    ],
+)
+def test_another_choice_is_advised_where_there_is_one(other, advice):
+    described = BOTH_WAYS.replace(pdo("TxPdo", "#x1A01", 16), other)
+    with pytest.raises(InputError) as refused:
+        configured(SMS + described + COE, pdos=parse_pdo_choice("0x1601"))
+    assert str(refused.value).endswith(f"0x1A00 is the default of SM3{advice}")
+
+
+@pytest.mark.parametrize(
+    ("attributes", "other", "coe", "advice"),
+    [
+        ("", pdo("RxPdo", "#x1601", 16), "<CoE/>", ", or choose other PDOs (--pdo)"),
+        ("", "", "<CoE/>", ""),
+        (' Mandatory="1"', pdo("RxPdo", "#x1601", 16), "<CoE/>", ""),
+        (' Mandatory="1"', "", '<CoE PdoConfig="1"/>', ", or choose entries of it (--pdo)"),
+        (' Mandatory="1" Fixed="1"', "", '<CoE PdoConfig="1"/>', ""),
+        ("", pdo("RxPdo", "#x1601", 16), '<CoE PdoConfig="1"/>', ", or choose other PDOs or entries of it (--pdo)"),
+    ],
+)
+def test_what_does_without_an_unusable_entry_is_advised(attributes, other, coe, advice):
+    """Other PDOs where the PDO may be left out and there are some, other entries where a master may map them."""
+    unusable = rx("#x1600", entry("#x7000", 16, subindex=1).replace("16", "x"), entry("#x7000", 8, subindex=2))
+    content = SMS + unusable.replace('Sm="2"', f'Sm="2"{attributes}') + other + f"<Mailbox>{coe}</Mailbox>"
+    with pytest.raises(InputError) as refused:
+        configured(content)
+    assert str(refused.value).endswith(f"nothing tells where the entries behind it lie; correct the file{advice}")
+    if "other PDOs" in advice:
+        assert pdos(configured(content, pdos=parse_pdo_choice("0x1601"))) == {2: [0x1601]}
+    if "entries" in advice:
+        assert pdos(configured(content, pdos=parse_pdo_choice("0x1600=0x7000:2"))) == {2: [0x1600]}
+
+
 def test_the_list_of_the_op_mode_is_the_default_that_a_chosen_pdo_may_exclude():
     """With OpMode 0 SM3 has 0x1A01, which nothing excludes; with OpMode 1 0x1A00."""
     modes = dc(*((name, f'{times("0")}<Sm No="3"><Pdo>{index}</Pdo></Sm>') for name, index in LISTED_INPUTS))
@@ -1266,6 +1306,11 @@ def test_a_setpoint_without_a_mode_is_told():
         words.format("6060")
     ]
     assert told(control, position, content=dictionary(described[0], described[1].format("08"))) == []
+    read_only = dictionary(described[0], described[1].format("00").replace("rw", "ro"))
+    assert told(control, position, content=read_only) == [
+        "0x6060 is in none of the assigned RxPDOs, and read-only by the description: nothing that is described sets "
+        "the mode that is wanted there, for no start-up command does"
+    ]
     assert told(control, position, content=coe.format(mode_command("08"))) == []
     assert told(control, entry("#x647A", 64)) == [words.format("6060")], "a setpoint of the vendor's"
     assert told(entry("#x2040", 16), position) == [], "no axis"

@@ -443,6 +443,37 @@ def test_programs_that_reach_one_copy_say_what_becomes_of_the_others(export):
     assert "every copy is sent" not in text
 
 
+@pytest.mark.parametrize(
+    ("mandatory", "coe", "is_advised"),
+    [
+        (("#x1600", "#x1601"), '<CoE PdoAssign="1"/>', False),
+        (("#x1600",), '<CoE PdoAssign="1"/>', True),
+        # Entries of a mandatory PDO can be chosen.
+        (("#x1600", "#x1601"), '<CoE PdoAssign="1" PdoConfig="1"/>', True),
+    ],
+)
+@pytest.mark.parametrize("export", [igh_header, pysoem_module, ros2_slave, linuxcnc_configuration])
+def test_no_choice_is_advised_against_copies_in_mandatory_pdos(export, mandatory, coe, is_advised):
+    content = SMS + REPEATED + f"<Mailbox>{coe}</Mailbox>"
+    for index in mandatory:
+        content = content.replace(f'<RxPdo Sm="2"><Index>{index}', f'<RxPdo Sm="2" Mandatory="1"><Index>{index}')
+    text = " ".join(export(configured(content)).replace("#", "").replace("*", "").split())
+    assert "0x6040:00 Controlword is mapped 3 times: " in text
+    assert ("pdo) so that it is mapped once" in text) == is_advised
+
+
+@pytest.mark.parametrize("export", [igh_header, ros2_slave, linuxcnc_configuration])
+def test_a_choice_that_the_master_is_not_told_is_said_to_be_in_vain(export):
+    """As of EL6224: 0x1600 stays and has no entries, so SM2 is left to the device, and with it 0x1601."""
+    content = SMS + rx("#x1600", attributes='Sm="2" Mandatory="1"') + rx("#x1601", entry("#x7000", 8)) + COE
+    content += rx("#x1A00", entry("#x6000", 8), attributes='Sm="3"').replace("RxPdo", "TxPdo")
+    words = "PDO 0x1601 of SM2 is chosen in vain: the entries of PDOs of SM2 are not described, so nothing is assigned"
+    for pdos_chosen in ("0x1601", "0x1601,0x1A00", "0x1A00"):
+        found = configured(content, pdos=parse_pdo_choice(pdos_chosen))
+        text = " ".join(export(found).replace("#", "").replace("*", "").split())
+        assert text.count("chosen in vain") == text.count(words) == ("0x1601" in pdos_chosen)
+
+
 @pytest.mark.parametrize("export", [ros2_slave, linuxcnc_configuration])
 def test_samples_that_are_not_reached_are_no_matter_of_pdos(export):
     """0x1600 is sampled four times by the OpMode, chosen with --pdo or not."""

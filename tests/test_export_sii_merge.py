@@ -571,3 +571,14 @@ def test_the_device_keeps_descriptions_of_op_modes_that_are_described():
     assert own.text(own.dc_modes[0].description_string_number) == "with SYNC0"
     made = eeprom_image(described, dump=check_image(own, 2048))
     assert (made.image, made.merged.changes) == (check_image(own, 2048), ())
+
+
+def test_a_description_of_an_op_mode_that_is_cut_is_told_where_it_is_stored():
+    mode = f"<Dc><OpMode><Name>DC</Name><Desc>{'x' * 256}</Desc><AssignActivate>#x300</AssignActivate></OpMode></Dc>"
+    described = subject(mode + CONFIG)
+    cut = f"Texts cut to 255 bytes: '{'x' * 40}'…."
+    assert cut not in image_text(described, eeprom_image(described).image)
+    own = sii_image(0xE5C, described.group, described.device, descriptions=True)
+    made = eeprom_image(described, dump=check_image(own, 2048))
+    assert made.image.text(made.image.dc_modes[0].description_string_number) == "x" * 255
+    assert cut in image_text(described, made.image, merged=made.merged)

@@ -459,6 +459,20 @@ def test_overlapping_paths_in_any_order(tmp_path, library):
     assert ingest(tmp_path / "b.db", library / "other", library)[1] == first
 
 
+def test_an_archive_keeps_the_path_that_it_has_below_an_outer_folder(tmp_path, library):
+    outer, db = tmp_path / "outer", tmp_path / "c.db"
+    (outer / "in!ner").mkdir(parents=True)
+    archive = zip_folder(library, outer / "in!ner" / "a.zip")
+    named = {f"in!ner/{path}" for path in statuses(ingest(db, archive)[0])}
+    assert set(statuses(ingest(db, outer)[0])) == named
+    for inner in (archive, archive.parent):
+        again = statuses(ingest(db, inner)[0])
+        assert set(again) == named and "stored" not in again.values()
+    zip_folder(library / "other", archive)
+    changed = statuses(ingest(db, archive)[0])
+    assert all(path.startswith("in!ner/a.zip!") for path in changed) and "stored" in changed.values()
+
+
 def test_what_an_outer_folder_resolved_stays_when_an_inner_one_is_read_again(tmp_path):
     profile = r"<Profile><DictionaryFile>..\dict.xml</DictionaryFile></Profile>"
     outer = write(tmp_path / "outer", {"dict.xml": EXTERNAL.format("O"), "inner/dev.xml": esi(device(profile))})

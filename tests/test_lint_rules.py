@@ -85,6 +85,8 @@ def test_a_finding_says_what_and_where_in_one_line(rule_id):
         ("INT", 16, "FF", "1 byte; INT has 2, and the missing ones are read as 0"),
         ("INT", 16, "FFFF0000", "4 bytes; INT has 2, and the first 2 are read"),
         ("REAL", 32, "0000003F00000000", "8 bytes; REAL has 4, and the first 4 are read"),
+        ("LREAL", 64, "0000803F", "4 bytes; LREAL has 8, and these are read as a REAL"),
+        ("LREAL", 64, "00803F", "3 bytes; LREAL has 8, and no number is read"),
         ("DINT", 16, "FFFFFFFF", "4 bytes; DINT has 2"),  # as many as a DINT has: all are read
         ("STRING(2)", 16, "414243", "3 bytes; STRING(2) has 2"),
     ],
@@ -98,6 +100,25 @@ def test_what_is_read_of_default_data_of_another_length(tmp_path, type_name, bit
     write(tmp_path, {"a.xml": esi(device(dictionary(data_type, declared)))})
     (found,) = [item for item in findings(tmp_path / "a.xml") if item["rule"] == "L45"]
     assert found["message"].endswith(f"0x2000:00 has DefaultData of {words}: correct it")
+
+
+@pytest.mark.parametrize(
+    ("data", "rule_id", "message"),
+    [
+        ("", "L60", "ImageFile16x14 'a.bmp' was not found beside the document: ship it, or give ImageData16x14"),
+        (
+            "424D",
+            "L60",
+            "ImageFile16x14 'a.bmp' was not found beside the document: ship it, or leave it out beside ImageData16x14",
+        ),
+        ("424D", "L64", "ImageData16x14 ends within the header of a Windows BMP file: tools show nothing"),
+        ("4D42", "L64", "ImageData16x14 is no Windows BMP file (it does not begin with 424D): tools show nothing"),
+    ],
+)
+def test_what_is_said_of_images(tmp_path, data, rule_id, message):
+    image = f"<ImageData16x14>{data}</ImageData16x14>" if data else ""
+    write(tmp_path, {"a.xml": esi(device(f"<ImageFile16x14>a.bmp</ImageFile16x14>{image}"))})
+    assert [item["message"] for item in findings(tmp_path / "a.xml") if item["rule"] == rule_id] == [message]
 
 
 SYNC_MANAGERS = (

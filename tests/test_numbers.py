@@ -20,6 +20,7 @@ from esicatalog.esi.numbers import (
     INT,
     INTEGER,
     SWITCH,
+    SWITCH8,
     TEXT,
     decode_hex_binary,
     parse_hex_dec,
@@ -35,6 +36,7 @@ SCALARS = [
     DEC16,
     DEC64,
     SWITCH,
+    SWITCH8,
     IDENTITY,
     INT,
     INTEGER,
@@ -234,7 +236,7 @@ def test_what_is_no_float(text):
     assert FLOAT.read(text) == (None, text, ("L03", "W", f"{text!r} is not a number; kept as text"))
 
 
-@pytest.mark.parametrize("scalar", [HEX, HEX16, DEC8, DEC64, IDENTITY, INT, INTEGER, SWITCH, BOOL, FLOAT])
+@pytest.mark.parametrize("scalar", [HEX, HEX16, DEC8, DEC64, IDENTITY, INT, INTEGER, SWITCH, SWITCH8, BOOL, FLOAT])
 def test_an_empty_text_counts_as_absent(scalar):
     for text in ("", " \n"):
         value, raw, remark = scalar.read(text)
@@ -289,9 +291,10 @@ def test_no_text_breaks_a_scalar_and_every_text_is_kept(text):
     parse_hex_dec(text)
 
 
+@pytest.mark.parametrize("scalar", [SWITCH, SWITCH8])
 @pytest.mark.parametrize(("text", "value"), [("true", 1), ("False", 0), ("1", 1), ("#x09", 9), ("on", None)])
-def test_a_switch_may_be_written_as_a_boolean(text, value):
-    """Enable of a SyncManager is a HexDecValue (ESI-FACTS section 8), and what true means there is clear."""
-    parsed = SWITCH.read(text)
+def test_a_switch_may_be_written_as_a_boolean(text, value, scalar):
+    """Enable of a SyncManager and Default of a ModuleIdent are HexDecValues; what true means there is clear."""
+    parsed = scalar.read(text)
     assert parsed.value == value
     assert (parsed.remark is None) == text.endswith(("1", "9"))

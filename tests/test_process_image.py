@@ -554,10 +554,10 @@ def slot(attributes: str = "", instances: int = 1) -> str:
 TWO_MODULES = "".join(f'<Module><Type ModuleIdent="{n}">M{n}</Type><Name>M</Name></Module>' for n in (1, 2))
 
 
-def plugged_idents(*slots: str) -> list[tuple[int, int]]:
+def plugged_idents(*slots: str, marks: tuple[str, str] = ("0", "1")) -> list[tuple[int, int]]:
     """Slot number and ModuleIdent of the default modules; each slot takes modules 1 and 2, 1 may be marked Default."""
     content = "".join(
-        f"<Slot {slot.removesuffix('marked')}><ModuleIdent Default='{int(slot.endswith('marked'))}'>1</ModuleIdent>"
+        f"<Slot {slot.removesuffix('marked')}><ModuleIdent Default='{marks[slot.endswith('marked')]}'>1</ModuleIdent>"
         "<ModuleIdent>2</ModuleIdent></Slot>"
         for slot in slots
     )
@@ -582,6 +582,11 @@ UP_TO_TWO = 'MinInstances="0" MaxInstances="2"'
 def test_a_slot_has_its_default_else_its_fallback(slot, ident):
     """Schema 1.17: Fallback is automatically plugged when no other module is plugged to the slot."""
     assert plugged_idents(slot) == [(0, ident)]
+
+
+def test_a_module_is_preselected_by_a_boolean_too():
+    """The schema has a HexDecValue."""
+    assert plugged_idents(ONE, f"{ONE} marked", marks=("false", "true")) == [(1, 1)]
 
 
 def test_without_default_and_fallback_a_slot_with_a_choice_stays_empty():

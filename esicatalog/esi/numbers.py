@@ -152,12 +152,18 @@ def _value(text: str) -> tuple[int | None, Remark | None]:
 _SWITCHED = {"true": 1, "false": 0}
 
 
-def _switch(text: str) -> tuple[int | None, Remark | None]:
-    """A byte whose bit 0 switches something on; what a boolean says of it is clear."""
-    value = _SWITCHED.get(text.lower())
-    if value is None:
-        return _byte(text)
-    return value, Remark("L06", "E", f"{_quoted(text)} is a boolean instead of a number; read as {value}")
+def _switch(
+    parse: Callable[[str], tuple[int | None, Remark | None]],
+) -> Callable[[str], tuple[int | None, Remark | None]]:
+    """Reads a number that switches something on, its bit 0 or 1 alone; what a boolean says of it is clear."""
+
+    def parse_switch(text: str) -> tuple[int | None, Remark | None]:
+        value = _SWITCHED.get(text.lower())
+        if value is None:
+            return parse(text)
+        return value, Remark("L06", "E", f"{_quoted(text)} is a boolean instead of a number; read as {value}")
+
+    return parse_switch
 
 
 def parse_real(text: str) -> float | None:
@@ -239,8 +245,10 @@ DEC16 = Scalar("HexDecValue (16 bits)", _hex_dec(MAX_STORED, 16), str)
 """The same of 16 bits: lengths of SyncManagers."""
 DEC8 = Scalar("HexDecValue (8 bits)", _byte, str)
 """The same of 8 bits: subindices."""
-SWITCH = Scalar("HexDecValue (8 bits)", _switch, str)
-"""The same where bit 0 is a switch, of which a boolean says as much: Enable of a SyncManager."""
+SWITCH = Scalar("HexDecValue", _switch(_number), str)
+"""A number that is a switch, of which a boolean says as much: Default of a ModuleIdent."""
+SWITCH8 = Scalar("HexDecValue (8 bits)", _switch(_byte), str)
+"""The same of 8 bits, of which bit 0 is the switch: Enable of a SyncManager."""
 IDENTITY = Scalar("HexDecValue (uint32)", _hex_dec(UINT32_MAX), lambda value: f"#x{value:08X}")
 """uint32 identity number: vendor, product, revision, serial, module ident."""
 INT = Scalar("xs:int", _int, str)

@@ -16,7 +16,7 @@ from esicatalog.export.missing_modules import missing_modules, unplugged_remarks
 from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.names import checked_prefix, identifier
 from esicatalog.export.naming import entry_names
-from esicatalog.export.pdo_choice import apply_choice
+from esicatalog.export.pdo_choice import apply_choice, check_entries
 from esicatalog.export.pdo_objects import contradiction_remarks, contradictions
 from esicatalog.export.process_image_remarks import (
     assignment_remarks,
@@ -24,6 +24,7 @@ from esicatalog.export.process_image_remarks import (
     order_remarks,
     own_remarks,
     repeat_remarks,
+    staying_copies,
     subindex_remarks,
     swap_remarks,
 )
@@ -71,6 +72,8 @@ class Configuration(NamedTuple):
     remarks: tuple[str, ...]
     copy_remarks: tuple[str, ...]
     """Remarks for targets with which an application can write every copy of an output that is mapped again."""
+    staying_copies: frozenset[tuple[int, int]]
+    """Index and subindex of what is mapped again whatever PDOs and entries are chosen."""
 
     @property
     def op_mode(self) -> OpMode | None:
@@ -111,11 +114,13 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     for image in images:
         if image.overflow is not None:
             raise InputError(f"SM{image.sm}: {image.overflow}")
+    check_entries(device, chosen.plugged, images)
     _check_assigned(choice, images)
     programmed = programmed_clocks(device, op_mode, choice.cycle_ns)
     commands, command_remarks = start_commands(device, plugged, expanded, objects)
     names = entry_names(device, expanded, images, objects)
     missing = missing_modules(device, subject.modules, plugged)
+    staying = staying_copies(chosen.device, images)
     remarks = [
         *filter(None, (subject.damage, subject.ambiguity)),
         *((missing.words,) if missing is not None else ()),
@@ -156,7 +161,8 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         missing_modules=missing.words if missing is not None else None,
         lacking=frozenset(lacking),
         remarks=tuple(dict.fromkeys(remarks)),
-        copy_remarks=tuple(repeat_remarks(images)),
+        copy_remarks=tuple(repeat_remarks(images, staying)),
+        staying_copies=staying,
     )
 
 

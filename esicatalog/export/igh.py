@@ -8,7 +8,7 @@ from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import register_remarks
 from esicatalog.export.headings import heading_lines
 from esicatalog.export.igh_device import DeviceCode, device_code
-from esicatalog.export.igh_limits import lrw_remarks
+from esicatalog.export.igh_limits import lrw_remarks, unassigned_remarks
 from esicatalog.export.igh_startup import WATCHDOG_REGISTERS, timeout_remarks, unsendable_remarks
 from esicatalog.export.names import checked_prefix, unique_names
 from esicatalog.export.rendering import render
@@ -95,6 +95,7 @@ def _heading_lines(configuration: Configuration) -> Iterator[str]:
         *configuration.copy_remarks,
         *timeout_remarks(device),
         *register_remarks(device, "IgH", WATCHDOG_REGISTERS),
+        *unassigned_remarks(configuration),
         *unsendable_remarks(configuration),
         *lrw_remarks(device, "register its outputs in one domain and its inputs in another"),
     )

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from esicatalog.errors import InputError
 from esicatalog.export.configuration import Configuration
-from esicatalog.export.igh_limits import check_limits, lrw_remarks, master_written
+from esicatalog.export.igh_limits import check_limits, lrw_remarks, master_written, unassigned_remarks
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.export.process_image_remarks import MAP_ONCE, mapped_again
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
@@ -46,7 +46,11 @@ def listed(configuration: Configuration, program: str) -> Listed:
         raise InputError(f"the description assigns no PDO: {program} has nothing to configure")
     repeated = list(_repeated(configuration))
     written = master_written(configuration)
-    remarks = [*_left_out_sync_managers(configuration), *_left_out_commands(configuration, program, written)]
+    remarks = [
+        *_left_out_sync_managers(configuration),
+        *unassigned_remarks(configuration),
+        *_left_out_commands(configuration, program, written),
+    ]
     remarks += lrw_remarks(
         configuration.subject.device, f"see whether {program} has domains for outputs and for inputs in its version"
     )
@@ -115,7 +119,8 @@ def _unreached(configuration: Configuration, program: str, outputs: Iterable[Map
     }
     repeats = mapped_again((entry.entry_index, entry.subindex, entry.bit_length, entry.name) for entry in entries)
     for place, again in repeats.items():
-        advice = f": {_SAMPLE_ONCE if place in sampled else MAP_ONCE}" if again.are_copies else ""
+        helps = again.are_copies and (place in sampled or place not in configuration.staying_copies)
+        advice = f": {_SAMPLE_ONCE if place in sampled else MAP_ONCE}" if helps else ""
         ending = f", the others stay 0{advice}" if place in written else ""
         yield f"{again.words}: {program} finds entries by index and subindex, and reaches the first one only{ending}"
 

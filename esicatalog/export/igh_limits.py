@@ -11,6 +11,7 @@ from esicatalog.export.configuration import Configuration
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.model.assignable_pdos import declares_pdo_config
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS
+from esicatalog.words import index_words
 
 MAX_SYNC_MANAGERS = 16
 """EC_MAX_SYNC_MANAGERS."""
@@ -68,3 +69,16 @@ def check_limits(configuration: Configuration) -> None:
                     f"entry {long.place} of PDO 0x{pdo.pdo_index:04X} has {long.bit_length} bits; IgH and CoE mappings "
                     f"hold at most {MAX_BIT_LENGTH}: choose other PDOs"
                 )
+
+
+def unassigned_remarks(configuration: Configuration) -> Iterator[str]:
+    """Chosen PDOs that the master is told nothing of: they share a SyncManager with some without described entries."""
+    chosen = {item.pdo_index for item in configuration.choice.pdos}
+    for sm in configuration.sync_managers:
+        indices = [pdo.pdo_index for pdo in sm.pdos if pdo.pdo_index in chosen]
+        if indices and not sm.is_described:
+            yield (
+                f"PDO {', '.join(map(index_words, indices))} of SM{sm.number} {'is' if len(indices) == 1 else 'are'} "
+                f"chosen in vain: the entries of PDOs of SM{sm.number} are not described, so nothing is assigned here "
+                "and the device keeps the PDOs that it has"
+            )

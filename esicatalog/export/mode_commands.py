@@ -59,7 +59,7 @@ def mode_remarks(
         declared = objects.entry(index, 0)
         is_preset = declared is not None and bool(declared.default_int)
         if is_commanded and index not in mapped and index not in started and not is_preset:
-            yield f"{unset_mode_words(index, 'the mode that is wanted')}, for no start-up command does"
+            yield f"{unset_mode_words(index, 'the mode that is wanted', declared)}, for no start-up command does"
     for index, data in started.items():
         if index in mapped:
             code = mode_code(data)

@@ -10,19 +10,29 @@ from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry
+from esicatalog.esi.unreadable import reason_words
 from esicatalog.export.choice import PdoChoice
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.assignable_pdos import (
     AvailablePdo,
     assignment_place,
     available_pdos,
+    excluded_beside,
+    has_other_pdos,
     meant_by_index,
-    staying_pdos,
 )
 from esicatalog.model.pdo_assignment import Assignment
-from esicatalog.model.pdo_facts import PDO_FIELDS, mapped_entries, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import (
+    PDO_FIELDS,
+    entry_words,
+    has_length,
+    has_object,
+    mapped_entries,
+    pdos_by_direction,
+    symmetric_exclusions,
+)
 from esicatalog.model.pdo_mapping import MAPPABLE_IN, is_mappable, mapping_obstacle
-from esicatalog.model.process_image import SmImage
+from esicatalog.model.process_image import SmImage, assigned_indices
 from esicatalog.model.slots import PluggedModule
 from esicatalog.words import counted
 
@@ -87,6 +97,37 @@ def _without_later_samples(chosen: Sequence[PdoChoice], default: Iterable[SmImag
     return [item for item in chosen if item.entries or item.pdo_index not in brought]
 
 
+def check_entries(device: Device, plugged: Sequence[PluggedModule], images: Iterable[SmImage]) -> None:
+    """Raise :class:`InputError` for an assigned entry of which nothing can be made, with what can be chosen instead."""
+    for image in images:
+        for placed in image.pdos:
+            problems = (_problem(item.entry, number) for number, item in enumerate(placed.entries, 1))
+            problem = next((words for words in problems if words is not None), None)
+            if problem is None or placed.pdo.pdo_index is None:
+                continue
+            pdo, available = placed.pdo, available_pdos(device, plugged).pdos
+            choices = []
+            if not pdo.mandatory and has_other_pdos(device, available, image.sm, {pdo.pdo_index}):
+                choices.append("other PDOs")
+            if mapping_obstacle(device, pdo) is None:
+                choices.append("entries of it")
+            advice = f", or choose {' or '.join(choices)} (--pdo)" if choices else ""
+            raise InputError(f"PDO 0x{pdo.pdo_index:04X} {problem}; correct the file{advice}")
+
+
+def _problem(entry: Entry, number: int) -> str | None:
+    """Why nothing can be made of an assigned entry."""
+    if not has_object(entry):
+        field, element = ("entry_index", "Index") if entry.entry_index is None else ("subindex", "SubIndex")
+        reason = reason_words(entry, field)
+        return f"has an entry, number {number}, without a usable {element}{reason}: what it maps is unknown"
+    if not has_length(entry):
+        what = entry_words(entry) if entry.entry_index else "a gap"
+        reason = reason_words(entry, "bit_length")
+        return f"maps {what} without a usable BitLen{reason}, and nothing tells where the entries behind it lie"
+    return None
+
+
 def _find(available: Sequence[AvailablePdo], wanted: PdoChoice) -> AvailablePdo:
     found, obstacle = meant_by_index(available, wanted.pdo_index)
     if found is None:
@@ -109,26 +150,24 @@ def _check_exclusions(
 ) -> None:
     """Chosen PDOs among themselves, and against those that are assigned beside them without being chosen."""
     exclusions = symmetric_exclusions(item.pdo for item in available)
-    beside = {
-        placed.pdo.pdo_index: f"is the default of SM{image.sm}; choose the PDOs of SM{image.sm} too, without it"
-        for image in default
-        if image.sm not in assignment
-        for placed in image.pdos
-    }
-    chosen = [index for indices in assignment.values() for index in indices]
-    by_default = [placed.pdo.pdo_index for image in default for placed in image.pdos]
-    beside |= {
-        index: "is mandatory"
-        for index, sm in staying_pdos(device, available, [*chosen, *by_default]).items()
-        if sm in assignment or index in beside
-    }
+    chosen = {index: sm for sm, indices in assignment.items() for index in indices}
     for index in sorted(chosen):
         for rival in exclusions.get(index, ()):
-            words = f"PDO 0x{index:04X} and PDO 0x{rival:04X} exclude each other"
             if rival in chosen:
-                raise InputError(f"{words}; choose one of them")
-            if rival in beside:
-                raise InputError(f"{words}, and 0x{rival:04X} {beside[rival]}")
+                raise InputError(f"{_exclusion_words(index, rival)}; choose one of them")
+    for found in excluded_beside(device, available, chosen, assigned_indices(default)):
+        if found.is_mandatory:
+            why = "is mandatory"
+        elif found.has_others:
+            why = f"is the default of SM{found.sm}; choose the PDOs of SM{found.sm} too, without it"
+        else:
+            why = f"is the default of SM{found.sm}, for which no other PDO can be chosen"
+        words = _exclusion_words(found.chosen, found.pdo_index)
+        raise InputError(f"{words}, and 0x{found.pdo_index:04X} {why}")
+
+
+def _exclusion_words(index: int, rival: int) -> str:
+    return f"PDO 0x{index:04X} and PDO 0x{rival:04X} exclude each other"
 
 
 def _chosen_entries(device: Device, found: AvailablePdo, wanted: PdoChoice, objects: ObjectTable) -> tuple[Entry, ...]:

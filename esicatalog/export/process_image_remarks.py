@@ -1,7 +1,7 @@
 """What a process image asks of a device or of its application that nothing generated here does for them."""
 
-from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.common import display_text
@@ -12,7 +12,7 @@ from esicatalog.esi.records.pdo import RX_PDO
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, PDO_MAPPINGS, carries_value, lacks_subindex
-from esicatalog.model.pdo_mapping import assigned_by_dictionary
+from esicatalog.model.pdo_mapping import assigned_by_dictionary, mapping_obstacle
 from esicatalog.model.process_image import SmImage, default_process_image, process_image, virtual_pdos
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import OUTPUT, is_mailbox
@@ -137,9 +137,23 @@ def _again(index: int, subindex: int, items: Sequence[tuple[int, str]]) -> Mappe
     )
 
 
-def repeat_remarks(images: Iterable[SmImage]) -> Iterator[str]:
+def staying_copies(device: Device, images: Iterable[SmImage]) -> frozenset[tuple[int, int]]:
+    """Index and subindex of what is mapped again whatever is chosen: in mandatory PDOs whose mapping stays."""
+    times = Counter(
+        (entry.entry_index or 0, entry.subindex or 0)
+        for image in images
+        for placed in image.pdos
+        if placed.pdo.mandatory and mapping_obstacle(device, placed.pdo) is not None
+        for entry in placed.pdo.entries
+        if carries_value(entry)
+    )
+    return frozenset(place for place, count in times.items() if count > 1)
+
+
+def repeat_remarks(images: Iterable[SmImage], staying: Container[tuple[int, int]]) -> Iterator[str]:
     """Outputs that are mapped again: whoever writes one entry sends zeros in the others.
 
+    ``staying`` are those of :func:`staying_copies`, against which no choice helps.
     Samples are no copies, nor are IDNs of SoE, which has PDOs of other indices: one of each drive of the device.
     """
     found = mapped_again(
@@ -151,8 +165,8 @@ def repeat_remarks(images: Iterable[SmImage]) -> Iterator[str]:
         for entry in placed.pdo.entries
         if carries_value(entry)
     )
-    for again in found.values():
-        what = f"every copy is sent, so write all of them, or {MAP_ONCE}"
+    for place, again in found.items():
+        what = "every copy is sent, so write all of them" + ("" if place in staying else f", or {MAP_ONCE}")
         yield f"{again.words}: {what if again.are_copies else 'each is sent, so write every one of them'}"
 
 

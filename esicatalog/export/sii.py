@@ -85,7 +85,7 @@ def described_image(subject: Subject, *, language: int | None = None, like: SiiI
     Raises :class:`SiiImageError`.
     """
     try:
-        descriptions = like is not None and any(mode.description_string_number for mode in like.dc_modes)
+        descriptions = like is not None and has_descriptions(like)
         return sii_image(subject.vendor_id, subject.group, subject.device, language=language, descriptions=descriptions)
     except SiiImageError as error:
         where = ", ".join(subject.origin) or subject.identity_text
@@ -127,6 +127,11 @@ def sii_image(
     if clocks.modes:
         computed.append(clocks)
     return SiiImage(header=computed_header(vendor_id, device), categories=(*declared_categories(device), *computed))
+
+
+def has_descriptions(image: SiiImage) -> bool:
+    """Whether an image holds descriptions of OpModes."""
+    return any(mode.description_string_number for mode in image.dc_modes)
 
 
 def op_modes_of_image(device: Device) -> list[OpMode]:

@@ -45,13 +45,16 @@ _SHIFT_ATTRIBUTES = [
 ]
 
 
-def eeprom_remarks(subject: Subject) -> tuple[str, ...]:
-    """Sentences about what the image of a description does not hold, what was assumed for it, and what is odd in it."""
+def eeprom_remarks(subject: Subject, descriptions: bool = False) -> tuple[str, ...]:
+    """Sentences about what the image of a description does not hold, what was assumed for it, and what is odd in it.
+
+    ``descriptions`` says whether it holds those of OpModes.
+    """
     whole = whole_image(subject.device)
     if whole is not None:
         return tuple(_whole_image_remarks(subject, whole))
     found = [(sentence, look(subject.device)) for look, sentence in _REMARKS]
-    found.append(("Texts cut to 255 bytes: {}.", _long_texts(subject)))
+    found.append(("Texts cut to 255 bytes: {}.", _long_texts(subject, descriptions)))
     listed = ((sentence, ", ".join(dict.fromkeys(map(str, what)))) for sentence, what in found)
     return tuple(sentence.format(what) for sentence, what in listed if what)
 
@@ -130,12 +133,13 @@ def _codes_missing(device: Device) -> list[str]:
     return [name for name, code in codes.items() if code is None]
 
 
-def _long_texts(subject: Subject) -> list[str]:
-    device, pdos = subject.device, _pdos(subject.device)
+def _long_texts(subject: Subject, descriptions: bool) -> list[str]:
+    device, pdos, modes = subject.device, _pdos(subject.device), op_modes_of_image(subject.device)
     named = [device.names, *(pdo.names for pdo in pdos), *(entry.names for pdo in pdos for entry in pdo.entries)]
     if subject.group is not None:
         named.append(subject.group.names)
-    texts = [device.type, device.group_type, device.image_symbol, *(mode.name for mode in op_modes_of_image(device))]
+    texts = [device.type, device.group_type, device.image_symbol, *(mode.name for mode in modes)]
+    texts += [mode.description for mode in modes if descriptions]
     texts += [name.text for names in named for name in names]
     return [f"{text[:40]!r}…" for text in texts if text and storable(text) != text]
 

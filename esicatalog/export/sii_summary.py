@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 
+from esicatalog.export.sii import has_descriptions
 from esicatalog.export.sii_changes import stored_otherwise
 from esicatalog.export.sii_limits import used_bytes
 from esicatalog.export.sii_merge import MergedImage
@@ -49,7 +50,7 @@ def _lines(subject: Subject, image: SiiImage, merged: MergedImage | None, droppe
     else:
         yield from _merge_lines(image, merged)
     yield from _listed("Left out to fit the format or the EEPROM:", dropped)
-    yield from _listed("About this image:", eeprom_remarks(subject))
+    yield from _listed("About this image:", eeprom_remarks(subject, has_descriptions(image)))
 
 
 def _merge_lines(image: SiiImage, merged: MergedImage) -> Iterator[str]:

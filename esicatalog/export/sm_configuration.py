@@ -6,15 +6,14 @@ from typing import NamedTuple
 from esicatalog.errors import InputError
 from esicatalog.esi.records.common import display_text
 from esicatalog.esi.records.device import Device, SyncManager
-from esicatalog.esi.records.pdo import Entry
-from esicatalog.esi.unreadable import reason_words, unreadable
+from esicatalog.esi.unreadable import unreadable
 from esicatalog.export.cia402_types import Mapped, entry_type
 from esicatalog.export.entry_types import ObjectTable, ValueType, value_type
 from esicatalog.export.naming import EntryNames
 from esicatalog.export.pdo_objects import PdoObject
 from esicatalog.identity import MAX_INDEX, MAX_SUBINDEX
 from esicatalog.model.assignable_pdos import declares_pdo_assign, declares_pdo_config
-from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, carries_value, entry_words, has_length, has_object, is_described
+from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, carries_value, is_described
 from esicatalog.model.process_image import PlacedPdo, SmImage, repeated_indices, repeated_words
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, is_mailbox, sm_role, transfer_direction
 from esicatalog.model.values import byte_length
@@ -244,10 +243,6 @@ def _assigned_pdo(
         raise InputError(f"{named} is assigned and {why}")
     entries = []
     for number, (item, entry_identifier) in enumerate(zip(placed.entries, identifiers, strict=True)):
-        if (problem := _problem(item.entry, number + 1)) is not None:
-            raise InputError(
-                f"PDO 0x{pdo.pdo_index:04X} {problem}; correct the file, or choose other PDOs or entries (--pdo)"
-            )
         index, subindex, bit_length = item.entry.entry_index or 0, item.entry.subindex or 0, item.entry.bit_length or 0
         if not (index or bit_length):
             continue
@@ -281,16 +276,3 @@ def _assigned_pdo(
         is_described(pdo),
         placed.repeat,
     )
-
-
-def _problem(entry: Entry, number: int) -> str | None:
-    """Why nothing can be made of an assigned entry."""
-    if not has_object(entry):
-        field, element = ("entry_index", "Index") if entry.entry_index is None else ("subindex", "SubIndex")
-        reason = reason_words(entry, field)
-        return f"has an entry, number {number}, without a usable {element}{reason}: what it maps is unknown"
-    if not has_length(entry):
-        what = entry_words(entry) if entry.entry_index else "a gap"
-        reason = reason_words(entry, "bit_length")
-        return f"maps {what} without a usable BitLen{reason}, and nothing tells where the entries behind it lie"
-    return None

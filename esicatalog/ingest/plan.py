@@ -133,6 +133,7 @@ def _look_below(found: Iterable[FoundDocument | FoundArchive], held: Held) -> _B
             below.documents.append(_as_from_outer_folder(item, held.documents.get(item.location)))
             continue
         members = _members(item, inside.get(item.location, []))
+        item = _archive_from_outer_folder(item, members)
         try:
             sha256 = _file_sha256(item.location)
         except OSError as error:
@@ -158,6 +159,13 @@ def _as_from_outer_folder(item: FoundDocument, known: HeldDocument | None) -> Fo
         return item
     root = Path(item.location).parents[known.member.count("/")]
     return item._replace(member=known.member, root=str(root), name=known.member)
+
+
+def _archive_from_outer_folder(item: FoundArchive, members: Iterable[tuple[str, HeldDocument]]) -> FoundArchive:
+    """The same of an archive, of which only the name differs: its members refer to nothing outside of it."""
+    known = (document.member.removesuffix(where.removeprefix(item.location)) for where, document in members)
+    names = [item.member, *(name for name in known if item.location.endswith(f"{os.sep}{name}"))]
+    return item._replace(member=max(names, key=len))
 
 
 def _one_of_each(documents: Iterable[FoundDocument], known: Set[str]) -> Iterator[FoundDocument]:

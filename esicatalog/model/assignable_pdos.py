@@ -3,7 +3,7 @@
 Rules of ESI-FACTS sections 8, 9 and 12, for what exports are given to assign and for what recipes ask for.
 """
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device, SyncManager
@@ -156,21 +156,67 @@ def _transports(sync_manager: SyncManager, direction: str) -> bool:
     return role is not None and role.pdo_direction == direction and not sync_manager.virtual
 
 
-def staying_pdos(device: Device, available: Sequence[AvailablePdo], listed: Iterable[int | None]) -> dict[int, int]:
-    """Indices of the mandatory PDOs that stay beside those that are listed, each with its SyncManager.
+def staying_pdos(
+    device: Device, available: Iterable[AvailablePdo], chosen: Iterable[int], assigned: Mapping[int, int]
+) -> dict[int, int]:
+    """Indices of the mandatory PDOs that stay beside those that are chosen, each with its SyncManager.
 
-    ``listed`` are the PDOs that are chosen, then those assigned without a choice, mandatory or not.
+    ``assigned`` are the PDOs that are assigned without a choice, mandatory or not, with their SyncManagers; an OpMode
+    lists some that name none.
     """
     exclusions = symmetric_exclusions(item.pdo for item in available)
-    places = {
-        item.pdo.pdo_index: item.pdo.sm
-        for item in available
-        if item.pdo.mandatory and not item.pdo.virtual and item.pdo.pdo_index is not None and item.pdo.sm is not None
-        if assignment_place(device, item.direction, item.pdo).sm is not None
-    }
-    order = {index: position for position, index in enumerate(dict.fromkeys(listed))}
+    places: dict[int, int] = {}
+    for item in available:
+        index, sm = item.pdo.pdo_index, item.pdo.sm
+        if index is None or not item.pdo.mandatory or item.pdo.virtual:
+            continue
+        if index in assigned:
+            places[index] = assigned[index]
+        elif sm is not None and assignment_place(device, item.direction, item.pdo).sm is not None:
+            places[index] = sm
+    order = {index: position for position, index in enumerate(dict.fromkeys([*chosen, *assigned]))}
     in_order = sorted(places, key=lambda index: (order.get(index, len(order)), places[index]))
     return {index: places[index] for index in without_rivals(in_order, exclusions)}
+
+
+class Beside(NamedTuple):
+    """A PDO that is assigned beside chosen ones and excludes one of them."""
+
+    chosen: int
+    pdo_index: int
+    sm: int
+    is_mandatory: bool
+    has_others: bool
+    """Whether another PDO can be chosen for its SyncManager."""
+
+
+def excluded_beside(
+    device: Device, available: Sequence[AvailablePdo], chosen: Mapping[int, int], assigned: Mapping[int, int]
+) -> Iterator[Beside]:
+    """What excludes chosen PDOs without being chosen: mandatory ones, and what other SyncManagers keep by default.
+
+    Both mappings give SyncManagers of PDOs by index, ``assigned`` those of the PDOs that are assigned without a choice.
+    """
+    exclusions = symmetric_exclusions(item.pdo for item in available)
+    rivals = {index: [rival for rival in exclusions.get(index, ()) if rival not in chosen] for index in sorted(chosen)}
+    if not any(rivals.values()):
+        return
+    staying = staying_pdos(device, available, chosen, assigned)
+    kept = {index: sm for index, sm in assigned.items() if sm not in chosen.values()}
+    stays = {index: sm for index, sm in staying.items() if sm in chosen.values() or index in kept}
+    for index, others in rivals.items():
+        for rival in others:
+            sm = stays.get(rival, kept.get(rival))
+            if sm is not None:
+                beside = [*chosen, *stays, *(other for other in kept if kept[other] != sm)]
+                barred = {rival, *(no for other in beside for no in exclusions.get(other, ()))}
+                yield Beside(index, rival, sm, rival in stays, has_other_pdos(device, available, sm, barred))
+
+
+def has_other_pdos(device: Device, available: Iterable[AvailablePdo], sm: int, barred: Container[int | None]) -> bool:
+    """Whether a PDO can be chosen for a SyncManager that is none of those that are ``barred``."""
+    others = (item for item in available if item.pdo.pdo_index is not None and item.pdo.pdo_index not in barred)
+    return any(assignment_place(device, item.direction, item.pdo).sm == sm for item in others)
 
 
 def without_rivals(staying: Iterable[int], exclusions: Mapping[int | None, Collection[int]]) -> list[int]:

@@ -98,7 +98,8 @@ _BLANKS = re.compile(r"[\s_.-]+")
 """Blanks, what vendors write in place of them, and the end of ``Sync.``."""
 _DENIAL = re.compile(
     r"\b(?:reserved|unsupported|unused|unavailable|n ?/ ?a|n a"
-    r"|not (?:\w+ )?(?:supported|used|available|implemented|allowed))\b",
+    r"|not (?:\w+ )?(?:support\w*|used|available|implemented|allowed|possible|permitted|applicable)"
+    rf"|(?:no|not|without|except) (?:{'|'.join(_TOKENS)}))\b",
     re.IGNORECASE,
 )
 _WORD = re.compile(r"[A-Za-z0-9]+")

@@ -58,6 +58,7 @@ RANKS: dict[str, tuple[str, float]] = {
     "A-": ("declared in ESI", 0.90),
     "B1": ("configured by InitCmd", 0.90),
     "B2": ("listed as a value of 0x6060", 0.75),
+    "B2-": ("denied as a value of 0x6060", 0.75),
     "C1": ("named", 0.80),
     "C2": ("configured by InitCmd without its setpoint", 0.50),
     "C3": ("configured by InitCmd against the module's name", 0.15),
@@ -204,14 +205,20 @@ def _bits(entry: ObjectEntry) -> int:
 
 
 def _listed(part: Part) -> Iterator[ModeEvidence]:
-    """Values that 0x6060 can have by an enumeration or options: codes of modes whose text does not say otherwise."""
+    """Values that 0x6060 can have by an enumeration or options: codes of modes, each for or against its mode.
+
+    Not where the text names another one, or others beside it and denies something: which is for people to read.
+    """
     index = part.at(MODES_OF_OPERATION)
     for what, value, text in _listed_values(part, index):
         mode = MODE_BY_CODE.get(value) if value is not None else None
-        if mode is None or denies(text) or mode.name not in (named_modes(text) or DRIVE_MODES):
+        if mode is None:
             continue
-        words = f"{what} of 0x{index:04X} list {value} ({text})"
-        yield _finding(part, mode, "B2", words, object_index=index)
+        named, is_denied = named_modes(text), denies(text)
+        if mode.name in (named or DRIVE_MODES) and not (is_denied and len(named) > 1):
+            words = f"{what} of 0x{index:04X} list {value} ({text})"
+            rank, polarity = ("B2-", NO) if is_denied else ("B2", YES)
+            yield _finding(part, mode, rank, words, polarity=polarity, object_index=index)
 
 
 def _listed_values(part: Part, index: int) -> list[tuple[str, int | None, str]]:

@@ -41,13 +41,13 @@ from esicatalog.model.drive_recipe import mode_recipe
 from esicatalog.model.drive_setup import ConfiguredDrive
 from esicatalog.model.pdo_facts import has_idns
 from esicatalog.model.process_image import SmImage, default_process_image
-from esicatalog.model.profile_facts import is_motion_terminal
+from esicatalog.model.profile_facts import is_encoder, is_motion_terminal
 from esicatalog.model.slots import default_modules
 
 LIKELY = "likely"
 YES_FROM, LIKELY_FROM, POSSIBLE_FROM = 0.8, 0.5, 0.2
 _CAP_AGAINST_DECLARATION = 0.2
-"""Names and inference count little where 0x6502 declares the mode absent."""
+"""Names and inference count little where 0x6502 or a value of 0x6060 denies the mode."""
 _CAPPED_RANKS = ("C", "D")
 
 
@@ -125,12 +125,16 @@ def drive_modes(
 
 
 def _findings(parts: Iterable[Part], own_axes: Container[int]) -> dict[int, list[ModeEvidence]]:
-    """Findings of the parts that are drives, by the part's identity."""
+    """Findings of the parts that are drives, or belong to one without being an encoder, by the part's identity."""
     return {
         number: list(find_evidence(part))
         for number, part in {id(part): part for part in parts}.items()
-        if part.axis in own_axes or is_drive(part)
+        if is_drive(part) or (part.axis in own_axes and not _is_encoder_module(part))
     }
+
+
+def _is_encoder_module(part: Part) -> bool:
+    return part.plugged is not None and is_encoder(part.plugged.module.profiles)
 
 
 class _Configuration(NamedTuple):

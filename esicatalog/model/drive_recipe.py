@@ -8,8 +8,10 @@ from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.pdo import RX_PDO, Pdo
+from esicatalog.model.access import states_to_write
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.cia402 import MODES_OF_OPERATION, DriveMode
+from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.drive_evidence import mode_code
 from esicatalog.model.drive_parts import (
     Part,
@@ -22,6 +24,7 @@ from esicatalog.model.drive_parts import (
     object_words,
     pdo_words,
     setpoint_words,
+    single_value,
     unusable_entry,
 )
 from esicatalog.model.drive_setup import ConfiguredDrive, DriveSetup
@@ -48,13 +51,19 @@ def mode_recipe(drive: ConfiguredDrive, mode: DriveMode, parts: Sequence[Part], 
     part, pdos = _mapping(usable, mode)
     are_default = all(pdo in part.assigned for pdo in pdos)
     setpoint = _setpoint(mode, parts, usable, setup) if mode.setpoints else None
-    steps = (plug, setpoint, setup.op_mode_words, _mode_of_operation(mode, parts[-1], pdos, setup))
+    steps = (plug, setpoint, setup.op_mode_words, _mode_of_operation(mode, parts, pdos, setup))
     return Recipe(tuple(pdos), are_default, setup.op_mode_choice, "; ".join(step for step in steps if step is not None))
 
 
-def unset_mode_words(index: int, mode: int | str) -> str:
-    """What is to be done where 0x6060 of an axis, ``index``, is not among the process data."""
-    return f"0x{index:04X} is in none of the assigned RxPDOs: write {mode} to it before operation"
+def unset_mode_words(index: int, mode: int | str, declared: ObjectEntry | None) -> str:
+    """What is to be done where 0x6060 of an axis, ``index``, is not among the process data.
+
+    ``declared`` is what a dictionary says of it: a drive aborts the download of an object that is read-only.
+    """
+    where = f"0x{index:04X} is in none of the assigned RxPDOs"
+    if declared is not None and not states_to_write(declared.access_word):
+        return f"{where}, and read-only by the description: nothing that is described sets {mode} there"
+    return f"{where}: write {mode} to it before operation"
 
 
 def _usable(part: Part, mode: DriveMode, setup: DriveSetup) -> Part:
@@ -92,7 +101,10 @@ def _setpoint(mode: DriveMode, parts: Sequence[Part], usable: Sequence[Part], se
             return f"{words}; assigned twice {setup.assigning}, which no export makes: choose it once"
         subject = "it is not" if len(pdos) == 1 else "not all are"
         doubt = "" if declares_pdo_assign(setup.device) else f", and {NO_PDO_ASSIGN}"
-        return f"{words}; {subject} assigned {setup.assigning}{doubt}"
+        others = [
+            f"; choose the PDOs of SM{item.sm} too, without 0x{item.pdo_index:04X}" for item in setup.beside(pdos)
+        ]
+        return f"{words}; {subject} assigned {setup.assigning}{doubt}{''.join(others)}"
     objects = setpoint_words(parts[-1], mode)
     problem = _mapping_problem(mode, usable, setup)
     if problem is None:
@@ -129,12 +141,12 @@ def _mapping_problem(mode: DriveMode, parts: Sequence[Part], setup: DriveSetup) 
     return None
 
 
-def _mode_of_operation(mode: DriveMode, part: Part, pdos: Sequence[Pdo], setup: DriveSetup) -> str:
+def _mode_of_operation(mode: DriveMode, parts: Sequence[Part], pdos: Sequence[Pdo], setup: DriveSetup) -> str:
     """Where 0x6060 is set: process data overwrite in every cycle what an InitCmd or the user wrote once.
 
     Looked for beside the setpoint first, then in what is assigned without a choice and may stay so beside it.
     """
-    index = part.at(MODES_OF_OPERATION)
+    index = parts[-1].at(MODES_OF_OPERATION)
     excluded = {rival for pdo in pdos for rival in setup.exclusions.get(pdo.pdo_index, ())}
     assigned = [placed.pdo for image in setup.images for placed in image.pdos if placed.direction == RX_PDO]
     staying = [pdo for pdo in assigned if pdo.pdo_index not in excluded]
@@ -149,4 +161,5 @@ def _mode_of_operation(mode: DriveMode, part: Part, pdos: Sequence[Pdo], setup: 
     if code == mode.code:
         return f"0x{index:04X} = {mode.code} is written by an InitCmd"
     after = f", after the InitCmd that writes {code}" if code is not None else ""
-    return f"{unset_mode_words(index, mode.code)}{after}"
+    declared = next((entry for part in parts if (entry := single_value(part, index)) is not None), None)
+    return f"{unset_mode_words(index, mode.code, declared)}{after}"

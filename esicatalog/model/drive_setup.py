@@ -1,6 +1,6 @@
 """What an export of a recipe would make: its modules, its OpMode, the process image and the commands that follow."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property
 
 from esicatalog.esi.records.device import Device
@@ -8,15 +8,16 @@ from esicatalog.esi.records.mailbox import COE, InitCmd
 from esicatalog.esi.records.pdo import RX_PDO, Pdo
 from esicatalog.model.assignable_pdos import (
     AvailablePdo,
+    Beside,
     assignment_place,
     available_pdos,
+    excluded_beside,
     meant_by_index,
-    staying_pdos,
 )
 from esicatalog.model.cia402 import DriveMode
 from esicatalog.model.drive_parts import Part
 from esicatalog.model.pdo_facts import mapped_entries, symmetric_exclusions
-from esicatalog.model.process_image import SmImage, process_image, repeated_indices
+from esicatalog.model.process_image import SmImage, assigned_indices, process_image, repeated_indices
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.start_up import all_init_cmds
 from esicatalog.model.sync import asked_op_modes, default_position, op_mode_at, op_mode_choice, positions_with_sync0
@@ -60,10 +61,14 @@ class DriveSetup:
     def _available(self) -> list[AvailablePdo]:
         return available_pdos(self.device, self._plugged).pdos
 
-    def _staying(self, pdo_index: int | None) -> Collection[int]:
-        """Indices of the mandatory PDOs that stay where a PDO is chosen."""
-        placed = (placed.pdo.pdo_index for image in self.images for placed in image.pdos)
-        return staying_pdos(self.device, self._available, [pdo_index, *placed])
+    def beside(self, pdos: Iterable[Pdo]) -> list[Beside]:
+        """What is assigned beside these RxPDOs where they are chosen, and excludes one of them."""
+        chosen = {}
+        for pdo in pdos:
+            sm = assignment_place(self.device, RX_PDO, pdo).sm
+            if pdo.pdo_index is not None and sm is not None:
+                chosen[pdo.pdo_index] = sm
+        return list(excluded_beside(self.device, self._available, chosen, assigned_indices(self.images)))
 
     @property
     def op_mode_choice(self) -> str | None:
@@ -98,9 +103,10 @@ class DriveSetup:
         place = assignment_place(self.device, meant.found.direction, meant.found.pdo)
         if place.sm is None:
             return place.obstacle
-        rivals = set(self.exclusions.get(pdo.pdo_index, ()))
-        for rival in sorted(rivals.intersection(self._staying(pdo.pdo_index))) if rivals else ():
-            return f"cannot be assigned beside 0x{rival:04X}, which is mandatory"
+        for rival in self.beside([pdo]):
+            if rival.is_mandatory or not rival.has_others:
+                why = "which is mandatory" if rival.is_mandatory else f"the only one that SM{rival.sm} can have"
+                return f"cannot be assigned beside 0x{rival.pdo_index:04X}, {why}"
         return None
 
     @cached_property

@@ -221,6 +221,12 @@ def repeated_words(index: int) -> str:
     return f"PDO 0x{index:04X} is assigned twice, and devices and masters tell PDOs apart by their index"
 
 
+def assigned_indices(images: Iterable[SmImage]) -> dict[int, int]:
+    """The SyncManagers of the assigned PDOs by index, those without one left out."""
+    placed = ((placed.pdo.pdo_index, image.sm) for image in images for placed in image.pdos)
+    return {index: sm for index, sm in placed if index is not None}
+
+
 def virtual_pdos(images: Iterable[SmImage]) -> set[tuple[int, int | None]]:
     """The PDOs that are left out because they or their SyncManagers are virtual: SyncManager and index."""
     return {(image.sm, item.pdo.pdo_index) for image in images for item in image.virtual}

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from esicatalog.esi.records.profile import Profile
 
-PROFILE_CIA402 = 402
+PROFILE_CIA402, PROFILE_CIA406 = 402, 406
 PROFILE_MODULAR = 5001
 """The modular device profile, whose AddInfo tells what a module is."""
 _MOTION_TERMINALS = range(700, 800)
@@ -31,6 +31,12 @@ def profile_numbers(profiles: Iterable[Profile]) -> list[ProfileNumber]:
 def has_profile_402(profiles: Iterable[Profile]) -> bool:
     """Whether one of them is that of CiA 402 drives."""
     return any(number.profile_no == PROFILE_CIA402 for number in profile_numbers(profiles))
+
+
+def is_encoder(profiles: Iterable[Profile]) -> bool:
+    """Whether they are those of an encoder (CiA 406), whose objects at the indices of CiA 402 are other ones."""
+    numbers = {number.profile_no for number in profile_numbers(profiles)}
+    return PROFILE_CIA406 in numbers and PROFILE_CIA402 not in numbers
 
 
 def is_motion_terminal(profiles: Iterable[Profile]) -> bool:

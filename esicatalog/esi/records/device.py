@@ -17,7 +17,7 @@ from esicatalog.esi.numbers import (
     IMAGE,
     INT,
     PHYSICS,
-    SWITCH,
+    SWITCH8,
 )
 from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.dc import OpMode
@@ -152,7 +152,7 @@ class SyncManager(Record):
     default_size: Annotated[int | None, Xml("@DefaultSize", DEC16, "Length in bytes of the default assignment")] = None
     start_address: Annotated[int | None, Xml("@StartAddress", HEX16, "Physical start address")] = None
     control_byte: Annotated[int | None, Xml("@ControlByte", HEX8, "ControlByte, register 0x0804 + 8n")] = None
-    enable: Annotated[int | None, Xml("@Enable", SWITCH, "Enable, bit 0 of register 0x0806 + 8n")] = None
+    enable: Annotated[int | None, Xml("@Enable", SWITCH8, "Enable, bit 0 of register 0x0806 + 8n")] = None
     one_byte_mode: Annotated[bool | None, Xml("@OneByteMode", BOOL, "One byte mode (obsolete)")] = None
     virtual: Annotated[bool | None, Xml("@Virtual", BOOL, "No SyncManager register is programmed for it")] = None
     watchdog: Annotated[bool | None, Xml("@Watchdog", BOOL, "Watchdog (obsolete)")] = None

@@ -3,7 +3,7 @@
 from typing import Annotated
 
 from esicatalog.esi.binding import Record, Xml
-from esicatalog.esi.numbers import DEC, HEX, HEX16, IDENTITY, IMAGE, INT
+from esicatalog.esi.numbers import DEC, HEX, HEX16, IDENTITY, IMAGE, INT, SWITCH
 from esicatalog.esi.records.common import Name
 
 
@@ -11,7 +11,7 @@ class SlotModuleIdent(Record):
     """A module that fits the slot."""
 
     module_ident: Annotated[int | None, Xml(".", IDENTITY, "ModuleIdent of the module")] = None
-    is_default: Annotated[int | None, Xml("@Default", DEC, "1 = preselected module")] = None
+    is_default: Annotated[int | None, Xml("@Default", SWITCH, "1 = preselected module")] = None
 
 
 class SlotModuleClass(Record):

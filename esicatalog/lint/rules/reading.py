@@ -66,7 +66,8 @@ def missing_file(section: InfoSubject) -> Iterator[Found]:
     for place, record in section.with_images():
         name = record.image_file
         if name and not section.find_file(name):
+            advice = "or leave it out beside ImageData16x14" if record.image_data else "or give ImageData16x14"
             yield Found(
-                f"ImageFile16x14 {name!r} was not found beside the document: ship it, or give ImageData16x14",
+                f"ImageFile16x14 {name!r} was not found beside the document: ship it, {advice}",
                 (*place, "image_file"),
             )

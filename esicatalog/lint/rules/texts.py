@@ -89,7 +89,9 @@ def _image_problem(digits: str) -> str | None:
         header = bytes.fromhex(digits[: 2 * _HEADER_BYTES])
     except ValueError:
         return None  # not hexBinary: the reader says so
-    if header[:2] != b"BM" or len(header) < _HEADER_BYTES:
+    if header[:2] != b"BM":
         return "is no Windows BMP file (it does not begin with 424D): tools show nothing"
+    if len(header) < _HEADER_BYTES:
+        return "ends within the header of a Windows BMP file: tools show nothing"
     size = tuple(abs(int.from_bytes(header[at : at + 4], "little", signed=True)) for at in (18, 22))
     return None if size == _IMAGE_SIZE else f"is {size[0]} x {size[1]} pixels; 16 x 14 are expected"

@@ -10,6 +10,7 @@ from esicatalog.model.dictionary import OBJECT_CODES, ObjectEntry
 from esicatalog.model.values import byte_length, fills, number_size, spelled_number
 from esicatalog.words import counted, index_words
 
+_REAL_BYTES = 4
 _TRUE_BYTE = ("bool", 0xFF)
 """How a BOOL is true in all bits of its byte."""
 _CHARACTER_BITS = {"string": 8, "octets": 8, "unicode": 16}
@@ -97,7 +98,11 @@ def _reading(given: int, entry: ObjectEntry, base: BaseType) -> str:
     size = number_size(given, base, entry.bit_size)
     if given > size:
         return f", and the first {size} are read"
-    return ", and the missing ones are read as 0" if given < size and base.integral else ""
+    if given == size:
+        return ""
+    if base.integral:
+        return ", and the missing ones are read as 0"
+    return ", and these are read as a REAL" if given == _REAL_BYTES else ", and no number is read"
 
 
 def _range_problem(entry: ObjectEntry) -> str | None:
