@@ -1204,4 +1204,4 @@ CREATE VIEW conflicting_descriptions AS SELECT d.id AS device_id, d.vendor_id, d
 
 CREATE VIRTUAL TABLE device_search USING fts5(vendor, type, name, identity, words, tokenize = 'unicode61 remove_diacritics 2');
 
-INSERT INTO alembic_version (version_num) VALUES ('0014')
+INSERT INTO alembic_version (version_num) VALUES ('0015')

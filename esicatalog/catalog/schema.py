@@ -10,7 +10,7 @@ from esicatalog.catalog import types
 from esicatalog.catalog.table_kinds import boolean, integer, key, owned, part, recorded, reference, table, text
 from esicatalog.catalog.table_kinds import metadata as metadata  # all tables are in it
 
-SCHEMA_VERSION = "0014"
+SCHEMA_VERSION = "0015"
 """Revision of the newest migration."""
 
 catalog_state = table(
