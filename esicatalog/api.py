@@ -259,10 +259,11 @@ class Catalog:
         """
         checked_number(vendor_id, "vendor")
         from esicatalog.catalog.devices import devices_of_vendor
+        from esicatalog.catalog.query import ConnectionQuery
         from esicatalog.catalog.reader import RecordReader
 
         with self._connection() as connection:
-            reader = RecordReader(connection)
+            reader = RecordReader(ConnectionQuery(connection))
             return [
                 _export_subject(connection, reader, number, found)
                 for number, found in devices_of_vendor(connection, vendor_id)
@@ -387,14 +388,15 @@ def _is_missing_file(target: str | os.PathLike[str]) -> bool:
 
 
 def _lookup_on(connection: "sa.Connection") -> "IdentityLookup":
-    from esicatalog.catalog.database import ConnectionQuery
     from esicatalog.catalog.identity import IdentityLookup
+    from esicatalog.catalog.query import ConnectionQuery
 
     return IdentityLookup(ConnectionQuery(connection))
 
 
 def _subject_among_variants(connection: "sa.Connection", wanted: Identity) -> "Subject":
     from esicatalog.catalog.devices import find_device, variants_with_slots
+    from esicatalog.catalog.query import ConnectionQuery
     from esicatalog.catalog.reader import RecordReader
 
     number, found, variants = find_device(connection, wanted)
@@ -402,7 +404,7 @@ def _subject_among_variants(connection: "sa.Connection", wanted: Identity) -> "S
     is_open = wanted.variant is None and len(variants) > 1
     differing = _lookup_on(connection).other_variants(found) if is_open else None
     words = f"{found.identity_text} has several descriptions; @1 is taken, append @N to choose another: {differing}"
-    subject = _export_subject(connection, RecordReader(connection), number, found)
+    subject = _export_subject(connection, RecordReader(ConnectionQuery(connection)), number, found)
     return subject.beside(with_slots, words if differing is not None else None)
 
 

@@ -7,6 +7,7 @@ from snippets import device, esi, only_device, pdo, rows
 from test_search import catalog_of
 
 from esicatalog import Catalog
+from esicatalog.catalog.query import ConnectionQuery
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.model.compare_facts import Difference
 from esicatalog.model.compare_image import compare_images
@@ -146,7 +147,7 @@ def test_identify_names_the_difference_that_diff_names_of_real_revisions(corpus_
     pairs = "SELECT previous_id, device_id FROM device_revisions WHERE layout_changed = 1"
     wrong = []
     with Catalog.open(corpus_db) as catalog, catalog._connection() as connection:
-        reader, lookup = RecordReader(connection), catalog._lookup_of_file()
+        reader, lookup = RecordReader(ConnectionQuery(connection)), catalog._lookup_of_file()
         for pair in rows(corpus_db, pairs):
             (ours, theirs), (modules, others) = reader.devices(pair), map(reader.modules_of, pair)
             if modules or others:
