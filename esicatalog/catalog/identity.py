@@ -9,6 +9,7 @@ from typing import Any, Generic, NamedTuple, TypeVar
 
 from msgspec import DecodeError
 
+from esicatalog.catalog.document_status import RECOVERED
 from esicatalog.catalog.driver_errors import damage_error
 from esicatalog.catalog.query import Query
 from esicatalog.catalog.reader import RecordReader
@@ -40,7 +41,7 @@ _OF_PRODUCT = (
 """In the order of the index ``ix_devices_listed``: sorting would take a quarter of the time."""
 _SOURCES = (
     "SELECT x.device_id, s.member, s.location, x.line, x.group_type, y.file_version, s.status, s.message, "
-    "coalesce(s.is_whole, s.status <> 'recovered') FROM device_sources x "
+    f"coalesce(s.is_whole, s.status <> '{RECOVERED}') FROM device_sources x "
     "JOIN sources s ON s.id = x.source_id "
     "LEFT JOIN source_vendors y ON y.source_id = x.source_id AND y.position = x.section "
     "WHERE x.device_id IN ({}) ORDER BY s.member, x.line, s.location"

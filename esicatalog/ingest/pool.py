@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
+from esicatalog.catalog.document_status import FAILED
 from esicatalog.errors import UnreadableDocument
 from esicatalog.ingest.process import DEADLINE_SECONDS, Helper, can_fork, forked, gave_up, interpreter, limited_time
 from esicatalog.ingest.tasks import Answer, Outcome, Task
@@ -35,7 +36,7 @@ def read_here(tasks: Sequence[Task]) -> Iterator[Outcome]:
 
 
 def _given_up(task: Task, problem: str) -> Outcome:
-    return Outcome(task.number, "failed", problem, is_unreadable=True)
+    return Outcome(task.number, FAILED, problem, is_unreadable=True)
 
 
 class Pool:
