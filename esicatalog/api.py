@@ -114,8 +114,8 @@ class Catalog:
         """
         from esicatalog.catalog.own_files import own_files
         from esicatalog.ingest.plan import make_plan
-        from esicatalog.ingest.process import interrupts_wait
         from esicatalog.ingest.reading import Reading
+        from esicatalog.ingest.this_process import interrupts_wait
 
         # Taken letter by letter, the text of a path would ingest "/" and all that is below it.
         given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)

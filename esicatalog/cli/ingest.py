@@ -51,7 +51,7 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, prof
     document failed.
     """
     from esicatalog.api import Catalog
-    from esicatalog.ingest.process import without_cycle_search
+    from esicatalog.ingest.this_process import without_cycle_search
 
     with _terminable(), without_cycle_search(), Catalog(db, create=True, at_once=False) as catalog:
         try:

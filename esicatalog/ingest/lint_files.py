@@ -16,7 +16,7 @@ from esicatalog.esi.reader import Reader
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_members, discover
-from esicatalog.ingest.process import limited
+from esicatalog.ingest.this_process import limited
 from esicatalog.lint.library import DeviceFact, facts_of_document, lint_library
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.registry import ERROR, Rule

@@ -18,10 +18,10 @@ from esicatalog.catalog.writer import SourceRow, Writer
 from esicatalog.errors import CatalogError
 from esicatalog.esi.stages import Stages
 from esicatalog.ingest.plan import Held, HeldDocument, Plan, make_plan
-from esicatalog.ingest.process import without_cycle_search
 from esicatalog.ingest.reading import Reading
 from esicatalog.ingest.report import DocumentLine, IngestReport
 from esicatalog.ingest.tasks import Known, Outcome
+from esicatalog.ingest.this_process import without_cycle_search
 from esicatalog.version import __version__
 
 Progress = Callable[[DocumentLine, int, int], None]
