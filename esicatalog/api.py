@@ -114,8 +114,8 @@ class Catalog:
         """
         from esicatalog.catalog.own_files import own_files
         from esicatalog.ingest.plan import make_plan
-        from esicatalog.ingest.process import interrupts_wait
         from esicatalog.ingest.reading import Reading
+        from esicatalog.ingest.this_process import interrupts_wait
 
         # Taken letter by letter, the text of a path would ingest "/" and all that is below it.
         given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
@@ -263,10 +263,11 @@ class Catalog:
 
     def _subjects_of_vendor(self, vendor_id: int) -> "Iterator[Subject]":
         from esicatalog.catalog.devices import devices_of_vendor
+        from esicatalog.catalog.query import ConnectionQuery
         from esicatalog.catalog.reader import RecordReader
 
         with self._connection() as connection:
-            reader = RecordReader(connection)
+            reader = RecordReader(ConnectionQuery(connection))
             for number, found in devices_of_vendor(connection, vendor_id):
                 yield _export_subject(connection, reader, number, found)
 
@@ -389,14 +390,15 @@ def _is_missing_file(target: str | os.PathLike[str]) -> bool:
 
 
 def _lookup_on(connection: "sa.Connection") -> "IdentityLookup":
-    from esicatalog.catalog.database import ConnectionQuery
     from esicatalog.catalog.identity import IdentityLookup
+    from esicatalog.catalog.query import ConnectionQuery
 
     return IdentityLookup(ConnectionQuery(connection))
 
 
 def _subject_among_variants(connection: "sa.Connection", wanted: Identity) -> "Subject":
     from esicatalog.catalog.devices import find_device, variants_with_slots
+    from esicatalog.catalog.query import ConnectionQuery
     from esicatalog.catalog.reader import RecordReader
 
     number, found, variants = find_device(connection, wanted)
@@ -404,7 +406,7 @@ def _subject_among_variants(connection: "sa.Connection", wanted: Identity) -> "S
     is_open = wanted.variant is None and len(variants) > 1
     differing = _lookup_on(connection).other_variants(found) if is_open else None
     words = f"{found.identity_text} has several descriptions; @1 is taken, append @N to choose another: {differing}"
-    subject = _export_subject(connection, RecordReader(connection), number, found)
+    subject = _export_subject(connection, RecordReader(ConnectionQuery(connection)), number, found)
     return subject.beside(with_slots, words if differing is not None else None)
 
 

@@ -21,8 +21,8 @@ from esicatalog import Catalog
 from esicatalog.esi import containers, documents
 from esicatalog.esi.reader import Reader
 from esicatalog.ingest import plan as planning
-from esicatalog.ingest import process
 from esicatalog.ingest import run as _run  # noqa: F401  (it must not be loaded while a test has changed the plan)
+from esicatalog.ingest import this_process
 from esicatalog.ingest.pool import Pool
 from esicatalog.ingest.process import Helper
 from esicatalog.ingest.tasks import Known, Task
@@ -231,7 +231,7 @@ def test_a_document_without_end_is_given_up_where_the_ingest_itself_reads(tmp_pa
 
     with Catalog.open(tmp_path / "c.db", create=True) as catalog:
         with monkeypatch.context() as patch:
-            patch.setattr(process, "DEADLINE_SECONDS", 0.3)
+            patch.setattr(this_process, "DEADLINE_SECONDS", 0.3)
             patch.setattr(documents, "_HAS_TOO_MANY_ATTRIBUTES", endless)
             report = catalog.ingest([folder], jobs=1)
         given_up = ("failed", "gave up after 0 s")

@@ -17,7 +17,7 @@ from snippets import REPEATED_ATTRIBUTE, UNDECLARED_PREFIX, device, esi, faulty_
 from esicatalog.cli.main import cli
 from esicatalog.esi import documents
 from esicatalog.esi.notes import MAX_FINDINGS
-from esicatalog.ingest import process
+from esicatalog.ingest import this_process
 
 LAUGHS = "".join(f'<!ENTITY a{n} "{f"&a{n - 1};" * 10}">' for n in range(1, 12))
 FILES = {
@@ -173,7 +173,7 @@ def test_a_document_without_end_is_given_up(data_db, data, monkeypatch, words):
             pass
 
     alarm = signal.getsignal(signal.SIGALRM)
-    monkeypatch.setattr(process, "DEADLINE_SECONDS", 0.2)
+    monkeypatch.setattr(this_process, "DEADLINE_SECONDS", 0.2)
     monkeypatch.setattr(documents, "_HAS_TOO_MANY_ATTRIBUTES", endless)
     line, *_ = lines_of_failure(arguments(words, data / "l6n_drive.xml", data_db, data))
     assert line.endswith("gave up after 0 s")

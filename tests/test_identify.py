@@ -82,10 +82,16 @@ def answer(db: Path, *numbers: int):
         return catalog.identify(*numbers)
 
 
-def test_an_answer_is_of_one_state(tmp_path, monkeypatch):
-    """The number of a row is soon another description's; its document would be named with what was found before."""
-    folder, db = write(tmp_path / "in", {"a.xml": esi(device(name="A drive"))}), tmp_path / "c.db"
-    with_sources = IdentityLookup.with_sources
+@pytest.mark.parametrize("step", ["with_sources", "_read_layout"])
+def test_an_answer_is_of_one_state(tmp_path, monkeypatch, step):
+    """The number of a row is soon another description's; its document would be named with what was found before.
+
+    Or nobody's: that of the second revision, whose layout is another one.
+    """
+    contents = ["<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", bits, attributes='Sm="0"') for bits in (8, 16)]
+    revisions = "".join(device(content, revision=f"#x{number}") for number, content in enumerate(contents, 1))
+    folder, db = write(tmp_path / "in", {"a.xml": esi(revisions)}), tmp_path / "c.db"
+    method = getattr(IdentityLookup, step)
 
     def replaced_before(lookup, found):
         monkeypatch.undo()
@@ -93,12 +99,21 @@ def test_an_answer_is_of_one_state(tmp_path, monkeypatch):
         for content in ({}, {"z.xml": esi(device(product="#x99", name="A valve"))}):
             with Catalog.open(db) as other:
                 other.ingest([write(folder, content)], jobs=1, prune=True)
-        return with_sources(lookup, found)
+        return method(lookup, found)
 
     with Catalog.open(db, create=True) as catalog:
         catalog.ingest([folder], jobs=1)
-        monkeypatch.setattr(IdentityLookup, "with_sources", replaced_before)
+        monkeypatch.setattr(IdentityLookup, step, replaced_before)
         assert catalog.identify(0xE5C, 1, 1).match == "vendor"
+
+
+def test_what_cannot_be_read_of_a_layout_is_damage(several, tmp_path):
+    db = tmp_path / "c.db"
+    db.write_bytes(several.read_bytes())
+    with closing(sqlite3.connect(db)) as connection, connection:
+        connection.execute("UPDATE pdo_entries SET spelling = '{'")
+    with pytest.raises(CatalogError, match=r"the catalog: a value cannot be read .* is damaged"):
+        answer(db, 0xE5C, 1, 0x00100000)
 
 
 def test_an_answer_tells_what_others_stored_meanwhile(tmp_path):
@@ -161,7 +176,10 @@ def test_another_layout_of_a_variant_is_a_warning(several):
 @pytest.mark.parametrize(
     ("there", "words"),
     [
-        ("<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="8"'), "sampled otherwise: 4 bytes"),
+        (
+            "<Sm>Outputs</Sm>" + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="8"'),
+            "SM0 byte 4.0 is nothing here, 0x7000:01 (8 bit) there",
+        ),
         (
             '<Sm ControlByte="#x20">Outputs</Sm>' + pdo("RxPdo", "#x1600", 8, attributes='Sm="0" OSFac="4"'),
             "SyncManagers with PDOs are SM0 output here, SM0 input there",
@@ -171,7 +189,7 @@ def test_another_layout_of_a_variant_is_a_warning(several):
             + pdo("RxPdo", "#x1600", 8, attributes='OSFac="4"')
             + "<Dc><OpMode><Name>m</Name><AssignActivate>0</AssignActivate>"
             '<Sm No="0"><Pdo>#x1600</Pdo><Pdo>#x1602</Pdo></Sm></OpMode></Dc>',
-            "of unknown length are none here, outputs there",
+            "SM0 without known place: nothing here, PDO 0x1602 there",
         ),
         (
             "<Sm>Outputs</Sm>"
@@ -226,37 +244,37 @@ NO_LENGTH = '<RxPdo Sm="0"><Index>#x1600</Index><Entry><Index>#x7000</Index></En
         (
             "<Sm>Outputs</Sm>" + VARIABLE + pdo("RxPdo", "#x1601", 8, 16, attributes='Sm="0"'),
             "<Sm>Outputs</Sm>" + VARIABLE + pdo("RxPdo", "#x1601", 16, 8, attributes='Sm="0"'),
-            "in PDOs of unknown length, or behind them",
+            "SM0 without known place: 0x7000:01 (8 bit) here, 0x7000:01 (16 bit) there",
             None,
         ),
         (
             '<Sm DefaultSize="4">Outputs</Sm><Sm>Inputs</Sm>' + pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"'),
             '<Sm DefaultSize="8">Outputs</Sm><Sm>Inputs</Sm>' + pdo("TxPdo", "#x1A00", 8, attributes='Sm="1"'),
-            "SyncManagers without PDOs have DefaultSize SM0 4 here, SM0 8 there",
+            "SM0 without known place: DefaultSize 4 and no PDO here, DefaultSize 8 and no PDO there",
             None,
         ),
         (
             '<Sm DefaultSize="8">Outputs</Sm>',
             '<Sm DefaultSize="64">Outputs</Sm>',
-            "SyncManagers without PDOs have DefaultSize SM0 8 here, SM0 64 there",
+            "SM0 without known place: DefaultSize 8 and no PDO here, DefaultSize 64 and no PDO there",
             None,
         ),
         (
             f"<Sm>Outputs</Sm>{SLOT_OF_NOBODY}",
             "<Sm>Outputs</Sm>",
-            "slots that need a module: 1 here, none there",
+            "SM0 without known place: PDOs of required modules here, nothing there",
             0,
         ),
         (
             "<Sm>Outputs</Sm>" + VARIABLE,
             "<Sm>Outputs</Sm>" + VARIABLE.replace("1600", "1601"),
-            "in PDOs of unknown length, or behind them",
+            "SM0 without known place: PDO 0x1600 here, PDO 0x1601 there",
             None,
         ),
         (
             "<Sm>Outputs</Sm>" + NO_LENGTH,
             "<Sm>Outputs</Sm>" + NO_LENGTH.replace("1600", "1601"),
-            "in PDOs of unknown length, or behind them",
+            "SM0 without known place: PDO 0x1600 here, PDO 0x1601 there",
             None,
         ),
         (
@@ -268,13 +286,13 @@ NO_LENGTH = '<RxPdo Sm="0"><Index>#x1600</Index><Entry><Index>#x7000</Index></En
         (
             "<Sm>Outputs</Sm>" + VARIABLE + UNREAD,
             "<Sm>Outputs</Sm>" + VARIABLE + UNREAD.replace(">x1<", ">x2<"),
-            "in PDOs of unknown length, or behind them",
+            "SM0 without known place: 0x7000:? 'x1' (8 bit) here, 0x7000:? 'x2' (8 bit) there",
             None,
         ),
         (
             "<Sm>Outputs</Sm>" + VARIABLE + UNREAD,
             "<Sm>Outputs</Sm>" + VARIABLE + UNREAD.replace("<SubIndex>x1</SubIndex>", ""),
-            "in PDOs of unknown length, or behind them",
+            "SM0 without known place: 0x7000:? 'x1' (8 bit) here, 0x7000:00 (8 bit) there",
             None,
         ),
     ],

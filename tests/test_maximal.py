@@ -10,6 +10,7 @@ from lxml import etree
 from snippets import esi, read, write
 
 from esicatalog import Catalog
+from esicatalog.catalog.query import ConnectionQuery
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.esi.binding import Record
 from esicatalog.esi.reader import ReadDocument, Reader
@@ -134,7 +135,7 @@ def test_the_catalog_gives_every_record_back(maximal, tmp_path):
         info = maximal.document.infos[0]
         expected = [*info.devices, *read(AFTER_1_17).document.infos[0].devices]
         with catalog._connection() as connection:
-            reader = RecordReader(connection)
+            reader = RecordReader(ConnectionQuery(connection))
             stored = {d.type: d for d in reader.devices(range(1, len(expected) + 1))}
             modules = {m.type: m for m in reader.modules(range(1, len(info.modules) + 1))}
     assert stored == {d.type: d for d in expected}

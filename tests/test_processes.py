@@ -15,7 +15,7 @@ from snippets import device, esi, one, write
 from esicatalog import Catalog
 from esicatalog.errors import UnreadableDocument
 from esicatalog.esi.content import sha256_hex
-from esicatalog.ingest import process
+from esicatalog.ingest import this_process
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="processes are copied only with /proc")
 
@@ -190,12 +190,12 @@ def test_an_ingest_without_standard_streams_stores_all(tmp_path, redirection):
 
 
 def test_time_is_limited_in_the_main_thread_and_where_nobody_else_has_set_an_alarm(monkeypatch):
-    monkeypatch.setattr(process, "DEADLINE_SECONDS", 0.05)
+    monkeypatch.setattr(this_process, "DEADLINE_SECONDS", 0.05)
     ended: list[str] = []
 
     def wait() -> None:
         try:
-            with process.limited_time():
+            with this_process.limited_time():
                 time.sleep(0.2)
             ended.append("at its end")
         except UnreadableDocument:
@@ -214,19 +214,19 @@ def test_time_is_limited_in_the_main_thread_and_where_nobody_else_has_set_an_ala
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 def test_a_document_ends_though_an_object_that_ended_took_the_first_alarm(monkeypatch):
     """What is raised in ``__del__`` is lost, and the search for cycles ends objects at any moment."""
-    monkeypatch.setattr(process, "DEADLINE_SECONDS", 0.05)
+    monkeypatch.setattr(this_process, "DEADLINE_SECONDS", 0.05)
 
     class Lingering:
         def __del__(self) -> None:
             time.sleep(0.1)
 
-    with pytest.raises(UnreadableDocument), process.limited_time():
+    with pytest.raises(UnreadableDocument), this_process.limited_time():
         Lingering()
         time.sleep(5)
 
 
 def test_somebody_elses_alarm_is_delivered_while_time_is_limited():
-    with someones_alarm() as alarms, process.limited_time():
+    with someones_alarm() as alarms, this_process.limited_time():
         signal.raise_signal(signal.SIGALRM)
     assert alarms == [signal.SIGALRM]
 
@@ -248,7 +248,7 @@ def test_ctrl_c_ends_what_has_a_limit_of_time():
     # What a shell runs in the background ignores it.
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
-        with pytest.raises(KeyboardInterrupt), process.limited_time():
+        with pytest.raises(KeyboardInterrupt), this_process.limited_time():
             signal.raise_signal(signal.SIGINT)
     finally:
         signal.signal(signal.SIGINT, before)

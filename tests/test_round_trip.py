@@ -11,6 +11,7 @@ from snippets import device, esi, read, rows, write
 
 from esicatalog import Catalog
 from esicatalog.catalog.mapping import TABLE_RECORDS, codec
+from esicatalog.catalog.query import ConnectionQuery
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.esi.binding import Record, fields_of
 from esicatalog.esi.containers import Archive, Folder
@@ -47,7 +48,7 @@ def differences(db: Path, stride: int = 1) -> tuple[int, list[str]]:
     """Devices and modules compared, and those that differ from the document (each in the document's group)."""
     compared, differing = 0, []
     with Catalog.open(db) as catalog, catalog._connection() as connection:
-        records = RecordReader(connection)
+        records = RecordReader(ConnectionQuery(connection))
         for source_id, document in list(read_again(db)):
             placed = rows(
                 db,
@@ -169,7 +170,7 @@ def test_object_entries_are_what_the_model_resolves(data_db):
         for (number,) in rows(data_db, "SELECT id FROM devices"):
             expected = [
                 (e.subindex, e.name, e.bit_size, e.access_word, e.default_int)
-                for profile in RecordReader(connection).device(number).profiles
+                for profile in RecordReader(ConnectionQuery(connection)).device(number).profiles
                 if profile.dictionary is not None
                 for declared in profile.dictionary.objects
                 for e in resolve_object(declared, type_table(profile.dictionary.data_types)).entries

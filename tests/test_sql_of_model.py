@@ -12,16 +12,13 @@ from hypothesis import strategies as st
 from test_slot_problems import plugged
 
 from esicatalog import Catalog
-from esicatalog.catalog.identity import _BESIDE_LAYOUT
 from esicatalog.esi.records.common import Name
-from esicatalog.esi.records.device import Device, SyncManager
+from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.document import EsiInfo, Vendor
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Entry, Pdo
 from esicatalog.esi.records.slots import Slot, SlotModuleIdent
 from esicatalog.esi.write import write_esi
-from esicatalog.model.pdo_facts import has_length, is_described
-from esicatalog.model.process_image import default_process_image
 from esicatalog.model.slots import expand_module
 
 PHASES = (Phase.explicit, Phase.reuse, Phase.generate)
@@ -57,38 +54,6 @@ MODULE = st.builds(
         depend_on_slot_group=MOVES,
         entries=st.lists(MOVING_ENTRY, min_size=1, max_size=2).map(tuple),
     ).map(lambda pdo: (pdo,)),
-)
-FIXED_DEVICE = st.builds(
-    Device,
-    sync_managers=st.lists(
-        st.builds(
-            SyncManager,
-            usage=st.sampled_from(["Outputs", "Inputs", "MBoxOut"]),
-            default_size=st.sampled_from([None, 0, 8]),
-            virtual=MOVES,
-        ),
-        min_size=2,
-        max_size=4,
-    ).map(tuple),
-    rx_pdos=st.lists(
-        st.builds(
-            Pdo,
-            pdo_index=st.integers(0x1600, 0x1603),
-            sm=st.sampled_from([None, 0, 1, 2]),
-            fixed=MOVES,
-            ref=st.sampled_from([None, "old"]),
-            entries=st.lists(
-                st.builds(
-                    Entry,
-                    entry_index=st.sampled_from([0, 0x7000]),
-                    subindex=st.sampled_from([None, 1]),
-                    bit_length=st.sampled_from([None, -1, 0, 8]),
-                ),
-                max_size=2,
-            ).map(tuple),
-        ),
-        max_size=4,
-    ).map(tuple),
 )
 
 
@@ -166,36 +131,3 @@ def test_the_search_finds_what_modules_map_in_slots(drawn, asked):
                 named = {item for item in found.get(number, ()) if item[0] is not None}
                 assert named <= expected
                 assert named == expected or (found[number] - named)
-
-
-@settings(max_examples=5, phases=PHASES)
-@given(st.lists(FIXED_DEVICE, min_size=10, max_size=20))
-def test_what_identify_says_of_layouts_is_what_the_model_places(drawn):
-    devices = [identified(device, number) for number, device in enumerate(drawn, 1)]
-    sizes = dict(_BESIDE_LAYOUT)["SyncManagers without PDOs have DefaultSize {} here, {} there"]
-    with stored(devices) as catalog, catalog._connection():
-        lookup = catalog._lookup_of_file()
-        for number, device_id in lookup._query("SELECT product_code, id FROM devices ORDER BY product_code", ()):
-            images = default_process_image(devices[number - 1], ())
-            assert lookup._without_place(device_id) == [*without_place(images)]
-            assert lookup._query(sizes, (device_id,)) == [
-                (f"SM{image.sm}", devices[number - 1].sync_managers[image.sm].default_size)
-                for image in images
-                if image.left_open is not None
-            ]
-
-
-def without_place(images):
-    """PDOs of variable content, entries without length, and what lies behind either."""
-    for image in images:
-        for pdo in image.pdos:
-            if not pdo.entries and not is_described(pdo.pdo):
-                yield image.sm, pdo.pdo.pdo_index, None, None, 0
-            for placed in pdo.entries:
-                if placed.bit_offset is None or not has_length(placed.entry):
-                    index, subindex, bits = (
-                        placed.entry.entry_index,
-                        placed.entry.subindex or 0,
-                        placed.entry.bit_length,
-                    )
-                    yield image.sm, pdo.pdo.pdo_index, index, bits, subindex

@@ -72,7 +72,7 @@ def test_among_equals_the_lowest_content_hash_is_preferred(tmp_path):
 
 
 def test_what_modules_have_is_not_taken_for_nothing(tmp_path):
-    """EPOS4: the default module has the entry at the same place as the other variant's own PDO."""
+    """EPOS4: the default module has the entry at the same place as the other variant's own PDO, but no second one."""
     slots = '<Slots><Slot MinInstances="0" MaxInstances="1"><ModuleIdent Default="1">1</ModuleIdent></Slot></Slots>'
     outputs, on_sm0 = "<Sm>Outputs</Sm>", "Sm='0'"
     of_module = pdo("RxPdo", "#x1600", 8, attributes=on_sm0)
@@ -81,7 +81,7 @@ def test_what_modules_have_is_not_taken_for_nothing(tmp_path):
     stored(tmp_path, {"a": esi(device(outputs + slots), module), "b": esi(device(outputs + own))})
     with Catalog.open(tmp_path / "all.db") as catalog:
         (warning,) = catalog.identify(0xE5C, 1, 1).warnings
-    assert warning.endswith("for example: in PDOs of modules")
+    assert warning.endswith("for example: SM0 byte 1.0 is 0x7000:02 (16 bit) here, nothing there")
 
 
 def test_modules_count_for_richness(tmp_path):

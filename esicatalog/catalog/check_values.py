@@ -16,6 +16,7 @@ from esicatalog.catalog.derived import NOWHERE, PdoPlaces, derived_rows, pdo_pla
 from esicatalog.catalog.digests import Digests
 from esicatalog.catalog.mapping import CHILDREN, PARENTS
 from esicatalog.catalog.owned import OwnedRowMaker, OwnedRows
+from esicatalog.catalog.query import ConnectionQuery
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.schema import (
     device_facts,
@@ -91,7 +92,7 @@ class _Found:
 def _compare_modules(connection: sa.Connection, numbers: Sequence[int], found: _Found) -> None:
     digests, owners = Digests(), _Owners("module")
     identities = _rows_of(connection, [modules.c.vendor_id, modules.c.content_hash], modules.c.id, numbers)
-    for number, module in zip(numbers, RecordReader(connection).modules(numbers), strict=True):
+    for number, module in zip(numbers, RecordReader(ConnectionQuery(connection)).modules(numbers), strict=True):
         ((vendor_id, content_hash),) = identities[number]
         found.digest("modules", digests.module(module, vendor_id).hex() == content_hash)
         owners.add(number, module, NOWHERE)
@@ -99,7 +100,12 @@ def _compare_modules(connection: sa.Connection, numbers: Sequence[int], found: _
 
 
 def _compare_devices(connection: sa.Connection, numbers: Sequence[int], found: _Found) -> None:
-    digests, owners, deriver, reader = Digests(), _Owners("device"), Deriver(), RecordReader(connection)
+    digests, owners, deriver, reader = (
+        Digests(),
+        _Owners("device"),
+        Deriver(),
+        RecordReader(ConnectionQuery(connection)),
+    )
     identities = _rows_of(connection, [devices.c.vendor_id, devices.c.content_hash], devices.c.id, numbers)
     reachable, keys = reader.modules_of_each(numbers), _module_keys(connection, numbers)
     expected: dict[sa.Column[Any], dict[int, list[Row]]] = defaultdict(dict)
@@ -131,7 +137,7 @@ def _module_keys(connection: sa.Connection, device_ids: Sequence[int]) -> dict[i
 
 def _compare_entries(connection: sa.Connection, numbers: Sequence[int], found: _Found) -> None:
     """The entries of objects, which follow from these and the data types of their dictionary."""
-    resolver, digests, reader = Resolver(), Digests(), RecordReader(connection)
+    resolver, digests, reader = Resolver(), Digests(), RecordReader(ConnectionQuery(connection))
     reader.load_dictionaries(numbers)
     links = _rows_of(connection, [dictionary_objects.c.object_id], dictionary_objects.c.dictionary_id, numbers)
     made: dict[int, list[Row]] = {}

@@ -360,18 +360,6 @@ class DriverQuery:
         return int(self("PRAGMA data_version", ())[0][0])
 
 
-class ConnectionQuery:
-    """Runs ``?`` statements within the transaction of a connection."""
-
-    def __init__(self, connection: sa.Connection) -> None:
-        self._connection = connection
-        self._mark = "?" if connection.dialect.paramstyle == "qmark" else "%s"
-
-    def __call__(self, sql: str, values: tuple[Any, ...]) -> list[tuple[Any, ...]]:
-        """All rows of a statement."""
-        return [tuple(row) for row in self._connection.exec_driver_sql(sql.replace("?", self._mark), values)]
-
-
 def schema_version(connection: sa.Connection) -> str | None:
     """The migration a database stands at; None for an empty database; an error for a foreign one."""
     shown = shown_url(connection.engine.url)

@@ -9,6 +9,7 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema
 from esicatalog.catalog.devices import find_device, variants_with_slots
 from esicatalog.catalog.identity import IdentityLookup
+from esicatalog.catalog.query import ConnectionQuery
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.results import DeviceSource, FoundDevice, IdentifiedDevice
 from esicatalog.catalog.siblings import Revision, revisions_of, same_layout
@@ -105,7 +106,7 @@ def read_description(connection: sa.Connection, lookup: IdentityLookup, identity
     """Read a description in a number of queries that does not depend on its size. Raises :class:`NotFound`."""
     number, found, descriptions = find_device(connection, identity)
     variants = lookup.with_sources(descriptions)
-    reader = RecordReader(connection)
+    reader = RecordReader(ConnectionQuery(connection))
     device = reader.device(number)
     return DeviceDescription(
         number,

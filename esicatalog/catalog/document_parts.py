@@ -9,6 +9,7 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema
 from esicatalog.catalog.mapping import codec
 from esicatalog.catalog.pictures import picture_texts
+from esicatalog.catalog.query import ConnectionQuery
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.results import UnreachedModules
 from esicatalog.errors import NotFound
@@ -58,7 +59,7 @@ def unreached_modules(connection: sa.Connection, vendor_id: int) -> UnreachedMod
     ).all()
     numbers = list(dict.fromkeys(row.module_id for row in rows))
     vendor = _vendor_of(connection, rows[0]) if rows else Vendor(vendor_id=vendor_id)
-    return UnreachedModules(vendor, tuple(RecordReader(connection).modules(numbers)))
+    return UnreachedModules(vendor, tuple(RecordReader(ConnectionQuery(connection)).modules(numbers)))
 
 
 def _vendor_of(connection: sa.Connection, section: Any) -> Vendor:
@@ -75,7 +76,9 @@ def _vendor_of(connection: sa.Connection, section: Any) -> Vendor:
 def _records(connection: sa.Connection, record_type: Any, rows: Sequence[Any]) -> tuple[Any, ...]:
     """Records of rows, with the images' hex texts in place of their keys."""
     records = [codec(record_type).decode(tuple(row)) for row in rows]
-    texts = picture_texts(connection, {record.image_data for record in records if record.image_data is not None})
+    texts = picture_texts(
+        ConnectionQuery(connection), {record.image_data for record in records if record.image_data is not None}
+    )
     return tuple(
         record
         if record.image_data is None

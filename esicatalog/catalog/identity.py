@@ -4,19 +4,25 @@ The lookup speaks to the database driver directly: masters, test benches and web
 thousand, and the statements below are all it takes.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Generic, NamedTuple, TypeVar
 
-import msgspec
+from msgspec import DecodeError
 
+from esicatalog.catalog.document_status import RECOVERED
+from esicatalog.catalog.driver_errors import damage_error
+from esicatalog.catalog.query import Query
+from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.results import NONE, VENDOR, DeviceSource, FoundDevice, Identification, IdentifiedDevice
 from esicatalog.catalog.views import image_is_known, vendor_name
+from esicatalog.errors import NotFound
 from esicatalog.identity import is_read
 from esicatalog.model.bus import DeviceAtBus
-from esicatalog.model.pdo_facts import mapped_words
-from esicatalog.model.process_image import byte_bit
+from esicatalog.model.compare_image import layout_difference
+from esicatalog.model.image_layout import ImageLayout, image_layouts
+from esicatalog.model.oversampling import has_oversampling
+from esicatalog.model.process_image import default_process_image
 from esicatalog.model.revisions import EXACT, EXACT_REASON, Described, rank
-from esicatalog.model.sm_facts import SM_ROLES, TRANSFER_DIRECTIONS
 from esicatalog.words import hex32
 
 NEAREST = 10
@@ -35,68 +41,11 @@ _OF_PRODUCT = (
 """In the order of the index ``ix_devices_listed``: sorting would take a quarter of the time."""
 _SOURCES = (
     "SELECT x.device_id, s.member, s.location, x.line, x.group_type, y.file_version, s.status, s.message, "
-    "coalesce(s.is_whole, s.status <> 'recovered') FROM device_sources x "
+    f"coalesce(s.is_whole, s.status <> '{RECOVERED}') FROM device_sources x "
     "JOIN sources s ON s.id = x.source_id "
     "LEFT JOIN source_vendors y ON y.source_id = x.source_id AND y.position = x.section "
     "WHERE x.device_id IN ({}) ORDER BY s.member, x.line, s.location"
 )
-_SUBINDEX = "e.subindex, CASE WHEN e.subindex IS NULL THEN e.spelling END"
-_LAYOUT = (
-    f"SELECT p.image_sm, e.image_bit_offset, e.entry_index, {_SUBINDEX}, e.bit_length FROM pdos p "
-    "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND e.image_bit_offset IS NOT NULL "
-    "AND (e.entry_index IS NULL OR e.entry_index <> 0) AND (e.bit_length IS NULL OR e.bit_length <> 0)"
-)
-"""What :func:`~esicatalog.model.image_layout.entries_with_place` gives."""
-_WITHOUT_PLACE = (
-    f"SELECT p.image_sm, p.pdo_index, e.entry_index, e.bit_length, {_SUBINDEX} FROM pdos p "
-    "LEFT JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND p.image_sm IS NOT NULL "
-    "AND (e.image_bit_offset IS NULL OR e.bit_length IS NULL OR e.bit_length < 0) "
-    "AND (e.pdo_id IS NOT NULL OR p.fixed IS NOT TRUE OR p.ref IS NOT NULL) "
-    "ORDER BY p.image_sm, p.direction, p.position, e.position"
-)
-"""Assigned PDOs of variable content, entries without a usable BitLen, and what lies behind either."""
-_HAS_MODULES = "SELECT 1 FROM device_modules WHERE device_id = ? LIMIT 1"
-_BY_ROLE, _BY_PDO = (
-    " ".join(f"WHEN '{word}' THEN '{direction}'" for word, direction in known.items())
-    for known in ({usage: role.transfer_direction for usage, role in SM_ROLES.items()}, TRANSFER_DIRECTIONS)
-)
-_BESIDE_LAYOUT = (
-    (
-        "described bits are {} here, {} there",
-        "SELECT 'SM' || p.image_sm, max(e.image_bit_offset + e.bit_length) FROM pdos p "
-        "JOIN pdo_entries e ON e.pdo_id = p.id WHERE p.device_id = ? AND e.image_bit_offset IS NOT NULL "
-        "AND e.bit_length > 0 GROUP BY p.image_sm ORDER BY p.image_sm",
-    ),
-    (
-        "SyncManagers with PDOs are {} here, {} there",
-        f"SELECT 'SM' || s.position, coalesce(s.transfer_direction, CASE s.usage {_BY_ROLE} END, "
-        f"CASE min(p.direction) {_BY_PDO} END) FROM sync_managers s "
-        "JOIN pdos p ON p.device_id = s.device_id AND p.image_sm = s.position WHERE s.device_id = ? "
-        "GROUP BY s.position, s.transfer_direction, s.usage ORDER BY s.position",
-    ),
-    (
-        "SyncManagers without PDOs have DefaultSize {} here, {} there",
-        "SELECT 'SM' || s.position, s.default_size FROM sync_managers s WHERE s.device_id = ? AND s.default_size > 0 "
-        "AND s.usage IN ('Outputs', 'Inputs') AND s.virtual IS NOT TRUE "
-        "AND NOT EXISTS (SELECT 1 FROM pdos p WHERE p.device_id = s.device_id AND p.image_sm = s.position) "
-        "ORDER BY s.position",
-    ),
-    (
-        "slots that need a module: {} here, {} there",
-        "SELECT sum(min_instances) FROM slots WHERE device_id = ? HAVING sum(min_instances) > 0",
-    ),
-    (
-        "of unknown length are {} here, {} there",
-        "SELECT CASE WHEN input_bytes IS NOT NULL THEN 'outputs' WHEN output_bytes IS NOT NULL THEN 'inputs' "
-        "ELSE 'outputs and inputs' END FROM device_facts "
-        "WHERE device_id = ? AND (output_bytes IS NULL OR input_bytes IS NULL)",
-    ),
-    (
-        "the same entries are sampled otherwise: {} here, {} there",
-        "SELECT output_bytes, 'bytes out,', input_bytes, 'in' FROM device_facts WHERE device_id = ?",
-    ),
-)
-"""In what layouts with the same entries at the same places can differ, in words and as a statement."""
 _STATE = "SELECT value FROM catalog_state WHERE key = ?"
 _VENDOR = "SELECT name FROM vendors WHERE vendor_id = ?"
 _NEAR_PRODUCTS = " UNION ALL ".join(
@@ -108,9 +57,6 @@ _NEAR_PRODUCTS = " UNION ALL ".join(
     for beside, direction, name in (("<", "DESC", "below"), (">", "ASC", "above"))
 )
 """On both sides of a product code by the index, however many products the vendor has; none that is no identity."""
-
-Query = Callable[[str, tuple[Any, ...]], Iterable[tuple[Any, ...]]]
-"""Runs a statement with ``?`` marks and gives its rows."""
 
 
 class _Row(NamedTuple):
@@ -173,8 +119,8 @@ class IdentityLookup:
         """Rows of products: revisions of one are asked for together."""
         self._answers: _Kept[tuple[int, int, int | None], Identification] = _Kept()
         """The slaves of a bus are often the same."""
-        self._differences: _Kept[tuple[str | None, str | None, int, int], str] = _Kept()
-        """Signatures are digests of layouts: the words for a pair of them never change."""
+        self._layouts: _Kept[str | None, Mapping[int, ImageLayout]] = _Kept()
+        """Layouts by their signatures, of which the revisions of a product have few."""
 
     def identify(self, vendor_id: int, product_code: int, revision_no: int | None) -> Identification:
         """The descriptions of an identity, preferred first, or the nearest ones; see :func:`rank` for the order."""
@@ -183,9 +129,14 @@ class IdentityLookup:
         return self._answers.get(query, changes, lambda: self._of_one_state(query, changes))
 
     def _of_one_state(self, query: tuple[int, int, int | None], changes: int | None) -> Identification:
-        """Answer again what others have changed meanwhile: a row number is another description's afterwards."""
-        answer = self._identify(query, changes)
-        return answer if self._changes() == changes else self.identify(*query)
+        """Answer again what others have changed meanwhile: a row number is another one's afterwards, or nobody's."""
+        answer = None
+        try:
+            answer = self._identify(query, changes)
+        except (NotFound, KeyError, DecodeError) as error:
+            if self._changes() == changes:
+                raise damage_error("the catalog", error) from error
+        return answer if answer is not None and self._changes() == changes else self.identify(*query)
 
     def _identify(self, query: tuple[int, int, int | None], changes: int | None) -> Identification:
         vendor_id, product_code, revision_no = query
@@ -209,9 +160,9 @@ class IdentityLookup:
             match, reason, chosen, others = _nearest(rows, revision_no)
         variants = tuple(self.with_sources([(row.id, _device(row)) for row in chosen]))
         candidates = tuple(map(_device, others[:NEAREST]))
-        of_variants = self._variant_warning(chosen[0], chosen[1:])
+        of_variants = self._variant_warning(chosen[0], chosen[1:], changes)
         of_revisions = self._warning(
-            chosen[0], others, "revisions", lambda row: hex32(row.revision_no, "the one without RevisionNo")
+            chosen[0], others, changes, "revisions", lambda row: hex32(row.revision_no, "the one without RevisionNo")
         )
         return Identification(*query, match, reason, variants[0], variants, candidates, of_variants, of_revisions)
 
@@ -222,10 +173,13 @@ class IdentityLookup:
         """How variants of the identity of a described device exchange something else; None if none does."""
         if device.vendor_id is None or device.product_code is None:
             return None
-        rows = self._of_product((device.vendor_id, device.product_code), self._changes())
+        changes = self._changes()
+        rows = self._of_product((device.vendor_id, device.product_code), changes)
         alike = sorted((row for row in rows if row.revision_no == device.revision_no), key=lambda row: row.variant)
         ours = next((row for row in alike if row.variant == device.variant), None)
-        return self._variant_warning(ours, [row for row in alike if row is not ours]) if ours is not None else None
+        if ours is None:
+            return None
+        return self._variant_warning(ours, [row for row in alike if row is not ours], changes)
 
     def with_sources(self, found: Sequence[tuple[int, FoundDevice]]) -> list[IdentifiedDevice]:
         """Descriptions, given with their row numbers, with the documents and lines that carry them."""
@@ -272,10 +226,12 @@ class IdentityLookup:
         reason = f"vendor {hex32(vendor_id)}{named} is known, its product {hex32(product_code)} is not"
         return Identification(*query, VENDOR, reason, None, (), candidates)
 
-    def _variant_warning(self, ours: _Row, variants: list[_Row]) -> str | None:
-        return self._warning(ours, variants, "variants of this identity", lambda row: f"@{row.variant}")
+    def _variant_warning(self, ours: _Row, variants: list[_Row], changes: int | None) -> str | None:
+        return self._warning(ours, variants, changes, "variants of this identity", lambda row: f"@{row.variant}")
 
-    def _warning(self, ours: _Row, rows: list[_Row], what: str, name: Callable[[_Row], str]) -> str | None:
+    def _warning(
+        self, ours: _Row, rows: list[_Row], changes: int | None, what: str, name: Callable[[_Row], str]
+    ) -> str | None:
         """Descriptions with another default process image: code written for one reads wrong data on the other.
 
         Equal ones that are not described in full may be other ones, too.
@@ -291,56 +247,23 @@ class IdentityLookup:
                 "known: its length is not described"
             )
         nearest = differing[0]
-        pair = (ours.image_signature, nearest.image_signature, ours.id, nearest.id)
-        words = self._differences.get(pair, 0, lambda: self._layout_difference(ours.id, nearest.id))
+        words = layout_difference(self._layout(ours, changes), self._layout(nearest, changes))
         more = f", whether in {len(unknown)} more is not known" if unknown else ""
         return (
             f"default process image differs in {len(differing)} of {len(rows)} other {what}{more}; "
             f"{name(nearest)} for example: {words}"
         )
 
-    def _layout_difference(self, here: int, there: int) -> str:
-        ours, theirs = self._layout(here), self._layout(there)
-        has_modules, also_has = (any(self._query(_HAS_MODULES, (device_id,))) for device_id in (here, there))
-        for place in sorted(ours.keys() | theirs.keys()):
-            # Where one has nothing of its own there may be an entry of a module.
-            if (place not in ours and has_modules) or (place not in theirs and also_has):
-                continue
-            if ours.get(place) != theirs.get(place):
-                sm, bit_offset = place
-                return (
-                    f"SM{sm} byte {byte_bit(bit_offset)} is {ours.get(place, 'nothing')} here, "
-                    f"{theirs.get(place, 'nothing')} there"
-                )
-        if self._without_place(here) != self._without_place(there):
-            return "in PDOs of unknown length, or behind them"
-        if has_modules or also_has:
-            return "in PDOs of modules"
-        for words, statement in _BESIDE_LAYOUT:
-            shown = [_listed(self._query(statement, (device_id,))) for device_id in (here, there)]
-            if shown[0] != shown[1]:
-                return words.format(*shown)
-        return "in the samples of oversampled PDOs, or in PDOs that are too long or listed and not described"
+    def _layout(self, row: _Row, changes: int | None) -> Mapping[int, ImageLayout]:
+        return self._layouts.get(row.image_signature, changes or 0, lambda: self._read_layout(row.id))
 
-    def _layout(self, device_id: int) -> dict[tuple[int, int], str]:
-        """What begins where, in words."""
-        found = {}
-        for sm, offset, index, subindex, spelling, bits in self._query(_LAYOUT, (device_id,)):
-            found[sm, offset] = mapped_words(index, _subindex(subindex, spelling), bits)
-        return found
-
-    def _without_place(self, device_id: int) -> list[tuple[Any, ...]]:
-        """What is assigned at places that are not known, entry by entry."""
-        return [
-            (*known, _subindex(subindex, spelling))
-            for *known, subindex, spelling in self._query(_WITHOUT_PLACE, (device_id,))
-        ]
-
-
-def _subindex(subindex: int | None, spelling: str | None) -> int | str:
-    """The subindex of an entry as :func:`~esicatalog.model.pdo_facts.mapped` tells it."""
-    unread = msgspec.json.decode(spelling).get("subindex") if spelling else None
-    return subindex or unread or 0
+    def _read_layout(self, device_id: int) -> Mapping[int, ImageLayout]:
+        reader = RecordReader(self._query, with_dictionaries=False)
+        device, modules = reader.device(device_id), reader.modules_of(device_id)
+        if has_oversampling(device):
+            # Dictionaries, most of what there is to read, say which PDOs hold the samples, and nothing else of these.
+            device = RecordReader(self._query).device(device_id)
+        return image_layouts(default_process_image(device, modules))
 
 
 def _device(row: tuple[Any, ...]) -> FoundDevice:
@@ -371,7 +294,3 @@ def _nearest(rows: list[_Row], revision_no: int | None) -> tuple[str, str, list[
         if row.revision_no != best.revision_no:
             others.setdefault(row.revision_no, row)
     return ranked[0].match, ranked[0].reason, chosen, list(others.values())
-
-
-def _listed(rows: Iterable[tuple[Any, ...]]) -> str:
-    return ", ".join(" ".join(map(str, row)) for row in rows) or "none"

@@ -179,6 +179,7 @@ class Codec:
         left_out = child_fields | _ELSEWHERE.get(record_type, frozenset())
         columns: list[Column] = []
         self._expressions: list[str] = []
+        self._taken: list[tuple[str, int]] = []
         self._decoders: list[tuple[str, int, Callable[[Any, int], Any]]] = []
         self.extensions: list[Field] = []
         """Vendor-specific XML fields, kept in the table vendor_extensions."""
@@ -195,7 +196,11 @@ class Codec:
             self._expressions.append(expression.format(f"record.{field.name}"))
             if field.xml.kind is IMAGE:
                 self.image_column = start
-            self._decoders.append((field.name, start, _decoder(field)))
+            decoder = _decoder(field)
+            if decoder is None:
+                self._taken.append((field.name, start))
+            else:
+                self._decoders.append((field.name, start, decoder))
         self._spelling: int | None = None
         if fields_of(record_type):
             self._spelling = len(columns)
@@ -233,7 +238,9 @@ class Codec:
 
     def decode(self, values: tuple[Any, ...] | Any, **elsewhere: Any) -> Any:
         """The record of a row: ``values`` start with the stored columns; other fields come by keyword."""
-        fields = {name: decode(values, at) for name, at, decode in self._decoders}
+        fields = {name: values[at] for name, at in self._taken}
+        for name, at, decode in self._decoders:
+            fields[name] = decode(values, at)
         fields.update(elsewhere)
         if self._spelling is not None and values[self._spelling] is not None:
             fields["spelling"] = msgspec.json.decode(values[self._spelling])
@@ -314,14 +321,13 @@ def _names_values(names: tuple[Name, ...]) -> tuple[str | None, str | None]:
     return display_text(names), to_json(names)
 
 
-def _decoder(field: Field) -> Callable[[Any, int], Any]:
+def _decoder(field: Field) -> Callable[[Any, int], Any] | None:
+    """What makes the value of a field of the values of a row and its place in them; None for what stands there."""
     if field.item is Flags:
         width = len(codec(Flags).stored_columns)
         return lambda values, at: codec(Flags).decode(values[at + 1 : at + 1 + width]) if values[at] else None
     if field.name == "names" and field.item is Name:
         return lambda values, at: _decode_names(values[at], values[at + 1])
-    if field.xml.kind is IMAGE:
-        return lambda values, at: values[at]
     if field.many:
         decode_list = msgspec.json.Decoder(tuple[field.item, ...]).decode  # type: ignore[name-defined]
         return lambda values, at: () if values[at] is None else decode_list(values[at])
@@ -330,7 +336,7 @@ def _decoder(field: Field) -> Callable[[Any, int], Any]:
         return lambda values, at: None if values[at] is None else decode_one(values[at])
     if field.item is bool:
         return lambda values, at: None if values[at] is None else bool(values[at])
-    return lambda values, at: values[at]
+    return None
 
 
 _decode_name_list = msgspec.json.Decoder(tuple[Name, ...]).decode

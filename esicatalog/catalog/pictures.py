@@ -7,6 +7,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog.bulk import chunks
 from esicatalog.catalog.mapping import image_key
+from esicatalog.catalog.query import Query, rows_of
 from esicatalog.catalog.schema import images
 
 _BATCH_ROWS = 100
@@ -18,12 +19,11 @@ def picture_of(connection: sa.Connection, sha256: str) -> bytes | None:
     return found
 
 
-def picture_texts(connection: sa.Connection, keys: Iterable[str]) -> dict[str, str]:
+def picture_texts(query: Query, keys: Iterable[str]) -> dict[str, str]:
     """Pictures as documents write them, by key: upper-case hex, the document's own text where that is malformed."""
     found: dict[str, str] = {}
     for part in chunks(sorted(keys)):
-        query = sa.select(images.c.sha256, images.c.data, images.c.malformed).where(images.c.sha256.in_(part))
-        for key, data, malformed in connection.execute(query):
+        for key, data, malformed in rows_of(query, "sha256, data, malformed", images.name, "sha256", part):
             found[key] = _text(data, malformed)
     return found
 

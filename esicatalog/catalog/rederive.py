@@ -5,6 +5,7 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import RowBuffer, chunks
 from esicatalog.catalog.derived import PdoPlaces, derived_rows, pdo_places
+from esicatalog.catalog.query import ConnectionQuery
 from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.settle import number_variants_again, settle_hidden
 from esicatalog.catalog.spelled_vendors import store_own_vendor_names, store_vendor_names
@@ -21,7 +22,7 @@ def derive_again(connection: sa.Connection) -> None:
     connection.execute(sa.update(schema.pdos).values(image_sm=None))
     buffer = RowBuffer(connection)
     for part in chunks(connection.execute(sa.select(schema.devices.c.id)).scalars(), _BATCH):
-        reader = RecordReader(connection)
+        reader = RecordReader(ConnectionQuery(connection))
         modules, deriver = reader.modules_of_each(part), Deriver()
         for number, device in zip(part, reader.devices(part), strict=True):
             derived = deriver.derive(device, modules[number])

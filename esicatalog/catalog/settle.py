@@ -11,6 +11,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.bulk import chunks
+from esicatalog.catalog.document_status import RECOVERED
 from esicatalog.catalog.full_text import index_devices
 from esicatalog.catalog.schema import device_sources, devices, source_vendors, sources
 from esicatalog.catalog.spelled_vendors import OF_SECTION, store_own_vendor_names, store_vendor_names
@@ -50,7 +51,7 @@ def carried_facts() -> sa.Select[Any]:
     return (
         sa.select(
             device_sources.c.device_id,
-            sa.func.min(sa.case((sources.c.status == "recovered", 1), else_=0)).label("recovered"),
+            sa.func.min(sa.case((sources.c.status == RECOVERED, 1), else_=0)).label("recovered"),
             sa.func.max(source_vendors.c.file_version).label("file_version"),
             sa.func.min(device_sources.c.group_type).label("group_type"),
         )

@@ -6,6 +6,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from esicatalog.catalog.document_status import FAILED
 from esicatalog.catalog.schema import device_sources, devices, findings, hidden_revisions, source_vendors, sources
 from esicatalog.catalog.spelled_vendors import OF_SECTION
 from esicatalog.esi.notes import REFUSED, Finding
@@ -54,7 +55,7 @@ def _refused(connection: sa.Connection, names: Mapping[int, str]) -> Iterator[Do
 def _failed(*conditions: sa.ColumnElement[bool]) -> sa.Select[Any]:
     """Row number and reason of the failed documents that fulfil the conditions."""
     reason = sa.func.coalesce(sources.c.message, "cannot be read")
-    query = sa.select(sources.c.id, reason).where(sources.c.status == "failed", *conditions)
+    query = sa.select(sources.c.id, reason).where(sources.c.status == FAILED, *conditions)
     return query.order_by(sources.c.member, sources.c.location)
 
 

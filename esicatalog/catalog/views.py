@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import sqlalchemy as sa
 
+from esicatalog.catalog.document_status import FAILED, RECOVERED, STORED
 from esicatalog.catalog.schema import metadata
 from esicatalog.model.base_types import TYPE_NAMES
 from esicatalog.model.cia402 import CIA402, DRIVE_MODES
@@ -365,8 +366,8 @@ def _problems(dialect: str) -> list[View]:
             "ingest_problems",
             "Documents that failed, were skipped or needed recovery, and every error found in the others.",
             "SELECT s.id AS source_id, s.member, s.status, 'document' AS rule, "
-            "CASE s.status WHEN 'failed' THEN 'E' WHEN 'recovered' THEN 'W' ELSE 'I' END AS severity, "
-            f"s.message, {_integer('0')} AS line FROM sources s WHERE s.status <> 'stored' "
+            f"CASE s.status WHEN '{FAILED}' THEN 'E' WHEN '{RECOVERED}' THEN 'W' ELSE 'I' END AS severity, "
+            f"s.message, {_integer('0')} AS line FROM sources s WHERE s.status <> '{STORED}' "
             "UNION ALL SELECT s.id, s.member, s.status, f.rule, f.severity, f.message, f.line "
             "FROM findings f JOIN sources s ON s.id = f.source_id WHERE f.severity = 'E'",
         ),

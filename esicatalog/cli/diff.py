@@ -26,7 +26,7 @@ from esicatalog.esi.notes import REFUSED
 from esicatalog.esi.reader import read_esi
 from esicatalog.esi.records.common import display_text
 from esicatalog.identity import Identity, identity_text
-from esicatalog.ingest.process import limited
+from esicatalog.ingest.this_process import limited
 from esicatalog.model.compare import compare_devices, images_are_known, summary_words
 from esicatalog.model.compare_device import revision_verdict
 from esicatalog.model.compare_documents import DescribedDevice, described_devices, paired_devices

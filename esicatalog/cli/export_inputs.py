@@ -154,7 +154,7 @@ def _subject_of_file(file: Path, identity: Identity | None) -> "tuple[Subject, l
     """The device of a file, and the members beside it that the file pulls in."""
     from esicatalog.esi.reader import read_esi
     from esicatalog.export.subject import choose_subject, subjects_of_document
-    from esicatalog.ingest.process import limited
+    from esicatalog.ingest.this_process import limited
 
     with limited():
         document = read_esi(file).document

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NoReturn
 
 import click
 
+from esicatalog.catalog.document_status import FAILED, RECOVERED, REMOVED, SKIPPED, STORED, UNCHANGED
 from esicatalog.cli.common import (
     EXIT_NO,
     Command,
@@ -25,7 +26,7 @@ from esicatalog.cli.common import (
 if TYPE_CHECKING:
     from esicatalog.ingest.report import DocumentLine, IngestReport
 
-_NAMED_STATUSES = ("failed", "recovered", "skipped", "removed")
+_NAMED_STATUSES = (FAILED, RECOVERED, SKIPPED, REMOVED)
 _IN_LOG = (
     "others are reading the catalog: the latest is in {db}-wal, and {db} alone is older; carry the catalog with "
     "esicatalog snapshot"
@@ -50,7 +51,7 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, prof
     document failed.
     """
     from esicatalog.api import Catalog
-    from esicatalog.ingest.process import without_cycle_search
+    from esicatalog.ingest.this_process import without_cycle_search
 
     with _terminable(), without_cycle_search(), Catalog(db, create=True, at_once=False) as catalog:
         try:
@@ -68,7 +69,7 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, prof
             _print_profile(report)
     if not report.is_in_file:
         click.echo(_IN_LOG.format(db=db), err=True)
-    if report.counts["failed"]:
+    if report.counts[FAILED]:
         sys.exit(EXIT_NO)
 
 
@@ -119,8 +120,8 @@ def _print_summary(report: "IngestReport", db: str) -> None:
     counts = report.counts
     removed = f", {report.removed} removed" if report.removed else ""
     click.echo(
-        f"{counts['stored']} stored ({counts['recovered']} after recovery), {counts['unchanged']} unchanged, "
-        f"{counts['skipped']} skipped, {counts['failed']} failed{removed}; "
+        f"{counts[STORED]} stored ({counts[RECOVERED]} after recovery), {counts[UNCHANGED]} unchanged, "
+        f"{counts[SKIPPED]} skipped, {counts[FAILED]} failed{removed}; "
         f"{counted(report.devices, 'device')}, {counted(report.modules, 'module')} in {report.seconds:.1f} s "
         f"-> {shown_target(db)}"
     )

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Set
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
+from esicatalog.catalog.document_status import FAILED, SKIPPED
 from esicatalog.errors import EsiCatalogError, InputError, UnreadableDocument
 from esicatalog.esi import containers
 from esicatalog.esi.containers import MAX_NESTING, NESTED, Archive, is_archive, is_unreadable, no_file_reason
@@ -76,7 +77,7 @@ def _folder(root: Path) -> Iterator[FoundDocument | FoundArchive]:
 
     def unreadable(error: OSError) -> None:
         path = Path(error.filename)
-        problem = _problem(path, root, "failed", f"folder cannot be read: {error.strerror}")
+        problem = _problem(path, root, FAILED, f"folder cannot be read: {error.strerror}")
         problems.append(problem._replace(is_unreadable=True))
 
     for folder, subfolders, names in os.walk(root, onerror=unreadable):
@@ -85,7 +86,7 @@ def _folder(root: Path) -> Iterator[FoundDocument | FoundArchive]:
             path = Path(folder, name)
             # Path.is_symlink() raises where the folder may be listed and not entered.
             if os.path.islink(path):  # noqa: PTH114
-                yield _problem(path, root, "skipped", "symbolic link to a folder; name the folder itself to read it")
+                yield _problem(path, root, SKIPPED, "symbolic link to a folder; name the folder itself to read it")
         for name in sorted(names):
             yield _file(Path(folder, name), root)
     yield from problems
@@ -95,15 +96,15 @@ def _file(path: Path, root: Path, archive_by_content: bool = False) -> FoundDocu
     try:
         status = path.stat()
         if path.is_symlink() and not path.resolve().is_relative_to(root):
-            return _problem(path, root, "skipped", "symbolic link that leads outside the folder")
+            return _problem(path, root, SKIPPED, "symbolic link that leads outside the folder")
         if not stat.S_ISREG(status.st_mode):
-            return _problem(path, root, "skipped", "not a regular file")
+            return _problem(path, root, SKIPPED, "not a regular file")
         if archive_by_content or path.suffix.lower() == ".zip":
             with path.open("rb") as stream:
                 if is_archive(stream.read(4)):
                     return FoundArchive(str(path), path.relative_to(root).as_posix())
     except OSError as error:
-        problem = _problem(path, root, "failed", f"cannot be read: {error.strerror}")
+        problem = _problem(path, root, FAILED, f"cannot be read: {error.strerror}")
         return problem._replace(is_unreadable=is_unreadable(error))
     member = path.relative_to(root).as_posix()
     return FoundDocument(str(path), member, str(root), False, (), member, status.st_size)
@@ -118,7 +119,7 @@ def _with_usable_name(item: Item) -> Item | FoundDocument:
     else:
         return item
     location, member = map(_usable, (item.location, item.member))
-    problem = ("failed", words)
+    problem = (FAILED, words)
     if isinstance(item, FoundDocument):
         return item._replace(location=location, member=member, problem=problem)
     return FoundDocument(location, member, location, False, (), member, 0, problem)
@@ -149,11 +150,11 @@ def archive_members(archive: FoundArchive) -> Iterator[FoundDocument]:
     try:
         opened = Archive(Path(archive.location))
     except EsiCatalogError as error:
-        problem = unusable_archive(archive, "failed", str(error))
+        problem = unusable_archive(archive, FAILED, str(error))
         yield problem._replace(is_unreadable=isinstance(error, UnreadableDocument))
         return
     if not opened.members():
-        yield unusable_archive(archive, "skipped", _EMPTY)
+        yield unusable_archive(archive, SKIPPED, _EMPTY)
         return
     yield from map(_with_usable_name, _members(archive, opened, (), _Allowance()))
 
@@ -184,7 +185,7 @@ def _members(
     allowance.take(opened)
     for name in opened.repeated:
         found = _member(archive, nested, name, 0)
-        words = ("failed", "another member has the same name, and is the one that is read; pack the archive anew")
+        words = (FAILED, "another member has the same name, and is the one that is read; pack the archive anew")
         yield found._replace(location=f"{found.location} (earlier)", member=f"{found.member} (earlier)", problem=words)
     for name, size in opened.members():
         found = _member(archive, nested, name, size)
@@ -198,9 +199,9 @@ def _members(
             if inner.members():
                 yield from _members(archive, inner, (*nested, name), allowance)
             else:
-                yield found._replace(problem=("skipped", _EMPTY))
+                yield found._replace(problem=(SKIPPED, _EMPTY))
         except EsiCatalogError as error:
-            yield found._replace(problem=("failed", str(error)), is_unreadable=isinstance(error, UnreadableDocument))
+            yield found._replace(problem=(FAILED, str(error)), is_unreadable=isinstance(error, UnreadableDocument))
 
 
 def _member(archive: FoundArchive, nested: tuple[str, ...], name: str, size: int) -> FoundDocument:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from esicatalog.catalog.digests import Digests
+from esicatalog.catalog.document_status import SKIPPED
 from esicatalog.errors import BrokenDocument, DocumentError, InputError, NotAnEsiDocument, UnreadableDocument
 from esicatalog.esi.containers import Container, open_container, resolve_reference
 from esicatalog.esi.documents import parse_document
@@ -15,7 +16,7 @@ from esicatalog.esi.reader import Reader
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
 from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_members, discover
-from esicatalog.ingest.process import limited
+from esicatalog.ingest.this_process import limited
 from esicatalog.lint.library import DeviceFact, facts_of_document, lint_library
 from esicatalog.lint.linter import Linter
 from esicatalog.lint.registry import ERROR, Rule
@@ -76,7 +77,7 @@ class FilesRun:
             for found in _documents(item):
                 if found.problem is None:
                     yield found
-                elif found.problem[0] == "skipped" and self._is_known_to_hold_none(found):
+                elif found.problem[0] == SKIPPED and self._is_known_to_hold_none(found):
                     self._skipped_count += 1
                 else:
                     self.unreadable.append(f"{_shown(found.location)}: {found.problem[1]}")

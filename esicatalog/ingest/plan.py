@@ -7,9 +7,10 @@ from collections.abc import Iterable, Iterator, Set
 from pathlib import Path
 from typing import NamedTuple
 
+from esicatalog.catalog.document_status import FAILED, REMOVED, SKIPPED, UNCHANGED, WITH_CONTENT
 from esicatalog.esi.containers import NESTED, Folder, open_regular
 from esicatalog.ingest.discover import FoundArchive, FoundDocument, archive_members, discover, unusable_archive
-from esicatalog.ingest.report import REMOVED, DocumentLine
+from esicatalog.ingest.report import DocumentLine
 from esicatalog.ingest.tasks import Known, Outcome, Task
 from esicatalog.ingest.unchanged import Hashes, ReferenceHashes, is_unchanged
 from esicatalog.words import counted
@@ -29,13 +30,13 @@ class HeldDocument(NamedTuple):
 
     def unchanged_line(self) -> DocumentLine:
         """Its line in a report that did not read it again."""
-        status = self.status if self.status in ("skipped", "failed") else "unchanged"
+        status = self.status if self.status in (SKIPPED, FAILED) else UNCHANGED
         return DocumentLine(self.member, status, self.message, self.devices, self.modules)
 
     def unreadable_line(self, message: str | None) -> DocumentLine:
         """Its line in a report when it could not be read: the catalog keeps what it holds of it."""
         words = f"{message}; the catalog keeps what it has of it"
-        return DocumentLine(self.member, "failed", words, self.devices, self.modules)
+        return DocumentLine(self.member, FAILED, words, self.devices, self.modules)
 
     def removed_line(self) -> DocumentLine:
         """Its line in a report when the catalog drops it."""
@@ -46,7 +47,7 @@ class HeldDocument(NamedTuple):
     @property
     def has_content(self) -> bool:
         """Whether the document brought anything that is worth keeping."""
-        return self.status in ("stored", "recovered")
+        return self.status in WITH_CONTENT
 
 
 class Held(NamedTuple):
@@ -137,7 +138,7 @@ def _look_below(found: Iterable[FoundDocument | FoundArchive], held: Held) -> _B
         try:
             sha256 = _file_sha256(item.location)
         except OSError as error:
-            problem = unusable_archive(item, "failed", f"cannot be read: {error.strerror or error}")
+            problem = unusable_archive(item, FAILED, f"cannot be read: {error.strerror or error}")
             below.documents.append(problem._replace(is_unreadable=True))
             continue
         if sha256 == held.archives.get(item.location) and all(_is_named_by(item, member) for _, member in members):
@@ -173,7 +174,7 @@ def _one_of_each(documents: Iterable[FoundDocument], known: Set[str]) -> Iterato
     met = set(known)
     for item in documents:
         if item.location in met:
-            words = ("failed", "another file, or a member of an archive, goes by this name; rename one of them")
+            words = (FAILED, "another file, or a member of an archive, goes by this name; rename one of them")
             yield item._replace(location=f"{item.location} (again)", member=f"{item.member} (again)", problem=words)
         else:
             met.add(item.location)

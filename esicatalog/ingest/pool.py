@@ -7,9 +7,11 @@ from collections.abc import Iterator, Sequence
 
 import msgspec
 
+from esicatalog.catalog.document_status import FAILED
 from esicatalog.errors import UnreadableDocument
-from esicatalog.ingest.process import DEADLINE_SECONDS, Helper, can_fork, forked, gave_up, interpreter, limited_time
+from esicatalog.ingest.process import Helper, can_fork, forked, interpreter
 from esicatalog.ingest.tasks import Answer, Outcome, Task
+from esicatalog.ingest.this_process import DEADLINE_SECONDS, gave_up, limited_time
 from esicatalog.ingest.worker import DocumentWorker, serve
 
 _MAX_WAITING_BYTES = 64 * 1024 * 1024
@@ -35,7 +37,7 @@ def read_here(tasks: Sequence[Task]) -> Iterator[Outcome]:
 
 
 def _given_up(task: Task, problem: str) -> Outcome:
-    return Outcome(task.number, "failed", problem, is_unreadable=True)
+    return Outcome(task.number, FAILED, problem, is_unreadable=True)
 
 
 class Pool:

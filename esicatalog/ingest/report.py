@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-REMOVED = "removed"
+from esicatalog.catalog.document_status import FAILED, RECOVERED, REMOVED, SKIPPED, STORED, UNCHANGED
 
 
 class DocumentLine(NamedTuple):
@@ -12,7 +12,7 @@ class DocumentLine(NamedTuple):
 
     path: str
     status: str
-    """stored, recovered, unchanged, skipped, failed, or removed: the catalog had it and no longer has."""
+    """One of :mod:`~esicatalog.catalog.document_status`."""
     message: str | None
     devices: int
     modules: int
@@ -33,11 +33,11 @@ class IngestReport(NamedTuple):
         """Documents by status, without those that were removed; ``stored`` includes the recovered ones."""
         counted = Counter(line.status for line in self.documents)
         return {
-            "stored": counted["stored"] + counted["recovered"],
-            "unchanged": counted["unchanged"],
-            "recovered": counted["recovered"],
-            "skipped": counted["skipped"],
-            "failed": counted["failed"],
+            STORED: counted[STORED] + counted[RECOVERED],
+            UNCHANGED: counted[UNCHANGED],
+            RECOVERED: counted[RECOVERED],
+            SKIPPED: counted[SKIPPED],
+            FAILED: counted[FAILED],
         }
 
     @property

@@ -10,6 +10,7 @@ import sqlalchemy as sa
 
 from esicatalog.catalog import schema
 from esicatalog.catalog.database import shown_url, sqlite_path
+from esicatalog.catalog.document_status import FAILED, UNCHANGED
 from esicatalog.catalog.driver_errors import database_error
 from esicatalog.catalog.load import end_load, finish_indexes, finish_load, prepare_load
 from esicatalog.catalog.lock import only_writer
@@ -17,10 +18,10 @@ from esicatalog.catalog.writer import SourceRow, Writer
 from esicatalog.errors import CatalogError
 from esicatalog.esi.stages import Stages
 from esicatalog.ingest.plan import Held, HeldDocument, Plan, make_plan
-from esicatalog.ingest.process import without_cycle_search
 from esicatalog.ingest.reading import Reading
 from esicatalog.ingest.report import DocumentLine, IngestReport
 from esicatalog.ingest.tasks import Known, Outcome
+from esicatalog.ingest.this_process import without_cycle_search
 from esicatalog.version import __version__
 
 Progress = Callable[[DocumentLine, int, int], None]
@@ -147,10 +148,10 @@ class _Storing:
         """Store what became of a document, unless the catalog keeps what it has."""
         self._stages.add(outcome.seconds)
         item = self._plan.todo[outcome.number]
-        if outcome.status == "failed" and outcome.sha256 is None and (item.problem is None or item.is_unreadable):
+        if outcome.status == FAILED and outcome.sha256 is None and (item.problem is None or item.is_unreadable):
             self._incomplete.add(item.root)
         document = self._held.documents.get(item.location)
-        if document is not None and outcome.status == "unchanged":
+        if document is not None and outcome.status == UNCHANGED:
             self.tell(document.unchanged_line())
         elif document is not None and outcome.is_unreadable and document.has_content:
             self.tell(document.unreadable_line(outcome.message))

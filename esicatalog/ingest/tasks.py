@@ -25,7 +25,7 @@ class Task(msgspec.Struct, frozen=True):
 
 
 class Outcome(msgspec.Struct):
-    """What became of a document; ``status`` is stored, recovered, unchanged, skipped or failed."""
+    """What became of a document; ``status`` is one of :mod:`~esicatalog.catalog.document_status`."""
 
     number: int
     status: str

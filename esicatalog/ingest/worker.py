@@ -14,6 +14,7 @@ from typing import IO
 
 import msgspec
 
+from esicatalog.catalog.document_status import FAILED, RECOVERED, SKIPPED, STORED, UNCHANGED
 from esicatalog.catalog.rows import RowMaker
 from esicatalog.errors import DocumentError, EsiCatalogError, NotAnEsiDocument, UnreadableDocument
 from esicatalog.esi.containers import Container, open_container, resolve_reference
@@ -52,7 +53,7 @@ class DocumentWorker:
             outcome = self._handle(task)
         except MemoryError:
             message = "needs more memory than a document may take"
-            outcome = Outcome(task.number, "failed", message, is_unreadable=True)
+            outcome = Outcome(task.number, FAILED, message, is_unreadable=True)
         outcome.seconds = self.stages.take()
         return outcome
 
@@ -66,10 +67,10 @@ class DocumentWorker:
                 sha256, byte_count = (sha256_hex(content), len(content)) if pulled is None else pulled[:2]
         except EsiCatalogError as error:
             unreadable = isinstance(error, UnreadableDocument)
-            return Outcome(task.number, "failed", str(error), is_unreadable=unreadable)
-        outcome = Outcome(task.number, "stored", None, sha256, byte_count)
+            return Outcome(task.number, FAILED, str(error), is_unreadable=unreadable)
+        outcome = Outcome(task.number, STORED, None, sha256, byte_count)
         if task.known is not None and is_unchanged(task.known, sha256, task.member, hashes):
-            outcome.status = "unchanged"
+            outcome.status = UNCHANGED
             return outcome
         try:
             with stages("extract"):
@@ -84,18 +85,18 @@ class DocumentWorker:
             with stages("rows"):
                 outcome.rows = self._rows.document(read, findings)
             if outcome.rows.recovered is not None:
-                outcome.status, outcome.message = "recovered", outcome.rows.recovered
+                outcome.status, outcome.message = RECOVERED, outcome.rows.recovered
         except NotAnEsiDocument as error:
-            outcome.status, outcome.message = "skipped", str(error)
+            outcome.status, outcome.message = SKIPPED, str(error)
         except DocumentError as error:
             place = f"line {error.line}: " if error.line else ""
-            outcome.status, outcome.message = "failed", f"{place}{error}"
+            outcome.status, outcome.message = FAILED, f"{place}{error}"
         except MemoryError:
             raise
         except RecursionError:
-            outcome.status, outcome.message = "failed", "is nested too deep"
+            outcome.status, outcome.message = FAILED, "is nested too deep"
         except Exception as error:  # a fault of the reader costs its document, not the run
-            outcome.status = "failed"
+            outcome.status = FAILED
             where = f"{type(error).__name__} in {_place(error)}"
             outcome.message = f"not foreseen by the reader ({where}); please report it with the document"
         return outcome

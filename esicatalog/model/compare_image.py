@@ -1,7 +1,8 @@
 """Comparison of the default process images: their sizes, and the first places where they differ."""
 
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import zip_longest
 from typing import NamedTuple
 
 from esicatalog.esi.records.device import Device
@@ -90,3 +91,46 @@ def _words_at(places: dict[int, _Placed], at: int) -> str | None:
         if starts[before] + (covering[2] or 0) > at:
             return f"inside {mapped_words(*covering)} from {byte_bit(starts[before])}"
     return None
+
+
+def layout_difference(left: Mapping[int, ImageLayout], right: Mapping[int, ImageLayout]) -> str:
+    """In what two process images with different layouts, by SyncManager, differ, in words: the left one is "here".
+
+    The first entry that is told counts, by its place or, where none differs, of those without known place.
+    """
+    ours, theirs = _by_place(left), _by_place(right)
+    for place in sorted(ours.keys() | theirs.keys()):
+        if ours.get(place) != theirs.get(place):
+            sm, at = place
+            here, there = (_begins_at(layouts.get(sm), at) for layouts in (left, right))
+            return f"SM{sm} byte {byte_bit(at)} is {here} here, {there} there"
+    for sm in sorted(left.keys() | right.keys()):
+        unplaced = (layouts[sm].undescribed if sm in layouts else () for layouts in (left, right))
+        for item, other in zip_longest(*unplaced, fillvalue="nothing"):
+            if item != other:
+                return f"SM{sm} without known place: {item} here, {other} there"
+    here, there = (_by_sm(layouts, lambda layout: layout.bit_size) for layouts in (left, right))
+    if here != there:
+        return f"described bits are {here} here, {there} there"
+    here, there = (_by_sm(layouts, lambda layout: layout.transfer_direction) for layouts in (left, right))
+    return f"SyncManagers with PDOs are {here} here, {there} there"
+
+
+def _by_place(layouts: Mapping[int, ImageLayout]) -> dict[tuple[int, int], Mapped]:
+    """What begins where, by SyncManager and bit offset."""
+    return {(sm, at): found for sm, layout in layouts.items() for at, found in layout.places}
+
+
+def _begins_at(layout: ImageLayout | None, at: int) -> str:
+    """What begins at an offset; behind the last known place may be what is not described."""
+    if layout is None:
+        return "nothing"
+    found = dict(layout.places).get(at)
+    if found is not None:
+        return mapped_words(*found)
+    end = max((start + (bits or 0) for start, (_, _, bits) in layout.places), default=0)
+    return "not known" if layout.undescribed and at >= end else "nothing"
+
+
+def _by_sm(layouts: Mapping[int, ImageLayout], tell: Callable[[ImageLayout], object]) -> str:
+    return ", ".join(f"SM{sm} {tell(layout)}" for sm, layout in sorted(layouts.items())) or "none"

@@ -3,14 +3,19 @@
 The signature of the catalog and the comparison of two descriptions both go by it, so they never contradict each other.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import groupby
 from typing import NamedTuple
 
+import msgspec
+
+from esicatalog.esi.content import digest
 from esicatalog.esi.records.pdo import Entry
 from esicatalog.model.pdo_facts import Mapped, entry_facts, is_described, mapped, mapped_words
 from esicatalog.model.process_image import SmImage
 from esicatalog.words import index_words
+
+_encode = msgspec.msgpack.Encoder().encode
 
 
 class ImageLayout(NamedTuple):
@@ -36,6 +41,16 @@ def image_layout(image: SmImage) -> ImageLayout | None:
     places = tuple([(at, mapped(entry)) for at, entry in entries_with_place(image)])
     undescribed = () if image.has_known_size else tuple(_undescribed(image))
     return ImageLayout(image.transfer_direction, image.bit_size, places, undescribed)
+
+
+def image_layouts(images: Iterable[SmImage]) -> dict[int, ImageLayout]:
+    """The layouts of a process image by SyncManager, of those that exchange something."""
+    return {image.sm: layout for image in images if (layout := image_layout(image)) is not None}
+
+
+def layout_signature(layouts: Mapping[int, ImageLayout]) -> str | None:
+    """Digest of the layouts of a process image, None where nothing is exchanged."""
+    return digest(_encode(list(layouts.items()))).hex() if layouts else None
 
 
 def entries_with_place(image: SmImage) -> list[tuple[int, Entry]]:

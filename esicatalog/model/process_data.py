@@ -15,7 +15,7 @@ from esicatalog.esi.records.device import Device, SyncManager
 from esicatalog.esi.records.module import Module
 from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.assignable_pdos import declares_pdo_upload
-from esicatalog.model.image_layout import image_layout
+from esicatalog.model.image_layout import image_layouts, layout_signature
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.oversampling import has_oversampling
 from esicatalog.model.pdo_facts import mapped
@@ -104,8 +104,7 @@ class ProcessData:
     @cached_property
     def image_signature(self) -> str | None:
         """Digest of the layout of the default process image, None where nothing is exchanged."""
-        layouts = [(image.sm, layout) for image in self.images if (layout := image_layout(image)) is not None]
-        return digest(_encode(layouts)).hex() if layouts else None
+        return layout_signature(image_layouts(self.images))
 
     @cached_property
     def pdo_signature(self) -> str | None:
