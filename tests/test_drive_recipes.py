@@ -76,7 +76,10 @@ def test_an_init_cmd_counts_where_no_assigned_pdo_has_0x6060():
 
 @pytest.mark.parametrize(("access", "is_written"), [("ro", False), ("rw", True), ("wo", True), ("r7w0", False)])
 def test_a_0x6060_that_is_read_only_is_not_told_to_be_written(access, is_written):
-    """The drive aborts the download (0x06010002). Beside an RxPDO it is process data, whatever SDOs may do."""
+    """The drive aborts the download (0x06010002). Beside an RxPDO it is process data, whatever SDOs may do.
+
+    An InitCmd that writes it speaks against the dictionary.
+    """
     flags = f"<Flags><Access>{access}</Access></Flags></Object>"
     mode = "<Object><Index>#x6060</Index><Name>m</Name><Type>SINT</Type><BitSize>8</BitSize>" + flags
     described = dictionary(CSV, mode)
@@ -87,6 +90,9 @@ def test_a_0x6060_that_is_read_only_is_not_told_to_be_written(access, is_written
     assert csv.recipe == f"RxPDO 0x1600 maps the setpoint; 0x6060 is in none of the assigned RxPDOs{told}"
     csv = verdict_of(one_drive(described + in_rx_pdo("1600", ("60FF", 32), ("6060", 8))), "CSV")
     assert csv.recipe.endswith("0x6060 is mapped in RxPDO 0x1600: set it to 9")
+    csv = verdict_of(one_drive(described + in_rx_pdo("1600", ("6040", 16), ("60FF", 32)) + init_cmd(8)), "CSV")
+    doubt = "" if is_written else " (read-only by the description)"
+    assert csv.recipe.endswith(f": write 9 to it before operation, after the InitCmd that writes 8{doubt}")
 
 
 def test_homing_has_no_setpoint_and_takes_0x6060_from_the_default_pdo():

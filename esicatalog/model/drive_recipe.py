@@ -61,7 +61,7 @@ def unset_mode_words(index: int, mode: int | str, declared: ObjectEntry | None) 
     ``declared`` is what a dictionary says of it: a drive aborts the download of an object that is read-only.
     """
     where = f"0x{index:04X} is in none of the assigned RxPDOs"
-    if declared is not None and not states_to_write(declared.access_word):
+    if _is_read_only(declared):
         return f"{where}, and read-only by the description: nothing that is described sets {mode} there"
     return f"{where}: write {mode} to it before operation"
 
@@ -160,6 +160,12 @@ def _mode_of_operation(mode: DriveMode, parts: Sequence[Part], pdos: Sequence[Pd
     code = mode_code(data) if data is not None else None
     if code == mode.code:
         return f"0x{index:04X} = {mode.code} is written by an InitCmd"
-    after = f", after the InitCmd that writes {code}" if code is not None else ""
     declared = next((entry for part in parts if (entry := single_value(part, index)) is not None), None)
-    return f"{unset_mode_words(index, mode.code, declared)}{after}"
+    if code is None:
+        return unset_mode_words(index, mode.code, declared)
+    doubt = " (read-only by the description)" if _is_read_only(declared) else ""
+    return f"{unset_mode_words(index, mode.code, None)}, after the InitCmd that writes {code}{doubt}"
+
+
+def _is_read_only(declared: ObjectEntry | None) -> bool:
+    return declared is not None and not states_to_write(declared.access_word)
