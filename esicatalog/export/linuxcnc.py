@@ -12,7 +12,7 @@ from esicatalog.export.clocks import Clocks, Time
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import register_remarks
 from esicatalog.export.headings import heading_lines, op_mode_words
-from esicatalog.export.igh_files import Listed, listed
+from esicatalog.export.igh_files import Listed, listed, sign_words
 from esicatalog.export.igh_limits import pieces
 from esicatalog.export.igh_startup import WATCHDOG_REGISTERS, off_beat, watchdog
 from esicatalog.export.init_cmds import StartCommand
@@ -203,7 +203,7 @@ def _type_remarks(entry: MappedEntry, sm: SmConfiguration, pin: Pin) -> Iterator
     is_output = sm.direction == OUTPUT
     if pin.type == "s32" and not is_output:
         if entry.bit_length not in _SIGNED_BITS:
-            yield f"{entry.words}: {PROGRAM} reads {entry.bit_length} bits without their sign"
+            yield sign_words(entry, PROGRAM)
         elif entry.bit_length < _PIN_BITS and not on_byte(entry):
             yield (
                 f"{entry.words}: older versions of {PROGRAM} read {entry.bit_length} bits that begin "

@@ -15,7 +15,7 @@ from esicatalog.export.cia402_names import CIA402_NAMES
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import NO_REGISTERS, register_remarks
 from esicatalog.export.headings import heading_lines, op_mode_words
-from esicatalog.export.igh_files import Listed, listed
+from esicatalog.export.igh_files import Listed, listed, sign_words
 from esicatalog.export.igh_limits import pieces
 from esicatalog.export.init_cmds import MODULE_IDENT_LIST, StartCommand, single_accesses
 from esicatalog.export.mode_commands import started_modes
@@ -150,7 +150,7 @@ def _type_remarks(entries: Sequence[MappedEntry], side: Side) -> Iterator[str]:
     if side.key == "tpdo":
         for entry, value in zip(entries, values, strict=True):
             if entry.value.kind == "int" and value.startswith("type: bit"):
-                yield f"{entry.words}: {PROGRAM} reads {entry.bit_length} bits without their sign"
+                yield sign_words(entry, PROGRAM)
     if any(value.startswith("type: real") for value in values):
         yield f"real32 and real64 need a version of {PROGRAM} that knows these types"
     if side.key == "rpdo" and any(value.startswith("type: bit") for value in values):
