@@ -25,7 +25,7 @@ from esicatalog.cli.common import (
 )
 from esicatalog.cli.export_inputs import Inputs, configurations_of_scan, content_of_vendor, left_out_words
 from esicatalog.errors import InputError
-from esicatalog.export.choice import DEFAULT_CYCLE_NS, HEEDED, Choice, check_numbers, parse_pdo_choice
+from esicatalog.export.choice import DEFAULT_CYCLE_NS, HEEDED, PARAMETERS, Choice, check_numbers, parse_pdo_choice
 from esicatalog.export.soem import VERSIONS
 from esicatalog.identity import Identity, modules_by_slot
 
@@ -132,7 +132,7 @@ def _unheeded(target: str, choice: Choice) -> list[str]:
     nothing = Choice()
     unheeded = [field for field in _PLAIN_FIELDS if field not in HEEDED[target]]
     chosen = [field for field in unheeded if getattr(choice, field) != getattr(nothing, field)]
-    return [f"--{field.replace('_', '-')}" for field in chosen]
+    return [f"--{PARAMETERS[field]}" for field in chosen]
 
 
 def _choice(options: dict[str, Any]) -> Choice:

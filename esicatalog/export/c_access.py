@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from esicatalog.export.c_text import comment_text
 from esicatalog.export.sm_configuration import MappedEntry
 from esicatalog.model.values import byte_length
 
@@ -19,6 +20,20 @@ class Function(NamedTuple):
     comment: str
     head: str
     body: tuple[str, ...]
+
+
+def writer(entry: MappedEntry, name: str, arguments: str, body: tuple[str, ...]) -> Function:
+    """The function of this name that stores ``value``; that of a value without a type is bytes."""
+    value = "const uint8_t *value" if entry.value.kind == "bytes" else f"{c_type(entry)} value"
+    return Function(comment_text(entry.words), f"static inline void {name}({arguments}, {value})", body)
+
+
+def reader(entry: MappedEntry, name: str, arguments: str, body: tuple[str, ...]) -> Function:
+    """The function of this name that returns the value; one without a type it copies to the bytes at ``value``."""
+    head = f"static inline {c_type(entry)} {name}({arguments})"
+    if entry.value.kind == "bytes":
+        head = f"static inline void {name}({arguments}, uint8_t *value)"
+    return Function(comment_text(entry.words), head, body)
 
 
 def c_type(entry: MappedEntry) -> str:
@@ -44,8 +59,10 @@ def whole_bytes(entry: MappedEntry) -> bool:
     return on_byte(entry) and entry.bit_length % 8 == 0
 
 
-def read_bits(entry: MappedEntry, place: Place) -> tuple[str, ...]:
-    """Body of a function that returns a value of at most 64 bits, wherever it lies."""
+def read_value(entry: MappedEntry, place: Place) -> tuple[str, ...]:
+    """Body of a :func:`reader`, wherever the value lies."""
+    if entry.value.kind == "bytes":
+        return _read_long(entry, place)
     bits = f"esicatalog_read_bits({place.pointer}, {place.bit}, {entry.bit_length})"
     if entry.value.kind == "real":
         return real_from(entry, bits)
@@ -54,8 +71,10 @@ def read_bits(entry: MappedEntry, place: Place) -> tuple[str, ...]:
     return (f"return ({c_type(entry)}) {bits};",)
 
 
-def write_bits(entry: MappedEntry, place: Place) -> tuple[str, ...]:
-    """Body of a function that stores ``value``."""
+def write_value(entry: MappedEntry, place: Place) -> tuple[str, ...]:
+    """Body of a :func:`writer`, wherever the value lies."""
+    if entry.value.kind == "bytes":
+        return _write_long(entry, place)
     if entry.value.kind == "real":
         store = f"esicatalog_write_bits({place.pointer}, {place.bit}, {entry.bit_length}, raw);"
         return real_to(entry, store)
@@ -79,7 +98,7 @@ def real_to(entry: MappedEntry, store: str) -> tuple[str, ...]:
     return (f"uint{entry.bit_length}_t raw;", "memcpy(&raw, &value, sizeof(raw));", store)
 
 
-def read_long(entry: MappedEntry, place: Place) -> tuple[str, ...]:
+def _read_long(entry: MappedEntry, place: Place) -> tuple[str, ...]:
     """Body that copies a value of more than 64 bits that does not lie on whole bytes into ``value``."""
     count, last = byte_count(entry), entry.bit_length - 8 * (byte_count(entry) - 1)
     return (
@@ -89,7 +108,7 @@ def read_long(entry: MappedEntry, place: Place) -> tuple[str, ...]:
     )
 
 
-def write_long(entry: MappedEntry, place: Place) -> tuple[str, ...]:
+def _write_long(entry: MappedEntry, place: Place) -> tuple[str, ...]:
     """Body that copies ``value`` into a place of more than 64 bits that does not lie on whole bytes."""
     count, last = byte_count(entry), entry.bit_length - 8 * (byte_count(entry) - 1)
     return (

@@ -36,6 +36,8 @@ class Choice(NamedTuple):
     """Ring position, or the number of slaves behind the one with the alias."""
 
 
+PARAMETERS = {field: field.replace("_", "-") for field in Choice._fields} | {"pdos": "pdo", "modules": "module"}
+"""What the fields of a :class:`Choice` are called where they are given as texts; options have two hyphens before it."""
 _CONTENT = ("pdos", "modules", "op_mode")
 HEEDED: Mapping[str, tuple[str, ...]] = {
     "igh": Choice._fields,

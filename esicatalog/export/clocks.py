@@ -25,6 +25,7 @@ from esicatalog.model.sync import (
     op_mode_choice,
     sync_signals,
 )
+from esicatalog.remarks import Remarking, remarked
 
 _INT32_MAX = 0x7FFF_FFFF
 _TIME_LOOP_CONTROL_ONLY = (
@@ -183,39 +184,38 @@ class Programmed(NamedTuple):
     remarks: tuple[str, ...]
 
 
-def chosen_op_mode(device: Device, modules: tuple[Module, ...], wanted: str | None) -> tuple[int | None, list[str]]:
+def chosen_op_mode(device: Device, modules: tuple[Module, ...], wanted: str | None) -> Remarking[int | None]:
     """Position of the OpMode: the one wanted by name or position, else the one that modules ask for, else the default.
 
     Raises :class:`InputError` for one that does not exist and for a name that several have.
     """
     modes = device.op_modes
     if wanted is None:
-        return _by_modules(device, modules)
+        return (yield from _by_modules(device, modules))
     listed = ", ".join(f"{position} {mode.name!r}" for position, mode in enumerate(modes)) or "none"
     match chosen_positions(modes, wanted):
         case []:
             raise InputError(f"OpMode {wanted!r} does not exist; the device has {listed}")
         case [position]:
-            return position, []
+            return position
         case several:
             words = ", ".join(op_mode_choice(modes, position) for position in several)
             raise InputError(f"OpMode {wanted!r} exists at positions {words}; choose by position")
 
 
-def _by_modules(device: Device, modules: tuple[Module, ...]) -> tuple[int | None, list[str]]:
-    asked = asked_op_modes(device.op_modes, modules)
-    names = [repr(name) for name, position in asked.items() if position is not None]
-    remarks = [
-        f"a plugged module asks for OpMode {name!r} (DcOpModeName), which the device does not have"
-        for name, position in asked.items()
-        if position is None
-    ]
+def _by_modules(device: Device, modules: tuple[Module, ...]) -> Remarking[int | None]:
+    names = []
+    for name, asked in asked_op_modes(device.op_modes, modules).items():
+        if asked is not None:
+            names.append(repr(name))
+        else:
+            yield f"a plugged module asks for OpMode {name!r} (DcOpModeName), which the device does not have"
     position = default_position(device.op_modes, modules)
     if names and position != default_position(device.op_modes):
-        remarks.append(f"OpMode {names[0]} is not the first valid one: a plugged module asks for it (DcOpModeName)")
+        yield f"OpMode {names[0]} is not the first valid one: a plugged module asks for it (DcOpModeName)"
     if len(names) > 1:
-        remarks.append(f"plugged modules ask for different OpModes: {', '.join(names)}")
-    return position, remarks
+        yield f"plugged modules ask for different OpModes: {', '.join(names)}"
+    return position
 
 
 def programmed_clocks(device: Device, op_mode: OpMode | None, cycle_ns: int | None) -> Programmed:
@@ -284,31 +284,34 @@ def clocks(op_mode: OpMode | None, cycle_ns: int) -> Clocks | None:
     """
     if op_mode is None or not op_mode.assign_activate:
         return None
-    signals = sync_signals(op_mode.assign_activate)
-    remarks: list[str] = []
-    sync0 = _sync0_cycle(op_mode, signals, remarks) if signals.dc_active else Time()
-    shift_ns = (op_mode.shift_time_sync0_ns or 0) if signals.dc_active else 0
-    period = _sync1_period(op_mode, sync0, remarks) if signals.sync1 else Time()
-    delay = _sync1_delay(op_mode, sync0, period, cycle_ns, remarks) if signals.sync1 else Time()
-    for name, is_used, is_input, factor in (
-        ("ShiftTimeSync0", signals.dc_active, op_mode.shift_time_sync0_input, op_mode.shift_time_sync0_factor),
-        ("ShiftTimeSync1", signals.sync1, op_mode.shift_time_sync1_input, op_mode.shift_time_sync1_factor),
-    ):
-        if is_used and is_input:
-            remarks.append(_INPUT_REFERENCE.format(name))
-        if is_used and factor:
-            remarks.append(_WITHOUT_RULE.format(f"{name} has Factor {factor}"))
-    found = Clocks(op_mode.assign_activate, signals, sync0, shift_ns, delay, period, tuple(remarks))
+    found, remarks = remarked(_described_clocks(op_mode, op_mode.assign_activate, cycle_ns))
     if cycle_ns % found.divisor:
         raise InputError(
             f"OpMode {op_mode.name!r} divides the bus cycle by {found.divisor}; {cycle_ns} ns is no multiple of that: "
             "choose the cycle or another OpMode"
         )
     _check_range(found, op_mode.name, cycle_ns)
-    return found
+    return found._replace(remarks=remarks)
 
 
-def _sync0_cycle(op_mode: OpMode, signals: SyncSignals, remarks: list[str]) -> Time:
+def _described_clocks(op_mode: OpMode, assign_activate: int, cycle_ns: int) -> Remarking[Clocks]:
+    signals = sync_signals(assign_activate)
+    sync0 = (yield from _sync0_cycle(op_mode, signals)) if signals.dc_active else Time()
+    shift_ns = (op_mode.shift_time_sync0_ns or 0) if signals.dc_active else 0
+    period = (yield from _sync1_period(op_mode, sync0)) if signals.sync1 else Time()
+    delay = (yield from _sync1_delay(op_mode, sync0, period, cycle_ns)) if signals.sync1 else Time()
+    for name, is_used, is_input, factor in (
+        ("ShiftTimeSync0", signals.dc_active, op_mode.shift_time_sync0_input, op_mode.shift_time_sync0_factor),
+        ("ShiftTimeSync1", signals.sync1, op_mode.shift_time_sync1_input, op_mode.shift_time_sync1_factor),
+    ):
+        if is_used and is_input:
+            yield _INPUT_REFERENCE.format(name)
+        if is_used and factor:
+            yield _WITHOUT_RULE.format(f"{name} has Factor {factor}")
+    return Clocks(assign_activate, signals, sync0, shift_ns, delay, period)
+
+
+def _sync0_cycle(op_mode: OpMode, signals: SyncSignals) -> Remarking[Time]:
     if op_mode.cycle_time_sync0_ns:
         return Time(ns=op_mode.cycle_time_sync0_ns)
     factor = op_mode.cycle_time_sync0_factor or 0
@@ -316,32 +319,30 @@ def _sync0_cycle(op_mode: OpMode, signals: SyncSignals, remarks: list[str]) -> T
         return Time(Fraction(factor) if factor > 0 else Fraction(1, -factor))
     if not signals.sync0 and not signals.sync1:
         return Time()
-    remarks.append("CycleTimeSync0 gives no cycle: SYNC0 follows the bus cycle")
+    yield "CycleTimeSync0 gives no cycle: SYNC0 follows the bus cycle"
     return Time(Fraction(1))
 
 
-def _sync1_period(op_mode: OpMode, sync0: Time, remarks: list[str]) -> Time:
+def _sync1_period(op_mode: OpMode, sync0: Time) -> Remarking[Time]:
     if op_mode.cycle_time_sync1_ns:
         return Time(ns=op_mode.cycle_time_sync1_ns)
     factor = op_mode.cycle_time_sync1_factor or 0
     if factor:
         return sync0.times(factor) if factor > 0 else Time(Fraction(-factor))
     if op_mode.shift_time_sync1_ns is None:
-        remarks.append(
-            "neither CycleTimeSync1 nor ShiftTimeSync1 gives a time: SYNC1 comes at the start of each SYNC0 cycle"
-        )
+        yield "neither CycleTimeSync1 nor ShiftTimeSync1 gives a time: SYNC1 comes at the start of each SYNC0 cycle"
     return sync0
 
 
-def _sync1_delay(op_mode: OpMode, sync0: Time, period: Time, cycle_ns: int, remarks: list[str]) -> Time:
+def _sync1_delay(op_mode: OpMode, sync0: Time, period: Time, cycle_ns: int) -> Remarking[Time]:
     if period.in_ns(cycle_ns) < sync0.in_ns(cycle_ns):
-        remarks.append("SYNC1 is described faster than SYNC0, which no slave controller generates: it follows SYNC0")
+        yield "SYNC1 is described faster than SYNC0, which no slave controller generates: it follows SYNC0"
         period = sync0
     shift_ns, sync0_ns = op_mode.shift_time_sync1_ns or 0, sync0.in_ns(cycle_ns)
     delay = period.minus(sync0).plus(Time(ns=shift_ns))
     whole_cycles = shift_ns // sync0_ns if sync0_ns > 0 else 0
     if whole_cycles:
-        remarks.append(
+        yield (
             f"ShiftTimeSync1, {shift_ns} ns, is not within the SYNC0 cycle of {sync0_ns} ns: SYNC1 is programmed whole "
             f"SYNC0 cycles {'earlier' if whole_cycles > 0 else 'later'}, at the same place; see that the device can "
             "keep up with this bus cycle"

@@ -38,6 +38,7 @@ from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sync import op_mode_at
 from esicatalog.model.sync_parameters import min_cycle_ns, sync_parameters
+from esicatalog.remarks import remarked
 
 
 class Configuration(NamedTuple):
@@ -102,7 +103,8 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     device = subject.device
     plugged = chosen_modules(device, subject.modules, choice.modules, subject.variants_with_slots)
     expanded = [expand_module(device, item) for item in plugged]
-    position, op_mode_remarks = chosen_op_mode(device, tuple(item.module for item in plugged), choice.op_mode)
+    modules = tuple(item.module for item in plugged)
+    position, op_mode_remarks = remarked(chosen_op_mode(device, modules, choice.op_mode))
     op_mode = op_mode_at(device.op_modes, position)
     objects = ObjectTable(device, expanded)
     default = process_image(device, plugged, op_mode)
@@ -117,7 +119,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     check_entries(device, chosen.plugged, images)
     _check_assigned(choice, images)
     programmed = programmed_clocks(device, op_mode, choice.cycle_ns)
-    commands, command_remarks = start_commands(device, plugged, expanded, objects)
+    commands, command_remarks = remarked(start_commands(device, plugged, expanded, objects))
     names = entry_names(device, expanded, images, objects)
     missing = missing_modules(device, subject.modules, plugged)
     staying = staying_copies(chosen.device, images)
@@ -140,10 +142,10 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *cycle_remarks(commands, names.axes, objects, programmed.cycle_ns, _sync0_ns(programmed)),
         *mode_remarks(commands, names.axes, expanded, images, objects),
     ]
-    sync_managers = configured_sync_managers(device, images, names, objects, remarks)
+    sync_managers, sm_remarks = remarked(configured_sync_managers(device, images, names, objects))
     rewritten = frozenset(rewritten_objects(device, sync_managers))
     found = list(contradictions(commands, pdo_objects(sync_managers), rewritten))
-    remarks += contradiction_remarks(found)
+    remarks += (*sm_remarks, *contradiction_remarks(found))
     return Configuration(
         subject=subject,
         choice=choice,

@@ -7,15 +7,14 @@ from esicatalog.export.c_access import (
     Function,
     Place,
     byte_count,
-    c_type,
     on_byte,
-    read_bits,
-    read_long,
+    read_value,
+    reader,
     real_from,
     real_to,
     whole_bytes,
-    write_bits,
-    write_long,
+    write_value,
+    writer,
 )
 from esicatalog.export.c_text import comment_text
 from esicatalog.export.configuration import Configuration
@@ -113,7 +112,7 @@ def device_code(configuration: Configuration) -> DeviceCode:
             for item in registrations
             if item.entry.value.kind == "bytes"
         ),
-        tuple(function for item in registrations for function in _accessors(prefix, configuration, item)),
+        tuple(_accessor(prefix, configuration, item) for item in registrations),
         tuple(item for item in registrations if item.is_repeated),
         startup(configuration),
     )
@@ -208,33 +207,25 @@ def _members(registrations: Iterable[Registration]) -> Iterator[str]:
             yield f"unsigned int {entry.identifier}_bit_position;"
 
 
-def _accessors(prefix: str, configuration: Configuration, item: Registration) -> Iterator[Function]:
+def _accessor(prefix: str, configuration: Configuration, item: Registration) -> Function:
     entry = item.entry
     is_output = any(sm.number == item.sm and sm.direction == OUTPUT for sm in configuration.sync_managers)
     pointer = f"data + offsets->{entry.identifier}"
     place = Place(pointer, f"offsets->{item.bit_position}" if item.has_bit_position else "0")
-    comment = comment_text(entry.words)
-    data, offsets = "uint8_t *data" if is_output else "const uint8_t *data", f"const {prefix}_offsets_t *offsets"
-    is_long = entry.value.kind == "bytes"
-    if is_long and whole_bytes(entry):
-        kind = data.removesuffix("data")
-        head = f"static inline {kind}{prefix}_data_{entry.identifier}({data}, {offsets})"
-        yield Function(f"{comment}: its {byte_count(entry)} bytes", head, (f"return {pointer};",))
-    elif is_output:
-        value = "const uint8_t *value" if is_long else f"{c_type(entry)} value"
-        head = f"static inline void {prefix}_write_{entry.identifier}({data}, {offsets}, {value})"
-        yield Function(comment, head, _write_body(entry, place))
-    elif is_long:
-        head = f"static inline void {prefix}_read_{entry.identifier}({data}, {offsets}, uint8_t *value)"
-        yield Function(comment, head, read_long(entry, place))
-    else:
-        head = f"static inline {c_type(entry)} {prefix}_read_{entry.identifier}({data}, {offsets})"
-        yield Function(comment, head, _read_body(entry, place))
+    kind = "uint8_t *" if is_output else "const uint8_t *"
+    arguments = f"{kind}data, const {prefix}_offsets_t *offsets"
+    if entry.value.kind == "bytes" and whole_bytes(entry):
+        comment = f"{comment_text(entry.words)}: its {byte_count(entry)} bytes"
+        head = f"static inline {kind}{prefix}_data_{entry.identifier}({arguments})"
+        return Function(comment, head, (f"return {pointer};",))
+    if is_output:
+        return writer(entry, f"{prefix}_write_{entry.identifier}", arguments, _write_body(entry, place))
+    return reader(entry, f"{prefix}_read_{entry.identifier}", arguments, _read_body(entry, place))
 
 
 def _macro_suffix(entry: MappedEntry) -> str | None:
     """The type in the names of EC_READ_… and EC_WRITE_…, None where they cannot take the value."""
-    if not on_byte(entry) or not entry.value.fills_container:
+    if entry.value.kind == "bytes" or not on_byte(entry) or not entry.value.fills_container:
         return None
     return f"{'S' if entry.value.kind == 'int' else 'U'}{entry.bit_length}"
 
@@ -244,7 +235,7 @@ def _read_body(entry: MappedEntry, place: Place) -> tuple[str, ...]:
     if entry.bit_length == 1:
         return (f"return EC_READ_BIT({place.pointer}, {place.bit});",)
     if suffix is None:
-        return read_bits(entry, place)
+        return read_value(entry, place)
     if entry.value.kind == "real":
         return real_from(entry, f"EC_READ_{suffix}({place.pointer})")
     return (f"return EC_READ_{suffix}({place.pointer});",)
@@ -252,12 +243,10 @@ def _read_body(entry: MappedEntry, place: Place) -> tuple[str, ...]:
 
 def _write_body(entry: MappedEntry, place: Place) -> tuple[str, ...]:
     suffix = _macro_suffix(entry)
-    if entry.value.kind == "bytes":
-        return write_long(entry, place)
     if entry.bit_length == 1:
         return (f"EC_WRITE_BIT({place.pointer}, {place.bit}, value);",)
     if suffix is None:
-        return write_bits(entry, place)
+        return write_value(entry, place)
     if entry.value.kind == "real":
         return real_to(entry, f"EC_WRITE_{suffix}({place.pointer}, raw);")
     return (f"EC_WRITE_{suffix}({place.pointer}, value);",)

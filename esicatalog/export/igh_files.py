@@ -64,6 +64,11 @@ def listed(configuration: Configuration, program: str) -> Listed:
     )
 
 
+def sign_words(entry: MappedEntry, program: str) -> str:
+    """That a program takes a number with a sign for one without."""
+    return f"{entry.words}: {program} reads {entry.bit_length} bits without their sign"
+
+
 def _left_out_sync_managers(configuration: Configuration) -> Iterator[str]:
     """Listed without its PDOs, a SyncManager would get an empty assignment."""
     for sm in configuration.sync_managers:

@@ -14,6 +14,7 @@ from esicatalog.model.module_idents import MODULE_IDENT_LIST, list_transition, m
 from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, is_pdo_mapping
 from esicatalog.model.slots import ExpandedModule, PluggedModule
 from esicatalog.model.start_up import TRANSITIONS, OwnedInitCmd, all_init_cmds, transition_of, unusable_part
+from esicatalog.remarks import Remarking
 from esicatalog.words import one_line
 
 _WITHOUT_GENERATOR = ("AoE", "EoE")
@@ -99,29 +100,30 @@ def by_transition(
 
 def start_commands(
     device: Device, plugged: Sequence[PluggedModule], expanded: Sequence[ExpandedModule], objects: ObjectTable
-) -> tuple[tuple[StartCommand, ...], tuple[str, ...]]:
-    """All commands by transition, those of the device before those of its modules, and remarks about odd ones."""
-    remarks = [_ADDRESS_LIST] if device.download_module_address_list and plugged else []
+) -> Remarking[tuple[StartCommand, ...]]:
+    """All commands by transition, those of the device before those of its modules; odd ones are remarked."""
+    if device.download_module_address_list and plugged:
+        yield _ADDRESS_LIST
     count = objects.entry(MODULE_IDENT_LIST, 0)
     count_is_read_only = count is not None and not states_to_write(count.access_word)
     commands = list(_module_list(device, plugged, count_is_read_only))
     if commands and count_is_read_only:
-        remarks.append(_COUNT_IS_READ_ONLY)
+        yield _COUNT_IS_READ_ONLY
     for item in all_init_cmds(device, expanded):
-        commands.extend(_at_transitions(item, remarks))
-    return tuple(sorted(commands, key=lambda command: TRANSITIONS.index(command.transition))), tuple(remarks)
+        commands += yield from _at_transitions(item)
+    return tuple(sorted(commands, key=lambda command: TRANSITIONS.index(command.transition)))
 
 
-def _at_transitions(item: OwnedInitCmd, remarks: list[str]) -> Iterator[StartCommand]:
+def _at_transitions(item: OwnedInitCmd) -> Remarking[list[StartCommand]]:
     owner, protocol, command = item.owner, item.protocol, item.command
     if protocol in _WITHOUT_GENERATOR:
-        remarks.append(f"{protocol} InitCmd of the {owner} is left out: it is no parameter of the device")
-        return
+        yield f"{protocol} InitCmd of the {owner} is left out: it is no parameter of the device"
+        return []
     index = command.idn if protocol == "SoE" else command.object_index
     unusable = unusable_part(command, "idn" if protocol == "SoE" else "object_index")
     if index is None or unusable is not None:
-        remarks.append(f"{protocol} InitCmd of the {owner} is left out: its {unusable} cannot be used")
-        return
+        yield f"{protocol} InitCmd of the {owner} is left out: its {unusable} cannot be used"
+        return []
     data = decode_hex_binary(command.data)
     written = StartCommand(
         "",
@@ -135,15 +137,17 @@ def _at_transitions(item: OwnedInitCmd, remarks: list[str]) -> Iterator[StartCom
         bool(command.adapt_automatically),
     )
     if not command.transitions:
-        remarks.append(f"InitCmd {written.place} of the {owner} is left out: it names no transition")
+        yield f"InitCmd {written.place} of the {owner} is left out: it names no transition"
+    commands = []
     for transition in command.transitions:
         found = written._replace(transition=transition_of(transition))
         if found.transition not in TRANSITIONS:
-            remarks.append(f"InitCmd {found.place} of the {owner} is left out: transition {transition!r} is unknown")
+            yield f"InitCmd {found.place} of the {owner} is left out: transition {transition!r} is unknown"
         elif not data:
-            remarks.append(f"InitCmd {found.place} of the {owner} is left out: its data are missing or not hex")
+            yield f"InitCmd {found.place} of the {owner} is left out: its data are missing or not hex"
         else:
-            yield found
+            commands.append(found)
+    return commands
 
 
 def _module_list(device: Device, plugged: Iterable[PluggedModule], count_is_read_only: bool) -> Iterator[StartCommand]:

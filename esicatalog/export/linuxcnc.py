@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Iterator
+from itertools import chain
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
@@ -11,13 +12,14 @@ from esicatalog.export.clocks import Clocks, Time
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import register_remarks
 from esicatalog.export.headings import heading_lines, op_mode_words
-from esicatalog.export.igh_files import Listed, listed
+from esicatalog.export.igh_files import Listed, listed, sign_words
 from esicatalog.export.igh_limits import pieces
 from esicatalog.export.igh_startup import WATCHDOG_REGISTERS, off_beat, watchdog
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.export.rendering import render
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
 from esicatalog.model.sm_facts import OUTPUT
+from esicatalog.remarks import Remarking, in_turn, remarked
 
 PROGRAM = "LinuxCNC-Ethercat"
 _MAX_NAME = 47
@@ -135,11 +137,17 @@ def linuxcnc_configuration(configuration: Configuration) -> str:
         raise InputError(f"{PROGRAM} finds slaves by their ring position: give no alias")
     found = listed(configuration, PROGRAM)
     device = configuration.subject.device
-    remarks = [*configuration.remarks, *found.remarks, *register_remarks(device, PROGRAM, WATCHDOG_REGISTERS)]
     slave_name = configuration.prefix[:_MAX_SLAVE_NAME].strip("_").replace("_", "-")
     pins = _Pins(slave_name)
-    sync_managers = [_sync_manager(sm, found, pins, remarks) for sm in found.sync_managers]
-    sdos = [element for command in found.sdos for element in _sdo(command, remarks)]
+    sync_managers, sm_remarks = remarked(in_turn(_sync_manager(sm, found, pins) for sm in found.sync_managers))
+    sdos, sdo_remarks = remarked(_sdos(found.sdos))
+    remarks = [
+        *configuration.remarks,
+        *found.remarks,
+        *register_remarks(device, PROGRAM, WATCHDOG_REGISTERS),
+        *sm_remarks,
+        *sdo_remarks,
+    ]
     clocks = configuration.clocks
     dc = _dc(configuration, clocks) if clocks is not None else None
     if clocks is not None and (note := off_beat(clocks, configuration.cycle_ns)):
@@ -165,21 +173,15 @@ def _comment(text: str) -> str:
     return f"{shown} " if shown.endswith("-") else shown
 
 
-def _sync_manager(sm: SmConfiguration, found: Listed, pins: _Pins, remarks: list[str]) -> SmElement:
-    pdos = (
-        PdoElement(
-            f"{pdo.pdo_index:04x}",
-            _comment(pdo.name),
-            tuple(element for entry in pdo.entries for element in _entry(entry, sm, found, pins, remarks)),
-        )
-        for pdo in sm.pdos
-    )
+def _sync_manager(sm: SmConfiguration, found: Listed, pins: _Pins) -> Remarking[SmElement]:
+    pdos = []
+    for pdo in sm.pdos:
+        entries = yield from in_turn(_entry(entry, sm, found, pins) for entry in pdo.entries)
+        pdos.append(PdoElement(f"{pdo.pdo_index:04x}", _comment(pdo.name), tuple(chain.from_iterable(entries))))
     return SmElement(sm.number, "out" if sm.direction == OUTPUT else "in", _comment(sm.usage), tuple(pdos))
 
 
-def _entry(
-    entry: MappedEntry, sm: SmConfiguration, found: Listed, pins: _Pins, remarks: list[str]
-) -> Iterator[EntryElement]:
+def _entry(entry: MappedEntry, sm: SmConfiguration, found: Listed, pins: _Pins) -> Remarking[list[EntryElement]]:
     """One element for an entry; several for one that is longer than IgH can say."""
     if entry.entry_index == 0xFFFF or entry.subindex == 0xFF:
         raise InputError(f"{PROGRAM} cannot map {entry.place}: its parser refuses this index or subindex")
@@ -188,16 +190,12 @@ def _entry(
         types = _types(entry)
         taken = pins.take(entry.identifier, types) if types else ()
         if taken:
-            is_whole = len(taken) == 1
-            remarks += _type_remarks(entry, sm, taken[0])
-            yield EntryElement(
-                *place, entry.bit_length, taken[0] if is_whole else None, () if is_whole else taken, comment
-            )
-            return
+            yield from _type_remarks(entry, sm, taken[0])
+            pin, parts = (taken[0], ()) if len(taken) == 1 else (None, taken)
+            return [EntryElement(*place, entry.bit_length, pin, parts, comment)]
         why = f"{PROGRAM} registers {_MAX_PINS} at most" if types else "no HAL type takes it at its place"
-        remarks.append(f"{entry.words} has no pin: {why}")
-    for length in pieces(entry.bit_length):
-        yield EntryElement(*place, length, None, (), comment)
+        yield f"{entry.words} has no pin: {why}"
+    return [EntryElement(*place, length, None, (), comment) for length in pieces(entry.bit_length)]
 
 
 def _type_remarks(entry: MappedEntry, sm: SmConfiguration, pin: Pin) -> Iterator[str]:
@@ -205,7 +203,7 @@ def _type_remarks(entry: MappedEntry, sm: SmConfiguration, pin: Pin) -> Iterator
     is_output = sm.direction == OUTPUT
     if pin.type == "s32" and not is_output:
         if entry.bit_length not in _SIGNED_BITS:
-            yield f"{entry.words}: {PROGRAM} reads {entry.bit_length} bits without their sign"
+            yield sign_words(entry, PROGRAM)
         elif entry.bit_length < _PIN_BITS and not on_byte(entry):
             yield (
                 f"{entry.words}: older versions of {PROGRAM} read {entry.bit_length} bits that begin "
@@ -229,17 +227,23 @@ def _types(entry: MappedEntry) -> list[tuple[str, str, int]]:
     return [("", "bit" if length == 1 else "s32" if value.kind == "int" else "u32", length)]
 
 
-def _sdo(command: StartCommand, remarks: list[str]) -> Iterator[SdoElement]:
-    if command.object_index == 0xFFFF or command.subindex == 0xFF:
-        remarks.append(f"{command.words} is left out: the parser of {PROGRAM} refuses this index or subindex")
-    elif command.complete_access and command.subindex:
-        remarks.append(f"{command.words} is left out: {PROGRAM} sends complete access from subindex 0 only")
-    else:
-        lines = (
-            command.data[start : start + _DATA_OF_LINE].hex(" ") for start in range(0, len(command.data), _DATA_OF_LINE)
-        )
-        subindex = "complete" if command.complete_access else f"{command.subindex:02x}"
-        yield SdoElement(f"{command.object_index:04x}", subindex, _comment(command.words), tuple(lines))
+def _sdos(commands: Iterable[StartCommand]) -> Remarking[list[SdoElement]]:
+    elements = []
+    for command in commands:
+        if command.object_index == 0xFFFF or command.subindex == 0xFF:
+            yield f"{command.words} is left out: the parser of {PROGRAM} refuses this index or subindex"
+        elif command.complete_access and command.subindex:
+            yield f"{command.words} is left out: {PROGRAM} sends complete access from subindex 0 only"
+        else:
+            elements.append(_sdo(command))
+    return elements
+
+
+def _sdo(command: StartCommand) -> SdoElement:
+    data = command.data
+    lines = (data[start : start + _DATA_OF_LINE].hex(" ") for start in range(0, len(data), _DATA_OF_LINE))
+    subindex = "complete" if command.complete_access else f"{command.subindex:02x}"
+    return SdoElement(f"{command.object_index:04x}", subindex, _comment(command.words), tuple(lines))
 
 
 def _dc(configuration: Configuration, found: Clocks) -> DcElement:

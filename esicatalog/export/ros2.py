@@ -5,6 +5,7 @@ each output has a default, and each value that the driver cannot place has ``mas
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from typing import NamedTuple
 
 from esicatalog.errors import InputError
@@ -14,7 +15,7 @@ from esicatalog.export.cia402_names import CIA402_NAMES
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.esc_registers import NO_REGISTERS, register_remarks
 from esicatalog.export.headings import heading_lines, op_mode_words
-from esicatalog.export.igh_files import Listed, listed
+from esicatalog.export.igh_files import Listed, listed, sign_words
 from esicatalog.export.igh_limits import pieces
 from esicatalog.export.init_cmds import StartCommand, single_accesses
 from esicatalog.export.mode_commands import started_modes
@@ -32,6 +33,7 @@ from esicatalog.model.cia402 import (
 from esicatalog.model.drive_evidence import mode_code
 from esicatalog.model.module_idents import MODULE_IDENT_LIST
 from esicatalog.model.sm_facts import INPUT, OUTPUT
+from esicatalog.remarks import Remarking, in_turn, remarked
 
 PROGRAM = "ethercat_driver_ros2"
 _INTERFACES = {
@@ -90,15 +92,17 @@ _SIDES = {OUTPUT: Side("rpdo", "command_interface"), INPUT: Side("tpdo", "state_
 def ros2_slave(configuration: Configuration) -> str:
     """The file for one device. Raises :class:`InputError` for what the driver cannot configure."""
     found = listed(configuration, PROGRAM)
+    lists, list_remarks = remarked(in_turn(_pdo_list(configuration, found, side) for side in (OUTPUT, INPUT)))
+    sdos, sdo_remarks = remarked(_sdos(found.sdos))
     remarks = [
         *configuration.remarks,
         *found.remarks,
         *_dc_remarks(configuration),
         *register_remarks(configuration.subject.device, PROGRAM, NO_REGISTERS),
         *_drive_remarks(configuration, found),
+        *list_remarks,
+        *sdo_remarks,
     ]
-    lists = [_pdo_list(configuration, found, direction, remarks) for direction in (OUTPUT, INPUT)]
-    sdos = [row for command in found.sdos for row in _sdo(command, remarks)]
     heading = heading_lines(configuration, f"{PROGRAM} slave configuration", remarks)
     return render(
         "ros2.yaml.j2",
@@ -112,7 +116,7 @@ def ros2_slave(configuration: Configuration) -> str:
     )
 
 
-def _pdo_list(configuration: Configuration, found: Listed, direction: str, remarks: list[str]) -> PdoList:
+def _pdo_list(configuration: Configuration, found: Listed, direction: str) -> Remarking[PdoList]:
     side = _SIDES[direction]
     sync_managers = [sm for sm in found.sync_managers if sm.is_described and sm.direction == direction]
     if len(sync_managers) > 1:
@@ -125,8 +129,8 @@ def _pdo_list(configuration: Configuration, found: Listed, direction: str, remar
         if _value(entry, side):
             reached.append(entry)
         else:
-            remarks.append(f"{entry.words} has no interface: {PROGRAM} has no type for it at its place")
-    remarks += _type_remarks(reached, side)
+            yield f"{entry.words} has no interface: {PROGRAM} has no type for it at its place"
+    yield from _type_remarks(reached, side)
     interfaces = _interfaces(configuration, reached)
     modes = started_modes(found.sdos)
     pdos = (
@@ -147,7 +151,7 @@ def _type_remarks(entries: Sequence[MappedEntry], side: Side) -> Iterator[str]:
     if side.key == "tpdo":
         for entry, value in zip(entries, values, strict=True):
             if entry.value.kind == "int" and value.startswith("type: bit"):
-                yield f"{entry.words}: {PROGRAM} reads {entry.bit_length} bits without their sign"
+                yield sign_words(entry, PROGRAM)
     if any(value.startswith("type: real") for value in values):
         yield f"real32 and real64 need a version of {PROGRAM} that knows these types"
     if side.key == "rpdo" and any(value.startswith("type: bit") for value in values):
@@ -212,20 +216,23 @@ def _value(entry: MappedEntry, side: Side) -> str:
     return f"type: bit{entry.bit_length}, mask: {mask}{factor}"
 
 
-def _sdo(command: StartCommand, remarks: list[str]) -> Iterator[Row]:
-    if command.complete_access and command.object_index == MODULE_IDENT_LIST and not command.subindex:
-        for single in single_accesses(command):
-            yield from _sdo(single, remarks)
-        return
-    size = len(command.data)
-    value = int.from_bytes(command.data, "little", signed=size > 2)
-    if command.complete_access or size not in _SDO_TYPES or not -(1 << 31) <= value < 1 << 31:
-        remarks.append(
-            f"{command.words} is left out: {PROGRAM} sends integers that fit 32 bits, one subindex at a time"
-        )
-        return
-    place = f"index: 0x{command.object_index:04x}, sub_index: {command.subindex}"
-    yield Row(f"{place}, type: {_SDO_TYPES[size]}, value: {value}", comment_text(command.words))
+def _sdos(commands: Iterable[StartCommand]) -> Remarking[list[Row]]:
+    rows = []
+    for command in chain.from_iterable(map(_accesses, commands)):
+        size = len(command.data)
+        value = int.from_bytes(command.data, "little", signed=size > 2)
+        if command.complete_access or size not in _SDO_TYPES or not -(1 << 31) <= value < 1 << 31:
+            yield f"{command.words} is left out: {PROGRAM} sends integers that fit 32 bits, one subindex at a time"
+            continue
+        place = f"index: 0x{command.object_index:04x}, sub_index: {command.subindex}"
+        rows.append(Row(f"{place}, type: {_SDO_TYPES[size]}, value: {value}", comment_text(command.words)))
+    return rows
+
+
+def _accesses(command: StartCommand) -> Iterable[StartCommand]:
+    """What the driver sends for a command: the list of the modules, of which all is known, one by one."""
+    is_list = command.complete_access and command.object_index == MODULE_IDENT_LIST and not command.subindex
+    return single_accesses(command) if is_list else (command,)
 
 
 def _sync_manager(sm: SmConfiguration) -> Row:

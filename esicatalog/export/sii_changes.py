@@ -1,4 +1,4 @@
-"""What writing another SII image would change, in words, worst first: every stored field has a name here."""
+"""What writing another SII image would change, in words, worst first."""
 
 from collections.abc import Callable, Iterable, Iterator
 from enum import IntFlag
@@ -7,6 +7,23 @@ from operator import ne
 from typing import Any, NamedTuple
 
 from esicatalog.export.sii import NOT_ASSIGNED
+from esicatalog.export.sii_fields import (
+    BESIDE_DC_MODE,
+    BESIDE_ENTRY,
+    BESIDE_GAP,
+    BESIDE_PDO,
+    BESIDE_SM,
+    CHECK_SUM,
+    CHECK_SUM_WORD,
+    GENERAL,
+    IDENTITY,
+    MAILBOXES,
+    NAMES,
+    OTHER_WORDS,
+    PDI_WORDS,
+    Kind,
+    Labels,
+)
 from esicatalog.sii.codes import category_title, flag_words
 from esicatalog.sii.encode import category_body
 from esicatalog.sii.image import (
@@ -27,89 +44,7 @@ from esicatalog.sii.layout import SiiRecord
 from esicatalog.sii.records import DcMode, Fmmu, Pdo, PdoEntry, SyncManager
 from esicatalog.words import counted
 
-Differing = tuple[str, str | None, str | None]
-"""What differs, what it was and what it is; None where it does not exist."""
-Compare = Callable[[SiiImage, SiiImage], Iterator[Differing]]
-Labels = dict[str, tuple[str, int]]
-"""What fields are called, and the number of hex digits of their values; 0 = decimal."""
-CHECK_SUM = "check sum"
-"""It follows from the words before it, unless an image stores a wrong one."""
-FLAGS = "flags"
-_DC_SYNC = "DC sync"
-_STATUS = "status byte"
-_RESERVED = "reserved bytes"
-_OF_GAP = "stored with the gap"
-NOT_CONFIGURED = (FLAGS, _DC_SYNC, _STATUS, _RESERVED, _OF_GAP)
-"""How the labels end of what an image stores beside a SyncManager, PDO, entry or OpMode and no master configures."""
-_PDI_WORDS: Labels = {
-    "pdi_control": ("PDI control", 4),
-    "pdi_configuration": ("PDI configuration", 4),
-    "sync_impulse_length_10ns": ("length of the SYNC pulses in 10 ns", 0),
-    "pdi_configuration_2": ("extended PDI configuration", 4),
-    "reserved_5": ("word 5", 4),
-    "reserved_6": ("word 6", 4),
-    "station_alias": ("station alias", 0),
-}
-_CHECK_SUM: Labels = {"checksum": (CHECK_SUM, 2), "checksum_high_byte": ("byte behind it", 2)}
-_IDENTITY: Labels = {
-    "vendor_id": ("vendor id", 8),
-    "product_code": ("product code", 8),
-    "revision_no": ("revision number", 8),
-    "serial_no": ("serial number", 8),
-}
-PROTOCOLS = "mailbox protocols"
-_MAILBOXES: Labels = {
-    "standard_receive_mailbox_offset": ("offset of the receive mailbox", 4),
-    "standard_receive_mailbox_size": ("bytes of the receive mailbox", 0),
-    "standard_send_mailbox_offset": ("offset of the send mailbox", 4),
-    "standard_send_mailbox_size": ("bytes of the send mailbox", 0),
-    "bootstrap_receive_mailbox_offset": ("offset of the bootstrap receive mailbox", 4),
-    "bootstrap_receive_mailbox_size": ("bytes of the bootstrap receive mailbox", 0),
-    "bootstrap_send_mailbox_offset": ("offset of the bootstrap send mailbox", 4),
-    "bootstrap_send_mailbox_size": ("bytes of the bootstrap send mailbox", 0),
-    "mailbox_protocols": (PROTOCOLS, 0),
-}
-_OTHER_WORDS: Labels = {
-    "execution_delay": ("word 0x10, a delay", 0),
-    "port0_delay": ("word 0x11, a delay", 0),
-    "port1_delay": ("word 0x12, a delay", 0),
-    "reserved_13": ("word 0x13", 4),
-    "private": ("words 0x1D to 0x3D", 0),
-    "size_word": ("size word", 0),
-    "version": ("version", 0),
-}
-_GENERAL: Labels = {
-    "flags": ("flags", 0),
-    "coe_details": ("CoE", 0),
-    "foe_details": ("FoE", 0),
-    "eoe_details": ("EoE", 0),
-    "soe_channels": ("SoE channels", 0),
-    "ds402_channels": ("DS402 channels", 0),
-    "e_bus_current_ma": ("E-bus current in mA", 0),
-    "physical_ports": ("ports", 4),
-    "identification_address": ("identification address", 4),
-    "legacy_ports": ("legacy ports", 2),
-    "sysman_class": ("SysmanClass", 2),
-    "reserved_15": ("byte 15", 2),
-    "reserved_20": ("bytes 20 to 31", 0),
-}
-_NAMES: Labels = {
-    "order_string_number": ("order code", 0),
-    "name_string_number": ("name", 0),
-    "group_string_number": ("group", 0),
-    "group_name_string_number": ("name of the group", 0),
-    "image_string_number": ("image", 0),
-}
-_BESIDE_SM: Labels = {"status_byte": (_STATUS, 2)}
-_BESIDE_PDO: Labels = {"flags": (FLAGS, 0), "dc_sync": (_DC_SYNC, 0)}
-_BESIDE_ENTRY: Labels = {"flags": (FLAGS, 4)}
-_BESIDE_GAP: Labels = {
-    "subindex": (f"subindex {_OF_GAP}", 2),
-    "data_type_code": (f"data type {_OF_GAP}", 2),
-    **_BESIDE_ENTRY,
-}
-_BESIDE_DC_MODE: Labels = {"reserved_20": (_RESERVED, 8)}
-UNREADABLE = "unreadable categories"
+Compare = Callable[[SiiImage, SiiImage], Iterator["Change"]]
 _NO_RECORD = "bytes of no whole record"
 _CONFIGURING = (General, Fmmus, SyncManagers, TxPdos, RxPdos, DistributedClocks)
 """The categories by which a master configures a device."""
@@ -124,10 +59,14 @@ _STORED = {
 class Change(NamedTuple):
     """One thing in which an image differs from another one; None where it does not exist."""
 
-    part: str
     label: str
     before: str | None
     after: str | None
+    kind: Kind
+    stored_as: str | int | None = None
+    """Its field, or the type of a category that is compared by its bytes; None where several fields are one thing."""
+    part: str = ""
+    """The part of the image, in words."""
 
     @property
     def text(self) -> str:
@@ -146,7 +85,7 @@ def image_changes(old: SiiImage, new: SiiImage) -> tuple[Change, ...]:
     SyncManagers, FMMUs, PDOs, OpModes, what General says, what of these categories cannot be read, further words and
     categories, texts. Where nothing is found, the images can still differ as :func:`stored_otherwise` says.
     """
-    return tuple(Change(part, *differing) for part, compare in _PARTS for differing in compare(old, new))
+    return tuple(change._replace(part=part) for part, compare in _PARTS for change in compare(old, new))
 
 
 def stored_otherwise(old: SiiImage, new: SiiImage) -> tuple[str, ...]:
@@ -169,9 +108,11 @@ def _bodies(image: SiiImage) -> dict[int, list[bytes]]:
     return found
 
 
-def _differing(label: str, before: str | None, after: str | None) -> Iterator[Differing]:
+def _differing(
+    kind: Kind, label: str, before: str | None, after: str | None, *, stored_as: str | int | None = None
+) -> Iterator[Change]:
     if before != after:
-        yield label, before, after
+        yield Change(label, before, after, kind, stored_as)
 
 
 def _spelled(value: Any, digits: int) -> str:
@@ -187,7 +128,7 @@ def _flags(flags: IntFlag) -> str:
 
 
 def _fields(record_of: Callable[[SiiImage], SiiRecord], labels: Labels) -> Compare:
-    def compare(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
+    def compare(old: SiiImage, new: SiiImage) -> Iterator[Change]:
         return _differing_fields("", record_of(old), record_of(new), labels)
 
     return compare
@@ -195,22 +136,22 @@ def _fields(record_of: Callable[[SiiImage], SiiRecord], labels: Labels) -> Compa
 
 def _differing_fields(
     prefix: str, before: SiiRecord | None, after: SiiRecord | None, labels: Labels
-) -> Iterator[Differing]:
+) -> Iterator[Change]:
     if before is None or after is None:
         return
-    for field, (label, digits) in labels.items():
-        spelled = (_spelled(getattr(record, field), digits) for record in (before, after))
-        yield from _differing(prefix + label, *spelled)
+    for field, (words, digits, kind) in labels.items():
+        old, new = (_spelled(getattr(record, field), digits) for record in (before, after))
+        yield from _differing(kind, prefix + words, old, new, stored_as=field)
 
 
 def _general_of(image: SiiImage) -> General:
     return image.general or General()
 
 
-def _sync_managers(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
+def _sync_managers(old: SiiImage, new: SiiImage) -> Iterator[Change]:
     for number, pair in enumerate(zip_longest(old.sync_managers, new.sync_managers)):
-        yield from _differing(f"SM{number}", *map(_sync_manager, pair))
-        yield from _differing_fields(f"SM{number}, ", *pair, _BESIDE_SM)
+        yield from _differing(Kind.CONFIGURATION, f"SM{number}", *map(_sync_manager, pair))
+        yield from _differing_fields(f"SM{number}, ", *pair, BESIDE_SM)
 
 
 def _sync_manager(sm: SyncManager | None) -> str | None:
@@ -222,24 +163,28 @@ def _sync_manager(sm: SyncManager | None) -> str | None:
     )
 
 
-def _fmmus(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
+def _fmmus(old: SiiImage, new: SiiImage) -> Iterator[Change]:
     # An FMMU without use at the end is padding, 0x00 or 0xFF.
     for number, pair in enumerate(zip_longest(old.fmmus, new.fmmus, fillvalue=Fmmu())):
-        yield from _differing(f"FMMU{number}", *(fmmu.usage or f"usage {fmmu.usage_code}" for fmmu in pair))
+        yield from _differing(
+            Kind.CONFIGURATION, f"FMMU{number}", *(fmmu.usage or f"usage {fmmu.usage_code}" for fmmu in pair)
+        )
 
 
-def _pdos(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
+def _pdos(old: SiiImage, new: SiiImage) -> Iterator[Change]:
     for kind, pdos_of in _DIRECTIONS:
         before, after = numbered_pdos(pdos_of(old)), numbered_pdos(pdos_of(new))
         for key in (*before, *(key for key in after if key not in before)):
             label, pair = f"{kind} 0x{key[0]:04X}", (before.get(key), after.get(key))
-            yield from _differing(label, *map(_pdo, pair))
-            yield from _differing_fields(f"{label}, ", *pair, _BESIDE_PDO)
+            yield from _differing(Kind.CONFIGURATION, label, *map(_pdo, pair))
+            yield from _differing_fields(f"{label}, ", *pair, BESIDE_PDO)
             if None not in pair:
                 yield from _entries(label, before[key], after[key])
         common = [[key for key in pdos if key in before and key in after] for pdos in (before, after)]
         yield from _differing(
-            f"order of the {kind}s", *(", ".join(f"0x{key[0]:04X}" for key in keys) for keys in common)
+            Kind.CONFIGURATION,
+            f"order of the {kind}s",
+            *(", ".join(f"0x{key[0]:04X}" for key in keys) for keys in common),
         )
 
 
@@ -261,10 +206,10 @@ def _pdo(pdo: Pdo | None) -> str | None:
     return f"{place}, entries: {len(pdo.entries)}, bits: {pdo.bit_length}"
 
 
-def _entries(label: str, before: Pdo, after: Pdo) -> Iterator[Differing]:
+def _entries(label: str, before: Pdo, after: Pdo) -> Iterator[Change]:
     for number, pair in enumerate(zip_longest(before.entries, after.entries), start=1):
-        yield from _differing(f"{label}, entry {number}", *map(_entry, pair))
-        beside = _BESIDE_ENTRY if any(entry and entry.entry_index for entry in pair) else _BESIDE_GAP
+        yield from _differing(Kind.CONFIGURATION, f"{label}, entry {number}", *map(_entry, pair))
+        beside = BESIDE_ENTRY if any(entry and entry.entry_index for entry in pair) else BESIDE_GAP
         yield from _differing_fields(f"{label}, entry {number}, ", *pair, beside)
 
 
@@ -277,10 +222,10 @@ def _entry(entry: PdoEntry | None) -> str | None:
     return f"0x{entry.entry_index:04X}:{entry.subindex:02X}, {counted(entry.bit_length, 'bit')}, {data_type}"
 
 
-def _dc_modes(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
+def _dc_modes(old: SiiImage, new: SiiImage) -> Iterator[Change]:
     for number, pair in enumerate(zip_longest(old.dc_modes, new.dc_modes), start=1):
-        yield from _differing(f"OpMode {number}", *map(_dc_mode, pair))
-        yield from _differing_fields(f"OpMode {number}, ", *pair, _BESIDE_DC_MODE)
+        yield from _differing(Kind.CONFIGURATION, f"OpMode {number}", *map(_dc_mode, pair))
+        yield from _differing_fields(f"OpMode {number}, ", *pair, BESIDE_DC_MODE)
 
 
 def _dc_mode(mode: DcMode | None) -> str | None:
@@ -293,11 +238,13 @@ def _dc_mode(mode: DcMode | None) -> str | None:
     )
 
 
-def _unreadable(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
+def _unreadable(old: SiiImage, new: SiiImage) -> Iterator[Change]:
     for kind in _CONFIGURING:
         title = category_title(kind.category_type)
         for label, bytes_of in ((title, _raw_data), (f"{title}, {_NO_RECORD}", _of_no_record)):
-            yield from _differing(label, *(bytes_of(image, kind).hex(" ") or None for image in (old, new)))
+            yield from _differing(
+                Kind.CONFIGURATION, label, *(bytes_of(image, kind).hex(" ") or None for image in (old, new))
+            )
 
 
 def _raw_data(image: SiiImage, kind: type[Category]) -> bytes:
@@ -309,16 +256,17 @@ def _of_no_record(image: SiiImage, kind: type[Category]) -> bytes:
     return b"".join(item.rest for item in image.of_type(kind) if not isinstance(item, Fmmus | RawCategory))
 
 
-def _raw_categories(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
+def _raw_categories(old: SiiImage, new: SiiImage) -> Iterator[Change]:
     configuring = {kind.category_type for kind in _CONFIGURING}
     before, after = (
         [item for item in image.of_type(RawCategory) if item.category_type not in configuring] for image in (old, new)
     )
     for category_type in dict.fromkeys(item.category_type for item in (*before, *after)):
         data = (b"".join(item.data for item in part if item.category_type == category_type) for part in (before, after))
-        yield from _differing(category_title(category_type), *(part.hex(" ") or None for part in data))
+        stored = (part.hex(" ") or None for part in data)
+        yield from _differing(Kind.REST, category_title(category_type), *stored, stored_as=category_type)
     for label, bytes_of in ((_NO_RECORD, _behind_texts), ("further General categories", _generals)):
-        yield from _differing(label, *(bytes_of(image).hex(" ") or None for image in (old, new)))
+        yield from _differing(Kind.REST, label, *(bytes_of(image).hex(" ") or None for image in (old, new)))
 
 
 def _behind_texts(image: SiiImage) -> bytes:
@@ -330,12 +278,12 @@ def _generals(image: SiiImage) -> bytes:
     return b"".join(map(category_body, image.of_type(General)[1:]))
 
 
-def _texts(old: SiiImage, new: SiiImage) -> Iterator[Differing]:
+def _texts(old: SiiImage, new: SiiImage) -> Iterator[Change]:
     before, after = _all_texts(old), _all_texts(new)
     for label in before:
         if label in after:
-            yield from _differing(label, before[label], after[label])
-    yield from _differing("texts that nothing names", *(_unnamed(image) or None for image in (old, new)))
+            yield from _differing(Kind.REST, label, before[label], after[label])
+    yield from _differing(Kind.REST, "texts that nothing names", *map(_unnamed, (old, new)))
 
 
 def _text(image: SiiImage, string_number: int) -> str | None:
@@ -345,16 +293,16 @@ def _text(image: SiiImage, string_number: int) -> str | None:
     return repr(text) if text else None
 
 
-def _unnamed(image: SiiImage) -> str:
+def _unnamed(image: SiiImage) -> str | None:
     named = set(_all_texts(image).values())
     texts = (string.text for table in image.of_type(Strings) for string in table.strings)
-    return ", ".join(text for text in dict.fromkeys(map(repr, filter(None, texts))) if text not in named)
+    return ", ".join(text for text in dict.fromkeys(map(repr, filter(None, texts))) if text not in named) or None
 
 
 def _all_texts(image: SiiImage) -> dict[str, str | None]:
     """Every text by what it names, quoted; a string number without a string as itself."""
     general = _general_of(image)
-    found = {label: _text(image, getattr(general, field)) for field, (label, _) in _NAMES.items()}
+    found = {label: _text(image, getattr(general, field)) for field, label in NAMES.items()}
     for kind, pdos_of in _DIRECTIONS:
         for (index, repeat), pdo in numbered_pdos(pdos_of(image)).items():
             label = f"name of {kind} 0x{index:04X}" + f", repeat {repeat}" * bool(repeat)
@@ -372,17 +320,17 @@ _DIRECTIONS: tuple[tuple[str, Callable[[SiiImage], tuple[Pdo, ...]]], ...] = (
     ("TxPDO", lambda image: image.tx_pdos),
 )
 _PARTS: tuple[tuple[str, Compare], ...] = (
-    ("PDI words", _fields(lambda image: image.header, _PDI_WORDS)),
-    (CHECK_SUM, _fields(lambda image: image.header, _CHECK_SUM)),
-    ("identity", _fields(lambda image: image.header, _IDENTITY)),
-    ("mailboxes", _fields(lambda image: image.header, _MAILBOXES)),
+    ("PDI words", _fields(lambda image: image.header, PDI_WORDS)),
+    (CHECK_SUM, _fields(lambda image: image.header, CHECK_SUM_WORD)),
+    ("identity", _fields(lambda image: image.header, IDENTITY)),
+    ("mailboxes", _fields(lambda image: image.header, MAILBOXES)),
     ("SyncManagers", _sync_managers),
     ("FMMUs", _fmmus),
     ("PDOs", _pdos),
     ("OpModes", _dc_modes),
-    ("General", _fields(_general_of, _GENERAL)),
-    (UNREADABLE, _unreadable),
-    ("other words", _fields(lambda image: image.header, _OTHER_WORDS)),
+    ("General", _fields(_general_of, GENERAL)),
+    ("unreadable categories", _unreadable),
+    ("other words", _fields(lambda image: image.header, OTHER_WORDS)),
     ("other categories", _raw_categories),
     ("texts", _texts),
 )

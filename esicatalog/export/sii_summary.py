@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 
 from esicatalog.export.sii import has_descriptions
 from esicatalog.export.sii_changes import stored_otherwise
+from esicatalog.export.sii_fields import Kind
 from esicatalog.export.sii_limits import used_bytes
 from esicatalog.export.sii_merge import MergedImage
 from esicatalog.export.sii_remarks import eeprom_remarks
@@ -56,7 +57,7 @@ def _lines(subject: Subject, image: SiiImage, merged: MergedImage | None, droppe
 def _merge_lines(image: SiiImage, merged: MergedImage) -> Iterator[str]:
     yield from _unread_lines(used_bytes(image) + len(image.trailing), merged)
     changes = merged._replace(image=image).changes
-    parts = {change.part for change in changes}
+    kinds = {change.kind for change in changes}
     if encode_sii(image) == encode_sii(merged.dump):
         what = "What the dump holds" if merged.dump.unread else "The device's image"
         yield f"{what} would not change."
@@ -64,9 +65,9 @@ def _merge_lines(image: SiiImage, merged: MergedImage) -> Iterator[str]:
         yield f"No value would change, only how it is stored: {', '.join(stored_otherwise(merged.dump, image))}."
     if not is_loaded(merged.dump.header):
         yield _WRONG_CHECK_SUM
-    if "PDI words" in parts:
+    if Kind.PDI in kinds:
         yield _CHECK_PDI
-    if "identity" in parts:
+    if Kind.IDENTITY in kinds:
         yield _CHECK_IDENTITY
     yield from _listed("Writing it would change, worst first:", (f"{item.part}: {item.text}" for item in changes))
     yield from _listed("Kept as the device has it:", merged.kept)

@@ -4,22 +4,18 @@ from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 from esicatalog.catalog.results import FoundDevice, Identification
-from esicatalog.export.sii_changes import CHECK_SUM, NOT_CONFIGURED, PROTOCOLS, UNREADABLE, Change, image_changes
+from esicatalog.esi.records.device import Device
+from esicatalog.export.sii_changes import Change, image_changes
 from esicatalog.export.sii_completed import described_images
+from esicatalog.export.sii_fields import CHECK_SUM, PROTOCOLS, USED_BY_MASTER, Kind
 from esicatalog.export.sii_header import NOT_COMPUTED
 from esicatalog.export.subject import Subject
 from esicatalog.sii.checksum import is_loaded
-from esicatalog.sii.codes import category_title
 from esicatalog.sii.errors import SiiImageError
 from esicatalog.sii.image import SiiImage
 from esicatalog.words import counted
 
-_OWN = {"serial number", "station alias", CHECK_SUM}
-"""What is the device's own and in no description, and the check sum over it, which is held against the image itself."""
 _REFUSED = "wrong: a slave controller refuses the configuration words"
-_NO_MAILBOX = "the description has no Mailbox element"
-_USED_PARTS = {"identity", "mailboxes", "SyncManagers", "FMMUs", "PDOs", "OpModes", UNREADABLE}
-_USED_OF_GENERAL = {"flags", "CoE"}
 
 
 class ImageDifference(NamedTuple):
@@ -35,18 +31,16 @@ class ImageDifference(NamedTuple):
 def verify_image(image: SiiImage, subject: Subject) -> tuple[ImageDifference, ...]:
     """How an image differs from its description, in the order of importance.
 
-    What the description does not say is no difference, whatever an image that is made of it has there. Texts may be in
-    any of its languages: the one counts that the image fits best. Raises :class:`SiiImageError` when the description
-    holds a whole image (Eeprom/Data) that is none.
+    What the description does not say is no difference, whatever an image that is made of it has there; the check sum is
+    held against the image itself. Texts may be in any of its languages: the one counts that the image fits best. Raises
+    :class:`SiiImageError` when the description holds a whole image (Eeprom/Data) that is none.
     """
     refused = () if is_loaded(image.header) else (ImageDifference(CHECK_SUM, _REFUSED, True),)
-    uncomputed = {category_title(number) for number, (_, is_said) in NOT_COMPUTED.items() if is_said(subject.device)}
-    described_as = {PROTOCOLS: _NO_MAILBOX} if subject.device.mailbox is None else {}
     changes = min((image_changes(described, image) for described in described_images(subject, image)), key=len)
     return refused + tuple(
-        ImageDifference(change.part, _words(change, uncomputed, described_as.get(change.label)), _is_used(change))
+        ImageDifference(change.part, _words(change, subject.device), change.kind in USED_BY_MASTER)
         for change in changes
-        if change.label not in _OWN
+        if change.kind is not Kind.OWN
     )
 
 
@@ -129,19 +123,17 @@ def _weight(differences: tuple[ImageDifference, ...]) -> tuple[int, int]:
     return sum(item.used_by_master for item in differences), len(differences)
 
 
-def _words(change: Change, uncomputed: set[str], described_as: str | None) -> str:
-    if described_as is not None:
-        return f"{change.label}: the image has {change.after}; {described_as}"
-    if change.label in uncomputed and change.before is None:
-        return f"{change.label}: the image has {change.after}; described, not computed here"
-    if change.before is None:
-        return f"{change.label}: the image has {change.after}; not described"
+def _words(change: Change, device: Device) -> str:
     if change.after is None:
         return f"{change.label}: not in the image; described is {change.before}"
-    return f"{change.label}: the image has {change.after}; described is {change.before}"
+    return f"{change.label}: the image has {change.after}; {_described(change, device)}"
 
 
-def _is_used(change: Change) -> bool:
-    if change.part == "General":
-        return change.label in _USED_OF_GENERAL
-    return change.part in _USED_PARTS and not change.label.endswith(NOT_CONFIGURED)
+def _described(change: Change, device: Device) -> str:
+    """What the description says of something that the image has."""
+    if change.stored_as == PROTOCOLS and device.mailbox is None:
+        return "the description has no Mailbox element"
+    if change.before is not None:
+        return f"described is {change.before}"
+    is_uncomputed = any(number == change.stored_as and is_said(device) for number, (_, is_said) in NOT_COMPUTED.items())
+    return "described, not computed here" if is_uncomputed else "not described"

@@ -17,6 +17,7 @@ from esicatalog.model.pdo_facts import PDO_ASSIGNMENTS, carries_value, is_descri
 from esicatalog.model.process_image import PlacedPdo, SmImage, repeated_indices, repeated_words
 from esicatalog.model.sm_facts import TRANSFER_DIRECTIONS, is_mailbox, sm_role, transfer_direction
 from esicatalog.model.values import byte_length
+from esicatalog.remarks import Remarking
 from esicatalog.words import one_line
 
 _CONTROL_BYTES = range(0x100)
@@ -169,24 +170,14 @@ def configured_sync_managers(
     images: Sequence[SmImage],
     names: EntryNames,
     objects: ObjectTable,
-    remarks: list[str],
-) -> tuple[SmConfiguration, ...]:
+) -> Remarking[tuple[SmConfiguration, ...]]:
     """All SyncManagers but virtual ones without PDOs, with the types of the entries as CiA 402 signs them on its axes.
 
-    What is remarked goes to ``remarks``. Raises :class:`InputError` for what no master can be told.
+    Raises :class:`InputError` for what no master can be told.
     """
     for index in repeated_indices(images):
         raise InputError(f"{repeated_words(index)}: choose PDOs (--pdo) or modules (--module), or take a correct file")
-    return tuple(_sync_managers(device, images, names, objects, remarks))
-
-
-def _sync_managers(
-    device: Device,
-    images: Sequence[SmImage],
-    names: EntryNames,
-    objects: ObjectTable,
-    remarks: list[str],
-) -> Iterator[SmConfiguration]:
+    found = []
     by_number = {image.sm: image for image in images}
     for number in sorted({*range(len(device.sync_managers)), *by_number}):
         described = device.sync_managers[number] if 0 <= number < len(device.sync_managers) else None
@@ -197,32 +188,35 @@ def _sync_managers(
         if described is not None and described.virtual and not placed_pdos:
             continue
         if described is None:
-            remarks.append(f"PDOs name SM{number}, which the device does not describe")
+            yield f"PDOs name SM{number}, which the device does not describe"
         elif (control := described.control_byte or 0) not in _CONTROL_BYTES:
-            remarks.append(f"SM{number} has the ControlByte {control:#x}, which does not fit its register of 8 bits")
+            yield f"SM{number} has the ControlByte {control:#x}, which does not fit its register of 8 bits"
         pdos: list[AssignedPdo] = []
         for at, placed in enumerate(placed_pdos):
             identifiers = [names.identifiers.get((number, at, n), "") for n in range(len(placed.entries))]
-            pdos.append(_assigned_pdo(placed, identifiers, names.axes, objects, remarks))
-        direction = _direction(number, described, pdos, remarks)
-        yield SmConfiguration(
-            number,
-            described.usage or "" if described is not None else "",
-            direction,
-            described,
-            tuple(pdos),
-            image.bit_size if image is not None else 0,
-            image is not None and image.left_open is not None,
+            pdos.append((yield from _assigned_pdo(placed, identifiers, names.axes, objects)))
+        direction = yield from _direction(number, described, pdos)
+        found.append(
+            SmConfiguration(
+                number,
+                described.usage or "" if described is not None else "",
+                direction,
+                described,
+                tuple(pdos),
+                image.bit_size if image is not None else 0,
+                image is not None and image.left_open is not None,
+            )
         )
+    return tuple(found)
 
 
-def _direction(number: int, described: SyncManager | None, pdos: Sequence[AssignedPdo], remarks: list[str]) -> str:
+def _direction(number: int, described: SyncManager | None, pdos: Sequence[AssignedPdo]) -> Remarking[str]:
     """Direction of a SyncManager, with a remark where what describes it differs."""
     direction = transfer_direction(described, [pdo.direction for pdo in pdos])
     role = sm_role(described) if described is not None else None
     others = {TRANSFER_DIRECTIONS[pdo.direction] for pdo in pdos} | ({role.transfer_direction} if role else set())
     if others - {direction}:
-        remarks.append(
+        yield (
             f"SM{number} is described in both directions (usage, ControlByte and PDOs differ); "
             f"{direction} is taken, check it on the device"
         )
@@ -230,8 +224,8 @@ def _direction(number: int, described: SyncManager | None, pdos: Sequence[Assign
 
 
 def _assigned_pdo(
-    placed: PlacedPdo, identifiers: Sequence[str], axes: Sequence[int], objects: ObjectTable, remarks: list[str]
-) -> AssignedPdo:
+    placed: PlacedPdo, identifiers: Sequence[str], axes: Sequence[int], objects: ObjectTable
+) -> Remarking[AssignedPdo]:
     pdo = placed.pdo
     written_name = display_text(pdo.names) or ""
     if pdo.pdo_index is None or not 0 < pdo.pdo_index <= MAX_INDEX:
@@ -253,7 +247,7 @@ def _assigned_pdo(
         mapped = Mapped(first.entry_index or 0, first.subindex or 0, bit_length, one_line(entry_name))
         found = entry_type(mapped, objects.base_type(first, placed.slot_number), axes)
         if found.remark is not None:
-            remarks.append(found.remark)
+            yield found.remark
         entries.append(
             MappedEntry(
                 index,

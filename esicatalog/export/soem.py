@@ -83,6 +83,7 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
         *(remark for image in images for remark in image.remarks),
     )
     heading = heading_lines(configuration, _target(version), remarks)
+    clocks = clock_code(configuration)
     return render(
         "soem.h.j2",
         configuration=configuration,
@@ -92,9 +93,10 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
         images=images,
         commands=[_sent(command, api) for command in hook_commands(configuration)],
         later=by_transition(later_commands(configuration), lambda command: _sent(command, api)),
-        clocks=clock_code(configuration),
+        clocks=clocks,
         calls=_clock_calls(configuration, api),
         cycle_ns=configuration.cycle_ns,
+        needs_cycle=clocks is not None and clocks.needs_cycle,
         needs_bits=any(image.needs_bits for image in images),
     )
 

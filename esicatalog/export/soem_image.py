@@ -1,9 +1,8 @@
 """The process image of one direction as a packed C structure, with accessors for what is no member of it."""
 
-from collections.abc import Iterator
 from typing import NamedTuple
 
-from esicatalog.export.c_access import Function, Place, c_type, read_bits, read_long, write_bits, write_long
+from esicatalog.export.c_access import Function, Place, c_type, read_value, reader, write_value, writer
 from esicatalog.export.c_text import comment_text
 from esicatalog.export.configuration import Configuration
 from esicatalog.export.io_map import IoMap, Member, io_map
@@ -51,11 +50,7 @@ def image_code(configuration: Configuration, direction: str) -> ImageCode:
         layout.bit_size if layout.is_described else None,
         layout.starts_inside_byte,
         tuple(map(_member, layout.members)),
-        tuple(
-            function
-            for entry in layout.others
-            for function in _accessors(configuration.prefix, type_name, layout, entry)
-        ),
+        tuple(_accessor(configuration.prefix, type_name, layout, entry) for entry in layout.others),
         layout.remarks,
     )
 
@@ -69,7 +64,7 @@ def _member(member: Member) -> MemberCode:
     return MemberCode(declaration, member.name, member.byte_offset, comment_text(member.words))
 
 
-def _accessors(prefix: str, type_name: str, layout: IoMap, entry: MappedEntry) -> Iterator[Function]:
+def _accessor(prefix: str, type_name: str, layout: IoMap, entry: MappedEntry) -> Function:
     is_output = layout.direction == OUTPUT
     const = "" if is_output else "const "
     image, cast = f"{const}{type_name} *image", f"({const}uint8_t *) image"
@@ -77,15 +72,6 @@ def _accessors(prefix: str, type_name: str, layout: IoMap, entry: MappedEntry) -
     if layout.starts_inside_byte:
         image, cast, bit = f"{const}uint8_t *image, uint8_t start_bit", "image", f"start_bit + {bit}"
     place = Place(cast, bit)
-    comment = comment_text(entry.words)
-    is_long = entry.value.kind == "bytes"
     if is_output:
-        value = "const uint8_t *value" if is_long else f"{c_type(entry)} value"
-        head = f"static inline void {prefix}_set_{entry.identifier}({image}, {value})"
-        yield Function(comment, head, write_long(entry, place) if is_long else write_bits(entry, place))
-    elif is_long:
-        head = f"static inline void {prefix}_get_{entry.identifier}({image}, uint8_t *value)"
-        yield Function(comment, head, read_long(entry, place))
-    else:
-        head = f"static inline {c_type(entry)} {prefix}_get_{entry.identifier}({image})"
-        yield Function(comment, head, read_bits(entry, place))
+        return writer(entry, f"{prefix}_set_{entry.identifier}", image, write_value(entry, place))
+    return reader(entry, f"{prefix}_get_{entry.identifier}", image, read_value(entry, place))

@@ -20,6 +20,7 @@ from esicatalog.model.base_types import BASE_TYPES, BaseType, base_type
 from esicatalog.model.members import Member, MemberMemo, Members
 from esicatalog.model.memo import IdentityMemo, identities
 from esicatalog.model.values import Value, byte_length, decode_data, decode_string, decode_value
+from esicatalog.remarks import Remarking, remarked
 
 _MAX_MADE = 50_000
 _MAX_OBJECTS = 10_000
@@ -174,22 +175,21 @@ class ObjectType:
         return ResolvedObject(declared, OBJECT_CODES["ARRAY" if members.is_array else "RECORD"], *made)
 
     def _resolve_single(self, declared: Object) -> ResolvedObject:
-        remarks: list[str] = []
+        values, remarks = remarked(_single_values(declared)) if declared.info_sub_items else (declared, ())
         size = declared.bit_size if declared.bit_size is not None else self._bit_size
         member = Member(0, display_text(declared.names), (), self._name, self._base, size, 0, None, None)
-        entry = self._entry(member, _single_values(declared, remarks), declared.flags)
-        return ResolvedObject(declared, OBJECT_CODES["VAR"], (entry,), tuple(remarks))
+        entry = self._entry(member, values, declared.flags)
+        return ResolvedObject(declared, OBJECT_CODES["VAR"], (entry,), remarks)
 
     def _composite(self, members: Members, infos: tuple[InfoSubItem, ...], inherited: Flags | None) -> _Composite:
-        remarks: list[str] = []
-        paired = members.pair(infos, remarks)
+        paired, remarks = members.pair(infos)
         known, make = self._memo.entries.get, self._entry
         entries = []
         for member, values in zip(members, paired, strict=True):
             flags = member.flags or inherited
             key = (id(member), id(values), id(flags))
             entries.append(known(key, (member, values, flags), make, member, values, flags))
-        return _Composite(tuple(entries), tuple(remarks))
+        return _Composite(tuple(entries), remarks)
 
     def _entry(self, member: Member, values: DeclaredValues | None, flags: Flags | None) -> ObjectEntry:
         return _entry(member, values, self._memo.traits.of(flags, _traits))
@@ -199,14 +199,17 @@ _own_values = attrgetter("default_data", "default_value", "default_string", "min
 _NO_OWN_VALUES = _own_values(DeclaredValues())
 
 
-def _single_values(declared: Object, remarks: list[str]) -> DeclaredValues:
-    """Values of an object without sub-items: those of Info itself, else of the one sub-item that some files give."""
-    if not declared.info_sub_items or _own_values(declared) != _NO_OWN_VALUES:
+def _single_values(declared: Object) -> Remarking[DeclaredValues]:
+    """Values of an object that is no composite, with sub-items in Info as some files have them.
+
+    Those of Info itself, else of its sub-item where there is one.
+    """
+    if _own_values(declared) != _NO_OWN_VALUES:
         return declared
     if len(declared.info_sub_items) > 1:
-        remarks.append("Info has sub-items, but the data type has none; left unpaired")
+        yield "Info has sub-items, but the data type has none; left unpaired"
         return declared
-    remarks.append("Info has a sub-item, but the data type has none; its values are taken for the object")
+    yield "Info has a sub-item, but the data type has none; its values are taken for the object"
     return declared.info_sub_items[0]
 
 

@@ -11,6 +11,7 @@ from esicatalog.esi.records.common import Name
 from esicatalog.esi.records.dictionary import DataType, DeclaredValues, Flags, InfoSubItem, SubItem
 from esicatalog.model.base_types import BaseType
 from esicatalog.model.memo import IdentityMemo
+from esicatalog.remarks import Remarked, Remarking, remarked
 
 MAX_ELEMENTS = 4096
 """Longer arrays stay one entry: no CoE array has more than 255 elements, the longest SoE list seen has 761."""
@@ -78,7 +79,7 @@ class Members:
     def __iter__(self) -> Iterator[Member]:
         return iter(self._members)
 
-    def pair(self, infos: tuple[InfoSubItem, ...], remarks: list[str]) -> Sequence[DeclaredValues | None]:
+    def pair(self, infos: tuple[InfoSubItem, ...]) -> Remarked[Sequence[DeclaredValues | None]]:
         """Declared values of each member; never shifted to a neighbour.
 
         Names come first (ESI-FACTS section 7.2). Position counts in an array with a value for each member, unless their
@@ -87,12 +88,17 @@ class Members:
         as the type, too.
         """
         if not infos:
-            return [None] * len(self._members)
+            return [None] * len(self._members), ()
         is_complete = len(infos) == len(self._members)
         if is_complete and [info.name for info in infos] == self._names:
-            return infos
+            return infos, ()
         if is_complete and self.is_array:
-            return self._in_order(infos)
+            return self._in_order(infos), ()
+        return remarked(self._pair_by_name(infos, is_complete))
+
+    def _pair_by_name(
+        self, infos: Sequence[InfoSubItem], is_complete: bool
+    ) -> Remarking[Sequence[DeclaredValues | None]]:
         paired: dict[int, InfoSubItem] = {}
         if is_complete:  # real lists repeat a name that the type has once, in the place of another one
             named = enumerate(zip(infos, self._names, strict=True))
@@ -118,7 +124,7 @@ class Members:
                 problem = "occur again" if is_known else "match no sub-item of the data type"
                 by_problem.setdefault(problem, []).append(repr(info.name))
             for problem, names in by_problem.items():
-                remarks.append(f"Info sub-items {', '.join(names[:3])} {problem}; {outcome}")
+                yield f"Info sub-items {', '.join(names[:3])} {problem}; {outcome}"
         return [paired.get(position) for position in range(len(self._members))]
 
     def _in_order(self, infos: Sequence[InfoSubItem]) -> Sequence[InfoSubItem]:

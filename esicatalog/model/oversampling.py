@@ -5,7 +5,7 @@ samples are in that one PDO, unless the dictionary of a device with CoE has mapp
 for each further sample, which no PDO of the description is: then each sample is a PDO of its own.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from itertools import chain
 from typing import NamedTuple
@@ -20,6 +20,7 @@ from esicatalog.model.dictionary_views import DictionaryView, DictionaryViews, c
 from esicatalog.model.pdo_facts import PDO_MAPPINGS, pdos_by_direction
 from esicatalog.model.pdo_mapping import mapped_by_dictionary, mapping_obstacle
 from esicatalog.model.slots import PluggedModule
+from esicatalog.remarks import Remarking
 from esicatalog.words import index_words
 
 
@@ -52,31 +53,31 @@ class Oversampling:
     def _described(self) -> set[int | None]:
         return {item.pdo.pdo_index for item in available_pdos(self._device, self._plugged).pdos}
 
-    def factor(self, pdo: Pdo, remarks: list[str]) -> int:
+    def factor(self, pdo: Pdo) -> Remarking[int]:
         """How many samples a cycle has, 1 at least."""
         factor = self._factors.get(pdo.pdo_index) if pdo.pdo_index is not None else None
         if not factor:
             factor = pdo.os_fac or 1
             if factor > 1 and self._factors:
-                remarks.append(
+                yield (
                     f"PDO {index_words(pdo.pdo_index)}: the OpMode, which lists PDOs, says nothing about its "
                     f"oversampling; its own OSFac {factor} counts, and SYNC0 has to fit it"
                 )
         return max(factor, 1)
 
-    def samples(self, candidate: AvailablePdo, factor: int, remarks: list[str]) -> list[Sample]:
+    def samples(self, candidate: AvailablePdo, factor: int) -> Remarking[list[Sample]]:
         """The PDOs that hold so many samples.
 
         What the master cannot map is mapped as the dictionary says by default, where that has the lengths of the
         described entries for all samples.
         """
         pdo = candidate.pdo
-        described = list(_sampled(pdo, factor, remarks))
+        described = yield from _sampled(pdo, factor)
         indices = self._own_indices(candidate, factor)
         is_mapped_by_device = mapping_obstacle(self._device, pdo) is not None
         if not indices:
             if len(described) > 1 and is_mapped_by_device and declares_pdo_assign(self._device):
-                remarks.append(
+                yield (
                     f"PDO {index_words(pdo.pdo_index)} has {factor} samples here, which its mapping may "
                     "not hold: how the device assigns the samples is not described; compare with a known configuration"
                 )
@@ -126,23 +127,23 @@ def _with_objects(entries: Sequence[Entry], mapped: Sequence[tuple[int, int, int
     )
 
 
-def _sampled(pdo: Pdo, factor: int, remarks: list[str]) -> Iterator[tuple[Entry, ...]]:
+def _sampled(pdo: Pdo, factor: int) -> Remarking[list[tuple[Entry, ...]]]:
     """The entries of each sample: OSIndexInc moves the objects of each by one step more, padding stays padding.
 
     Nothing moves where an index would leave 16 bits, as in slots (ESI-FACTS section 12.1).
     """
-    yield pdo.entries
     step = pdo.os_index_inc or 0
     reached = [(entry.entry_index or 0) + step * (factor - 1) for entry in pdo.entries if entry.entry_index]
     if any(not 0 < index <= MAX_INDEX for index in reached) and step and factor > 1:
-        remarks.append(
-            f"PDO {index_words(pdo.pdo_index)}: OSIndexInc {step} leads out of 16 bits in {factor} samples; left out"
-        )
+        yield f"PDO {index_words(pdo.pdo_index)}: OSIndexInc {step} leads out of 16 bits in {factor} samples; left out"
         step = 0
-    for sample in range(1, factor if pdo.entries else 1):
-        yield tuple(
+    further = (
+        tuple(
             msgspec.structs.replace(entry, entry_index=entry.entry_index + step * sample)
             if step and entry.entry_index
             else entry
             for entry in pdo.entries
         )
+        for sample in range(1, factor if pdo.entries else 1)
+    )
+    return [pdo.entries, *further]

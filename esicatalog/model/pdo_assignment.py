@@ -25,6 +25,7 @@ from esicatalog.model.assignable_pdos import (
 from esicatalog.model.pdo_facts import PDO_MAPPINGS, symmetric_exclusions
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.sm_facts import may_transport, sm_role
+from esicatalog.remarks import Remarking, remarked
 from esicatalog.words import index_words
 
 Assignment = Mapping[int, Sequence[int]]
@@ -95,17 +96,17 @@ def assigned_pdos(
     numbers |= {number for number, sm in enumerate(device.sync_managers) if has_default_image(sm)}
     found = []
     for number in sorted(numbers):
-        sm, remarks = _sync_manager(device, number), [*problems]
-        indices: list[int] = []
+        sm, indices = _sync_manager(device, number), list[int]()
         if number in wanted:
             replaced = [index for index in by_mode.get(number, ()) if index not in wanted[number]]
             indices = [*_mandatory(number, candidates, unlisted, replaced), *wanted[number]]
-            meant = list(_by_index(device, sm, candidates, indices, remarks))
+            meant, of_list = remarked(_by_index(device, sm, candidates, indices))
         else:
-            meant = [[candidate] for candidate in unlisted if candidate.pdo.sm == number]
+            meant, of_list = [[candidate] for candidate in unlisted if candidate.pdo.sm == number], ()
         taken = indices if number in chosen and takes_virtual(device) else ()
-        pdos, virtual = _transported(number, sm, _fitting(number, sm, meant, remarks), taken, remarks)
-        found.append(SmAssignment(number, sm, tuple(pdos), tuple(remarks), wanted.get(number), tuple(virtual)))
+        (pdos, virtual), remarks = remarked(_transported(number, sm, meant, taken))
+        remarks = (*problems, *of_list, *remarks)
+        found.append(SmAssignment(number, sm, tuple(pdos), remarks, wanted.get(number), tuple(virtual)))
     return PdoAssignment(found, {index: factor for items in lists.values() for index, factor in items.items()})
 
 
@@ -186,8 +187,7 @@ def _by_index(
     sm: SyncManager | None,
     candidates: list[AvailablePdo],
     indices: Iterable[int],
-    remarks: list[str],
-) -> Iterator[list[AvailablePdo]]:
+) -> Remarking[list[list[AvailablePdo]]]:
     """The PDOs of a list, all those of an index together.
 
     Of those that are not described nothing is exchanged by a virtual SyncManager, nor, as far as anybody knows, with
@@ -197,13 +197,15 @@ def _by_index(
     by_index: dict[int | None, list[AvailablePdo]] = {}
     for candidate in candidates:
         by_index.setdefault(candidate.pdo.pdo_index, []).append(candidate)
+    found = []
     for index in dict.fromkeys(indices):
         if index in by_index:
-            yield by_index[index]
+            found.append(by_index[index])
             continue
-        remarks.append(f"PDO 0x{index:04X} is listed but not described")
+        yield f"PDO 0x{index:04X} is listed but not described"
         if not may_be_absent:
-            yield [_undescribed(sm, index)]
+            found.append([_undescribed(sm, index)])
+    return found
 
 
 def _undescribed(sm: SyncManager | None, index: int) -> AvailablePdo:
@@ -214,36 +216,34 @@ def _undescribed(sm: SyncManager | None, index: int) -> AvailablePdo:
     return AvailablePdo(by_index or by_role or TX_PDO, None, Pdo(pdo_index=index), None, None)
 
 
-def _fitting(
-    number: int, sm: SyncManager | None, meant: Iterable[list[AvailablePdo]], remarks: list[str]
-) -> Iterator[AvailablePdo]:
+def _fitting(number: int, sm: SyncManager | None, alike: Sequence[AvailablePdo]) -> Remarking[AvailablePdo | None]:
     """Of PDOs that are alike the one that a SyncManager can have; it exchanges no others (ESI-FACTS section 18)."""
-    for alike in meant:
-        fitting = next((item for item in alike if _may_have(sm, item)), None)
-        if fitting is not None:
-            yield fitting
-        elif sm is not None:
-            other = f"PDO {index_words(alike[0].pdo.pdo_index)} is left out: it is a {alike[0].direction}"
-            remarks.append(f"{other}, SM{number} is for {sm.usage}")
+    fitting = next((item for item in alike if _may_have(sm, item)), None)
+    if fitting is None and sm is not None:
+        other = f"PDO {index_words(alike[0].pdo.pdo_index)} is left out: it is a {alike[0].direction}"
+        yield f"{other}, SM{number} is for {sm.usage}"
+    return fitting
 
 
 def _transported(
     number: int,
     sm: SyncManager | None,
-    fitting: Iterable[AvailablePdo],
+    meant: Iterable[Sequence[AvailablePdo]],
     taken: Collection[int],
-    remarks: list[str],
-) -> tuple[list[AvailablePdo], list[AvailablePdo]]:
+) -> Remarking[tuple[list[AvailablePdo], list[AvailablePdo]]]:
     """The PDOs that count, and the virtual ones, which exclude none of these; of the indices ``taken`` all count."""
     found: list[AvailablePdo] = []
     virtual: list[AvailablePdo] = []
-    for candidate in fitting:
+    for alike in meant:
+        candidate = yield from _fitting(number, sm, alike)
+        if candidate is None:
+            continue
         words = virtual_words(candidate.pdo, number, sm)
         is_taken = candidate.pdo.pdo_index in taken
         (found if words is None or is_taken else virtual).append(candidate)
         if words is not None:
             what_for = _chosen_words(sm, candidate) if is_taken else "it is left out here"
-            remarks.append(f"PDO {index_words(candidate.pdo.pdo_index)} {words}; {what_for}")
+            yield f"PDO {index_words(candidate.pdo.pdo_index)} {words}; {what_for}"
     return found, virtual
 
 

@@ -9,7 +9,7 @@ follows it; nor what follows the PDOs of a required module that is missing.
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import takewhile
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
@@ -26,7 +26,10 @@ from esicatalog.model.slots import PluggedModule, default_modules
 from esicatalog.model.sm_facts import transfer_direction
 from esicatalog.model.sync import default_op_mode
 from esicatalog.model.values import byte_length
+from esicatalog.remarks import Remarking, remarked
 from esicatalog.words import counted, index_words
+
+Result = TypeVar("Result")
 
 MAX_SM_BYTES = 0xFFFF
 """A SyncManager's length is a 16 bit number of bytes (ESC register 0x0802)."""
@@ -325,13 +328,18 @@ class _ImageBuilder:
         if self._listed is not None and pdo.pdo_index not in self._listed:
             self.remarks.append(f"PDO {index_words(pdo.pdo_index)} is mandatory: assigned too")
         self.align(candidate)
-        repeat = self._oversampling.factor(pdo, self.remarks)
+        repeat = self._noting(self._oversampling.factor(pdo))
         # An entry of no bits counts as one here, else nothing would bound how often it is repeated.
         if not self._has_room(pdo.pdo_index, repeat * max(pdo_bits(pdo), len(pdo.entries))):
             return
-        for sample in self._oversampling.samples(candidate, repeat, self.remarks):
+        for sample in self._noting(self._oversampling.samples(candidate, repeat)):
             self._append(candidate, repeat, sample)
         self._rivals.take(pdo)
+
+    def _noting(self, work: Remarking[Result]) -> Result:
+        result, remarks = remarked(work)
+        self.remarks += remarks
+        return result
 
     def _append(self, candidate: AvailablePdo, repeat: int, sample: Sample) -> None:
         entries = []

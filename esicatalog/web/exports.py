@@ -10,7 +10,7 @@ from datasette.utils.asgi import Response
 from esicatalog.api import Catalog
 from esicatalog.catalog.filter_texts import parse_flag
 from esicatalog.errors import EsiCatalogError, InputError, NotFound
-from esicatalog.export.choice import HEEDED, Choice, parse_pdo_choice
+from esicatalog.export.choice import HEEDED, PARAMETERS, Choice, parse_pdo_choice
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.cstruct import cstruct_of_configuration
 from esicatalog.export.eeprom import eeprom_image
@@ -29,8 +29,6 @@ from esicatalog.web.links import asked_identity, with_query
 from esicatalog.web.state import catalog_for
 
 _REPEATABLE = ("module",)
-_PARAMETERS = {field: field.replace("_", "-") for field in Choice._fields} | {"pdos": "pdo", "modules": "module"}
-"""By the field of a :class:`Choice`."""
 
 Given = Mapping[str, Sequence[str]]
 """Texts of parameters, by name."""
@@ -79,7 +77,7 @@ TARGETS: dict[str, Target] = {
 
 def parameters_of(name: str) -> tuple[str, ...]:
     """The parameters that the target of this name heeds; others are refused."""
-    return (*(_PARAMETERS[field] for field in HEEDED[name]), *TARGETS[name].own_parameters)
+    return (*(PARAMETERS[field] for field in HEEDED[name]), *TARGETS[name].own_parameters)
 
 
 async def export_route(request: Any, datasette: Any) -> Response:
