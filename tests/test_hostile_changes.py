@@ -503,7 +503,7 @@ def test_a_folder_that_is_called_like_a_member_of_a_changed_archive_stays(folder
     packed(archive, "other.xml")
     lines = reported(stored, archive)
     assert {path: status for path, (status, _) in lines.items()} == {
-        "a.zip!other.xml": "stored",
+        "sub/a.zip!other.xml": "stored",
         "sub/a.zip!a.xml": "removed",
     }
     assert products(stored) == [1, 2, 3, 5, 7]
