@@ -830,7 +830,7 @@ def test_a_drive_behind_eight_slots_of_inputs_is_found():
         ),
         (
             drive_module(2, "6040", "60FF", moves=False),
-            "RxPDO 0x1600 maps the setpoint; assigned twice by default, which no export makes: choose it once; ",
+            "RxPDO 0x1600 maps the setpoint; assigned twice by default, which no export makes: choose --pdo 0x1600; ",
             False,
         ),
         (drive_module(2, "6040", "60FF"), "RxPDO 0x1600 maps the setpoint; ", True),
