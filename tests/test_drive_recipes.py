@@ -1,6 +1,7 @@
 """Recipes for drive modes: they ask for nothing that the description rules out."""
 
 import re
+from collections.abc import Iterable
 from contextlib import suppress
 from itertools import combinations
 
@@ -10,11 +11,11 @@ from hypothesis import strategies as st
 from small_drives import DC, SMS, dictionary, init_cmd, one_device, one_drive, rx_pdo, supported_modes, verdict_of
 
 from esicatalog.errors import InputError
-from esicatalog.esi.records.device import Device
 from esicatalog.export.choice import Choice, PdoChoice
 from esicatalog.export.configuration import configure
 from esicatalog.export.subject import Subject
-from esicatalog.model.drive_modes import drive_modes
+from esicatalog.identity import ModuleChoice
+from esicatalog.model.drive_modes import DriveModeVerdict, drive_modes
 
 CSV = supported_modes("00010000")
 PDO_ASSIGN = '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
@@ -462,8 +463,7 @@ def test_exports_take_what_a_recipe_asks_for(content):
         further = [chosen for count in range(3) for chosen in combinations(others, count)] if left_out else [()]
         listed = chosen_in(verdict.recipe)
         assert verdict.rx_pdo_is_default == (not listed)
-        choices = (tuple(map(PdoChoice, (*listed, *more))) for more in further)
-        found = [_assigned(device, Choice(pdos, op_mode=verdict.op_mode)) for pdos in choices]
+        found = [mapped_with(Subject(1, "V", device), verdict, (*listed, *more)) for more in further]
         made = next(pdos for pdos in found if verdict.rx_pdo_index in pdos)
         assert made.keys() >= set(listed)
         has_controlword = any(0x6040 in entries for entries in made.values())
@@ -476,10 +476,12 @@ def chosen_in(recipe: str) -> list[int]:
     return [int(index, 16) for index in found[1].split(",")] if found else []
 
 
-def _assigned(device: Device, choice: Choice) -> dict[int, set[int]]:
-    """What PDOs of an export map, by their indices; none for a choice that is refused."""
+def mapped_with(subject: Subject, verdict: DriveModeVerdict, pdos: Iterable[int]) -> dict[int, set[int]]:
+    """What PDOs of an export map that follows a recipe, by their indices; none for a choice that is refused."""
+    plugged = re.findall(r"plug module (\w+) into slot (\d+)", verdict.recipe)
+    modules = {int(slot): ModuleChoice(int(ident, 16)) for ident, slot in plugged}
     with suppress(InputError):
-        found = configure(Subject(1, "V", device), choice)
+        found = configure(subject, Choice(tuple(map(PdoChoice, pdos)), modules=modules, op_mode=verdict.op_mode))
         return {pdo.pdo_index: {e.entry_index for e in pdo.entries} for sm in found.sync_managers for pdo in sm.pdos}
     return {}
 
