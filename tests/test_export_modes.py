@@ -56,6 +56,15 @@ def test_a_setpoint_that_is_chosen_without_the_controlword_is_told():
     assert (alone, both) == ([f"{words}RxPDO 0x1600 has it"], [])
 
 
+def test_a_statusword_in_place_of_the_controlword_is_told():
+    """Real robot joints swap the two words."""
+    found = configured(SMS + rx("#x1600", entry("#x6041", 16, "controlword"), entry("#x607A", 32)) + COE)
+    assert found.remarks == (
+        "the controlword 0x6040 is in none of the assigned RxPDOs, but the statusword 0x6041 is: check whether the two "
+        "are swapped",
+    )
+
+
 @pytest.mark.parametrize(
     ("generate", "ending"),
     [

@@ -58,29 +58,28 @@ def entry_type(mapped: Mapped, declared: BaseType | None, axes: Iterable[int], i
     """The type of what is mapped: as it is declared, with the sign that CiA 402 gives it, which also types the rest.
 
     ``axes`` are the CiA 402 axes of the device; ``is_known`` tells whether a dictionary has the subindex. What has
-    another length or kind than in CiA 402 stays as declared. A subindex beside the single value of an object has its
-    sign where no dictionary knows it: that a subindex is mistaken is likelier than a value that nobody describes, and
-    a target without its sign is the worse error.
+    another length or kind than in CiA 402 stays as declared. An integer at a subindex beside the single value of an
+    object has its sign where no dictionary knows it: that a subindex is mistaken is likelier than a value that nobody
+    describes, and a target without its sign is the worse error.
     """
     standard = next(_standard_types(mapped, axes), None)
     if standard is None:
         return EntryType(declared)
     base, is_beside = standard.base, mapped.subindex not in standard.subindices
     is_as_long = mapped.bit_length == base.bit_size
-    is_free = declared is None or declared.signed
-    if is_as_long and is_free and not is_beside:
+    is_integer = declared is None or declared.signed or declared.kind in _WITHOUT_SIGN
+    if is_beside and (is_known or not is_integer):
+        return EntryType(declared)
+    if is_as_long and not is_beside and (declared is None or declared.signed):
         return EntryType(declared or base)
-    is_fitting = is_as_long and (is_free or (declared is not None and declared.kind in _WITHOUT_SIGN))
-    is_taken = is_fitting and not (is_beside and is_known)
+    is_taken = is_as_long and is_integer
     given = f"declared {declared.name}" if declared is not None else "no type is declared"
     length = "" if is_as_long else f", {mapped.bit_length} bits"
-    has = f"{mapped.words}: {given}{length}; CiA 402 has INTEGER{base.bit_size}"
-    if is_beside:
-        unknown = "" if is_known else f", and no dictionary has subindex {mapped.subindex}"
-        outcome = f"INTEGER{base.bit_size} is taken" if is_taken else "it is not taken"
-        remark = f"{has} at subindex 0 only{unknown}: {outcome}, check on the device what is mapped"
-    else:
-        remark = f"{has}, which {'is taken' if is_taken else 'is not taken: check it on the device'}"
+    where = f" (at subindex 0 only, and no dictionary has subindex {mapped.subindex})" if is_beside else ""
+    outcome = "is taken" if is_taken else "is not taken: check it on the device"
+    if is_beside and is_taken:
+        outcome += ": check on the device what is mapped"
+    remark = f"{mapped.words}: {given}{length}; CiA 402 has INTEGER{base.bit_size}{where}, which {outcome}"
     return EntryType(base if is_taken else declared, remark)
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, DRIVE_MODES, MODE_BY_CODE, MODES_OF_OPERATION
+from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, DRIVE_MODES, MODE_BY_CODE, MODES_OF_OPERATION, STATUSWORD
 from esicatalog.model.pdo_facts import carries_value
 
 SETPOINTS = frozenset(index for mode in DRIVE_MODES.values() for index in mode.setpoints)
@@ -57,10 +57,15 @@ def axis_outputs(axis: int, rx_pdos: Iterable[Pdo]) -> AxisOutputs:
 
 
 def no_controlword_words(outputs: AxisOutputs, rx_pdos: Iterable[Pdo]) -> str:
-    """That nothing enables the drive; ``rx_pdos`` are all that can be assigned."""
-    index = outputs.at(CONTROLWORD)
+    """That nothing enables the drive, or that the two words are swapped, as they are in real robot joints.
+
+    ``rx_pdos`` are all that can be assigned.
+    """
+    index, other = outputs.at(CONTROLWORD), outputs.at(STATUSWORD)
+    without = f"the controlword 0x{index:04X} is in none of the assigned RxPDOs"
+    if other in outputs.values:
+        return f"{without}, but the statusword 0x{other:04X} is: check whether the two are swapped"
     has_it = (pdo.pdo_index for pdo in rx_pdos if index in axis_outputs(outputs.axis, (pdo,)).values)
     found = next((pdo_index for pdo_index in has_it if pdo_index is not None), None)
     where = f"RxPDO 0x{found:04X} has it" if found is not None else "no RxPDO has it"
-    without = f"the controlword 0x{index:04X} is in none of the assigned RxPDOs"
     return f"{without}, and without it nothing enables the drive: {where}"
