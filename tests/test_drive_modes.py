@@ -6,11 +6,13 @@ from pathlib import Path
 import pytest
 import snippets
 from small_drives import DC, dictionary, init_cmd, one_drive, rx_pdo, supported_modes, verdict_of, verdicts
+from test_drive_recipes import chosen_in, mapped_with
 
 from esicatalog.esi.containers import Archive
 from esicatalog.esi.reader import Reader, read_esi
 from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.module import Module
+from esicatalog.export.subject import Subject
 from esicatalog.model.cia402 import denies, named_modes
 from esicatalog.model.drive_evidence import RANKS
 from esicatalog.model.drive_modes import DriveModes, DriveModeVerdict, drive_modes
@@ -830,7 +832,7 @@ def test_a_drive_behind_eight_slots_of_inputs_is_found():
         ),
         (
             drive_module(2, "6040", "60FF", moves=False),
-            "RxPDO 0x1600 maps the setpoint; assigned twice by default, which no export makes: choose it once; ",
+            "RxPDO 0x1600 maps the setpoint; assigned twice by default, which no export makes: choose --pdo 0x1600; ",
             False,
         ),
         (drive_module(2, "6040", "60FF"), "RxPDO 0x1600 maps the setpoint; ", True),
@@ -1002,6 +1004,11 @@ def test_verdicts_on_the_whole_corpus(corpus):
         vendor = info.vendor.names[0].text if info.vendor is not None and info.vendor.names else ""
         found = drive_modes(device, modules)
         words = {(item.kind, item.mode): item.verdict for item in found.verdicts}
+        for verdict in found.verdicts if None not in (device.product_code, device.revision_no) else ():
+            if verdict.rx_pdo_index is not None:
+                made = mapped_with(Subject(1, "V", device, modules), verdict, chosen_in(verdict.recipe))
+                assert 0x6040 + 0x800 * verdict.axis in set().union(*made.values())
+                assert verdict.rx_pdo_index in made
         numbers = {p.profile_no for p in device.profiles}
         if numbers == {406}:
             assert not found.verdicts

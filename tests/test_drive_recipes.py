@@ -1,6 +1,7 @@
 """Recipes for drive modes: they ask for nothing that the description rules out."""
 
 import re
+from collections.abc import Iterable
 from contextlib import suppress
 from itertools import combinations
 
@@ -10,14 +11,18 @@ from hypothesis import strategies as st
 from small_drives import DC, SMS, dictionary, init_cmd, one_device, one_drive, rx_pdo, supported_modes, verdict_of
 
 from esicatalog.errors import InputError
-from esicatalog.esi.records.device import Device
 from esicatalog.export.choice import Choice, PdoChoice
 from esicatalog.export.configuration import configure
 from esicatalog.export.subject import Subject
-from esicatalog.model.drive_modes import drive_modes
+from esicatalog.identity import ModuleChoice
+from esicatalog.model.drive_modes import DriveModeVerdict, drive_modes
 
 CSV = supported_modes("00010000")
 PDO_ASSIGN = '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
+NO_CONTROLWORD = (
+    "the controlword 0x6040 is in none of the assigned RxPDOs, "
+    "and without it nothing enables the drive: no RxPDO has it"
+)
 PDO_CONFIG = '<Mailbox><CoE PdoConfig="1"/></Mailbox>'
 
 
@@ -63,7 +68,7 @@ def test_a_default_pdo_that_the_setpoint_excludes_does_not_stay(excluding):
     pdos += in_rx_pdo("1601", ("60FF", 32), excludes=excludes.get("1601", ""), attributes="")
     csv = verdict_of(one_drive(dictionary(CSV) + pdos + PDO_ASSIGN), "CSV")
     assert csv.recipe == (
-        "RxPDO 0x1601 maps the setpoint; it is not assigned by default; "
+        f"RxPDO 0x1601 maps the setpoint; it is not assigned by default: choose --pdo 0x1601; {NO_CONTROLWORD}; "
         "0x6060 is in none of the assigned RxPDOs: write 9 to it before operation"
     )
 
@@ -182,7 +187,7 @@ def test_the_list_of_the_op_mode_that_a_recipe_names_wins():
     found = one_drive("</Profile>" + EXCLUSIVE + PDO_ASSIGN + modes)
     csp, csv = verdict_of(found, "CSP"), verdict_of(found, "CSV")
     assert csp.recipe == (
-        "RxPDO 0x1600 maps the setpoint; it is not assigned with OpMode 'DC'; OpMode 'DC'; "
+        "RxPDO 0x1600 maps the setpoint; it is not assigned with OpMode 'DC': choose --pdo 0x1600; OpMode 'DC'; "
         "0x6060 is mapped in RxPDO 0x1600: set it to 8"
     )
     assert csv.recipe == (
@@ -310,7 +315,9 @@ def test_a_setpoint_in_an_entry_that_no_export_makes_is_none(place, unusable, ob
 
 @pytest.mark.parametrize(("place", "unusable", "obstacle"), UNUSABLE)
 def test_0x6060_in_an_entry_that_no_export_makes_cannot_be_set(place, unusable, obstacle):
-    pdos = in_rx_pdo("1600", ("60FF", 32)) + in_rx_pdo("1601", ("6060", 8)).replace(place.format(8), unusable)
+    pdos = in_rx_pdo("1600", ("6040", 16), ("60FF", 32)) + in_rx_pdo("1601", ("6060", 8)).replace(
+        place.format(8), unusable
+    )
     csv = verdict_of(one_drive(dictionary(CSV) + pdos + PDO_ASSIGN), "CSV")
     assert csv.recipe == (
         f"RxPDO 0x1600 maps the setpoint; 0x6060 is mapped in RxPDO 0x1601 (assigned by default), but {obstacle}"
@@ -328,7 +335,7 @@ def test_a_recipe_says_what_a_device_without_pdo_assign_may_do():
     csv = verdict_of(one_drive(dictionary(CSV) + PLAIN_AND_CSV + ADDED), "CSV")
     assert csv.recipe.startswith(
         "RxPDO 0x1601 maps the setpoint; it is not assigned by default, and the device does not declare PdoAssign: "
-        "it may keep its default assignment; "
+        "it may keep its default assignment: choose --pdo 0x1600,0x1601; "
     )
 
 
@@ -342,6 +349,7 @@ def commands(*writes: tuple[str, int]) -> str:
     return f"<Mailbox><CoE>{items}</CoE></Mailbox>"
 
 
+AT_SO = " of SO: call send_so() of an export that has it (IgH, SOEM, pysoem), else write 9 to it before operation"
 BOTH = in_rx_pdo("1600", ("6040", 16), ("607A", 32), ("60FF", 32))
 
 
@@ -352,7 +360,14 @@ def test_the_last_write_of_a_start_counts(writes):
     csp, csv = verdict_of(found, "CSP"), verdict_of(found, "CSV")
     assert (csp.verdict, csv.verdict) == ("likely", "yes")
     assert csp.recipe.endswith("write 8 to it before operation, after the InitCmd that writes 9")
-    assert csv.recipe.endswith("0x6060 = 9 is written by an InitCmd")
+    assert csv.recipe.endswith(f"0x6060 = 9 is written by an InitCmd{'' if ('PS', 9) in writes else AT_SO}")
+
+
+@pytest.mark.parametrize(("transition", "words"), [("SO", AT_SO), ("PS", "")])
+def test_masters_send_commands_before_safe_op(transition, words):
+    """An export sends one of SO by a function that the application calls, or leaves it out (ros2, linuxcnc)."""
+    csv = verdict_of(one_drive("</Profile>" + BOTH + commands((transition, 9)) + DC), "CSV")
+    assert (csv.verdict, csv.recipe.split("; ")[-1]) == ("yes", f"0x6060 = 9 is written by an InitCmd{words}")
 
 
 @pytest.mark.parametrize("transition", ["OS", "SP", "OP"])
@@ -393,7 +408,8 @@ def test_a_setpoint_that_excludes_what_another_sync_manager_has_by_default():
     excluding = dictionary(CSV) + PLAIN_AND_CSV + EXCLUDING_INPUTS + TX_PDO
     csv = verdict_of(one_drive(excluding + OTHER_TX_PDO + PDO_ASSIGN), "CSV")
     assert csv.recipe.startswith(
-        "RxPDO 0x1601 maps the setpoint; it is not assigned by default; choose the PDOs of SM3 too, without 0x1A00; "
+        "RxPDO 0x1601 maps the setpoint; it is not assigned by default: choose --pdo 0x1600,0x1601; choose the PDOs of "
+        "SM3 too, without 0x1A00; "
     )
     csv = verdict_of(one_drive(excluding + PDO_ASSIGN), "CSV")
     assert csv.recipe.split("; ")[0] == (
@@ -434,21 +450,97 @@ def drives(draw: st.DrawFn) -> str:
 @settings(max_examples=100)
 @given(drives())
 def test_exports_take_what_a_recipe_asks_for(content):
-    """The RxPDOs of the setpoint, chosen unless they are assigned, with other PDOs where it says so."""
+    """The RxPDOs that it lists, none where those of the setpoint are assigned, with other PDOs where it says so.
+
+    The controlword is among what is assigned then, or the recipe says that it is not.
+    """
     device = one_device(content)
     for verdict in drive_modes(device).verdicts:
         if verdict.rx_pdo_index is None or verdict.recipe is None:
             continue
         left_out = [int(index, 16) for index in re.findall("too, without (0x[0-9A-F]+)", verdict.recipe)]
-        others = [pdo.pdo_index for pdo in (*device.rx_pdos, *device.tx_pdos) if pdo.pdo_index not in left_out]
+        others = [pdo.pdo_index for pdo in device.tx_pdos if pdo.pdo_index not in left_out]
         further = [chosen for count in range(3) for chosen in combinations(others, count)] if left_out else [()]
-        wanted = {} if verdict.rx_pdo_is_default else {verdict.rx_pdo_index: None}
-        choices = (tuple(PdoChoice(index) for index in {**wanted, **dict.fromkeys(more)}) for more in further)
-        assert any(_is_taken(device, Choice(pdos, op_mode=verdict.op_mode), verdict.rx_pdo_index) for pdos in choices)
+        listed = chosen_in(verdict.recipe)
+        assert verdict.rx_pdo_is_default == (not listed)
+        found = [mapped_with(Subject(1, "V", device), verdict, (*listed, *more)) for more in further]
+        made = next(pdos for pdos in found if verdict.rx_pdo_index in pdos)
+        assert made.keys() >= set(listed)
+        has_controlword = any(0x6040 in entries for entries in made.values())
+        assert has_controlword == ("the controlword 0x6040 is in none" not in verdict.recipe)
 
 
-def _is_taken(device: Device, choice: Choice, pdo_index: int) -> bool:
+def chosen_in(recipe: str) -> list[int]:
+    """What a recipe tells to choose."""
+    found = re.search("choose --pdo ([0-9A-Fx,]+)", recipe)
+    return [int(index, 16) for index in found[1].split(",")] if found else []
+
+
+def mapped_with(subject: Subject, verdict: DriveModeVerdict, pdos: Iterable[int]) -> dict[int, set[int]]:
+    """What PDOs of an export map that follows a recipe, by their indices; none for a choice that is refused."""
+    plugged = re.findall(r"plug module (\w+) into slot (\d+)", verdict.recipe)
+    modules = {int(slot): ModuleChoice(int(ident, 16)) for ident, slot in plugged}
     with suppress(InputError):
-        found = configure(Subject(1, "V", device), choice)
-        return any(pdo.pdo_index == pdo_index for sm in found.sync_managers for pdo in sm.pdos)
-    return False
+        found = configure(subject, Choice(tuple(map(PdoChoice, pdos)), modules=modules, op_mode=verdict.op_mode))
+        return {pdo.pdo_index: {e.entry_index for e in pdo.entries} for sm in found.sync_managers for pdo in sm.pdos}
+    return {}
+
+
+CONTROL, MODE = in_rx_pdo("1600", ("6040", 16)), in_rx_pdo("1602", ("6060", 8), ("60FE", 32))
+VELOCITY = in_rx_pdo("1606", ("60FF", 32), attributes="")
+
+
+@pytest.mark.parametrize(
+    ("pdos", "choice", "step"),
+    [
+        (CONTROL + in_rx_pdo("1601", ("607A", 32)), "0x1600,0x1606", "write 9"),
+        (CONTROL + MODE, "0x1600,0x1602,0x1606", "0x6060 is mapped in RxPDO 0x1602: set it to 9"),
+        (in_rx_pdo("1600", ("6040", 16), ("607A", 32), ("6060", 8)), "0x1600,0x1606", "in RxPDO 0x1600: set it to 9"),
+        (CONTROL + in_rx_pdo("1601", ("6860", 8), ("6840", 16), ("687A", 32)), "0x1600,0x1601,0x1606", "write 9"),
+        (CONTROL + in_rx_pdo("1602", ("6060", 8), excludes="1606"), "0x1600,0x1606", "write 9"),
+    ],
+)
+def test_a_recipe_lists_what_goes_with_the_setpoint(pdos, choice, step):
+    """Chosen PDOs replace those of their SyncManager: controlword, mode and what else is there stay by being chosen.
+
+    Not the setpoint of another mode of the axis (0x607A), nor what excludes the setpoint.
+    """
+    found = one_drive(dictionary(CSV) + pdos + VELOCITY + PDO_ASSIGN)
+    (csv,) = [item for item in found.verdicts if (item.axis, item.mode) == (0, "CSV")]
+    assert csv.recipe.startswith(
+        f"RxPDO 0x1606 maps the setpoint; it is not assigned by default: choose --pdo {choice}; "
+    )
+    assert step in csv.recipe.split("; ")[-1]
+
+
+def test_a_recipe_does_not_list_what_maps_an_object_again():
+    """Every copy of the controlword would be sent, and programs that find entries by index write the first one only."""
+    default = in_rx_pdo("1600", ("6040", 16), ("607A", 32), ("6060", 8))
+    other = in_rx_pdo("1601", ("6040", 16), ("60FF", 32), attributes="")
+    csv = verdict_of(one_drive(dictionary(CSV) + default + other + PDO_ASSIGN), "CSV")
+    assert csv.recipe == (
+        "RxPDO 0x1601 maps the setpoint; it is not assigned by default: choose --pdo 0x1601; "
+        "0x6060 is in none of the assigned RxPDOs: write 9 to it before operation"
+    )
+
+
+def test_a_recipe_tells_which_pdo_has_the_controlword_that_is_not_assigned():
+    pdos = in_rx_pdo("1600", ("60FF", 32)) + in_rx_pdo("1601", ("6040", 16), attributes="")
+    csv = verdict_of(one_drive(dictionary(CSV) + pdos + PDO_ASSIGN), "CSV")
+    assert csv.recipe.split("; ")[1] == NO_CONTROLWORD.replace("no RxPDO has it", "RxPDO 0x1601 has it")
+
+
+@pytest.mark.parametrize(
+    ("objects", "place"),
+    [
+        ((), "0x60FF:05, which neither CiA 402 nor a dictionary has"),
+        ((mappable("60FF"),), "0x60FF:05, which neither CiA 402 nor a dictionary has"),
+    ],
+)
+def test_a_setpoint_at_a_subindex_that_nothing_has_is_named_with_it(objects, place):
+    """0x60FF is a VAR of CiA 402, whose only subindex is 0."""
+    pdo = in_rx_pdo("1600", ("60FF", 32), ("6040", 16)).replace("<SubIndex>0<", "<SubIndex>5<", 1)
+    found = one_drive(dictionary(*objects) + pdo + DC)
+    csv = verdict_of(found, "CSV")
+    assert csv.evidence == f"RxPDO 0x1600 maps {place}, and a DC OpMode generates SYNC0"
+    assert csv.recipe.startswith(f"RxPDO 0x1600 maps the setpoint as {place}; ")

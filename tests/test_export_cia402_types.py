@@ -40,7 +40,7 @@ def one(*entries: str):
         ("#x60FD", 0, 32, "uint"),
         ("#x6081", 0, 32, "uint"),
         ("#x6072", 0, 16, "uint"),
-        ("#x607A", 1, 32, "uint"),  # no value of the profile
+        ("#x60C1", 0, 8, "uint"),  # how many set-points there are
         ("#x68FF", 0, 32, "uint"),  # of an axis that there is no evidence for
         ("#x2000", 0, 32, "uint"),
     ],
@@ -86,6 +86,51 @@ def test_another_length_or_kind_stays_as_declared_with_a_remark(index, bits, dat
     assert found.value.kind == kind
     (remark,) = remarks
     assert remark == f"0x{index[2:]}:00: {words}, which is not taken: check it on the device"
+
+
+BESIDE = "CiA 402 has INTEGER32 (at subindex 0 only, and no dictionary has subindex "
+SUB_ITEMS = "".join(
+    f"<SubItem><SubIdx>{subindex}</SubIdx><Name>s</Name><Type>{kind}</Type><BitSize>{bits}</BitSize>"
+    f"<BitOffs>{16 * subindex}</BitOffs></SubItem>"
+    for subindex, kind, bits in ((0, "USINT", 8), (1, "UDINT", 32))
+)
+RECORD = (
+    f"<DataTypes><DataType><Name>DT607A</Name><BitSize>48</BitSize>{SUB_ITEMS}</DataType></DataTypes><Objects><Object>"
+    "<Index>#x607A</Index><Name>o</Name><Type>DT607A</Type><BitSize>48</BitSize></Object></Objects>"
+)
+VALUE = "<Objects><Object><Index>#x607A</Index><Name>o</Name><Type>UDINT</Type><BitSize>32</BitSize></Object></Objects>"
+
+
+TAKEN = "which is taken: check on the device what is mapped"
+
+
+@pytest.mark.parametrize(
+    ("objects", "subindex", "bits", "data_type", "kind", "words"),
+    [
+        (VALUE, 4, 32, "UDINT", "int", f"declared UDINT; {BESIDE}4), {TAKEN}"),
+        ("", 4, 32, "", "int", f"no type is declared; {BESIDE}4), {TAKEN}"),
+        (VALUE, 4, 32, "DINT", "int", f"declared DINT; {BESIDE}4), {TAKEN}"),
+        (
+            VALUE,
+            1,
+            16,
+            "UINT",
+            "uint",
+            f"declared UINT, 16 bits; {BESIDE}1), which is not taken: check it on the device",
+        ),
+        (RECORD, 1, 32, "UDINT", "uint", None),
+        (VALUE, 1, 32, "REAL", "real", None),
+    ],
+)
+def test_a_subindex_beside_a_single_value_has_its_sign_unless_it_is_described(
+    objects, subindex, bits, data_type, kind, words
+):
+    """0x607A is a VAR. Files of real drives map their targets at subindices that nothing has, others as REAL."""
+    position = entry("#x607A", bits, "Target", subindex, data_type)
+    profile = f"<Profile><ProfileNo>402</ProfileNo><Dictionary>{objects}</Dictionary></Profile>"
+    found = configured(profile + SMS + rx("#x1600", CONTROLWORD, position) + COE)
+    assert [item for sm in found.sync_managers for item in sm.entries][-1].value.kind == kind
+    assert found.remarks == ((f"0x607A:0{subindex} Target: {words}",) if words is not None else ())
 
 
 @pytest.mark.parametrize(

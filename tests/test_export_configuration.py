@@ -12,6 +12,7 @@ from esicatalog.export.clocks import Notation
 from esicatalog.export.configuration import Configuration, configure
 from esicatalog.export.headings import choice_lines
 from esicatalog.export.init_cmds import single_accesses
+from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.subject import Subject, choose_subject, subjects_of_document
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.sm_facts import INPUT, OUTPUT
@@ -1296,7 +1297,8 @@ def test_a_setpoint_without_a_mode_is_told():
     )
 
     def told(*entries: str, content: str = "") -> list[str]:
-        remarks = configured(content + SMS + rx("#x1600", *entries) + (COE if "<CoE>" not in content else "")).remarks
+        found = configured(content + SMS + rx("#x1600", *entries) + (COE if "<CoE>" not in content else ""))
+        remarks = mode_remarks(found.modes, found.commands)
         return [remark.partition(" to it before")[0] for remark in remarks if "is in none of" in remark]
 
     assert told(control, position) == [words.format("6060")]
@@ -1320,11 +1322,15 @@ def test_a_setpoint_without_a_mode_is_told():
 def test_a_mapped_mode_replaces_that_of_the_start_up_command(data, what):
     """FD is -3, a manufacturer's mode. Where only the display 0x6061 is mapped nothing replaces it."""
     coe = f"<Mailbox><CoE>{mode_command(data)}</CoE></Mailbox>"
-    found = configured(SMS + rx("#x1600", entry("#x6060", 8)) + coe)
-    assert found.remarks == (
+
+    def told(content: str) -> tuple[str, ...]:
+        found = configured(content)
+        return (*found.remarks, *mode_remarks(found.modes, found.commands))
+
+    assert told(SMS + rx("#x1600", entry("#x6060", 8)) + coe) == (
         f"0x6060 is mapped: the cyclic value replaces the {what} of the start-up command, so write the mode that is "
         "wanted there from the first cycle on",
     )
-    assert configured(SMS + rx("#x1600", entry("#x6061", 8)) + coe).remarks == ()
+    assert told(SMS + rx("#x1600", entry("#x6061", 8)) + coe) == ()
     back = coe.replace("<Transition>PS<", "<Transition>OP<")
-    assert configured(SMS + rx("#x1600", entry("#x6060", 8)) + back).remarks == ()
+    assert told(SMS + rx("#x1600", entry("#x6060", 8)) + back) == ()

@@ -232,6 +232,20 @@ def test_the_default_of_a_mapped_mode_is_that_of_the_start_up_command_on_any_dev
     assert (unsigned["type"], unsigned["default"]) == ("uint8", 0xFD)
 
 
+def test_a_mapped_mode_begins_with_that_of_a_command_which_the_driver_does_not_send():
+    """Commands of SO are left out; the cyclic value does what they are for, so nothing else is asked of anyone."""
+    target = entry("#x60FF", 32, "Target velocity", 0, "DINT")
+    content = mode_content("09", entry("#x6040", 16), MODE, target)
+    for sent in (content, content.replace("<Transition>PS<", "<Transition>SO<")):
+        assert channels_of(sent)[0x6060]["default"] == 9
+        assert "0x6060 is mapped" not in ros2_slave(configured(sent))
+    against = " ".join(ros2_slave(configured(content.replace("#x60FF", "#x607A"))).replace("\n#", "").split())
+    assert (
+        "0x6060 is mapped: command the mode that is wanted, for the 9 (CSV) of the start-up command does not go with "
+        "the mapped setpoint 0x607A"
+    ) in against
+
+
 @pytest.mark.parametrize("name", ["Mode of operation", "Modes of operation"])
 def test_the_default_of_a_mapped_mode_does_not_depend_on_names_of_other_entries(name):
     found = channels_of(DRIVE_402 + mode_content("08", MODE, entry("#x2010", 8, name, 0, "USINT")))

@@ -175,11 +175,13 @@ def cstruct(inputs: Inputs, sii: Path | None) -> bytes:
     exports remark goes to stderr.
     """
     from esicatalog.export.cstruct import cstruct_of_configuration, cstruct_of_image
+    from esicatalog.export.mode_commands import mode_remarks
     from esicatalog.sii.files import read_sii
 
     if sii is None:
         configuration = inputs.configuration()
-        inputs.notes.extend(words for words in configuration.remarks if words not in inputs.notes)
+        remarks = (*configuration.remarks, *mode_remarks(configuration.modes, configuration.commands))
+        inputs.notes.extend(words for words in remarks if words not in inputs.notes)
         return cstruct_of_configuration(configuration).encode()
     inputs.check_no_device("--sii")
     check_numbers(inputs.choice)

@@ -54,29 +54,44 @@ class Mapped(NamedTuple):
         return f"0x{self.object_index:04X}:{self.subindex:02X} {self.name}".rstrip()
 
 
-def entry_type(mapped: Mapped, declared: BaseType | None, axes: Iterable[int]) -> EntryType:
+def entry_type(mapped: Mapped, declared: BaseType | None, axes: Iterable[int], is_known: bool) -> EntryType:
     """The type of what is mapped: as it is declared, with the sign that CiA 402 gives it, which also types the rest.
 
-    ``axes`` are the CiA 402 axes of the device. What has another length or kind than in CiA 402 stays as declared.
+    ``axes`` are the CiA 402 axes of the device; ``is_known`` tells whether a dictionary has the subindex. What has
+    another length or kind than in CiA 402 stays as declared. An integer at a subindex beside the single value of an
+    object has its sign where no dictionary knows it: that a subindex is mistaken is likelier than a value that nobody
+    describes, and a target without its sign is the worse error.
     """
     standard = next(_standard_types(mapped, axes), None)
     if standard is None:
         return EntryType(declared)
-    is_as_long = mapped.bit_length == standard.bit_size
-    if is_as_long and declared is not None and declared.signed:
+    base, is_beside = standard.base, mapped.subindex not in standard.subindices
+    is_as_long = mapped.bit_length == base.bit_size
+    is_integer = declared is None or declared.signed or declared.kind in _WITHOUT_SIGN
+    if is_beside and (is_known or not is_integer):
         return EntryType(declared)
-    if is_as_long and declared is None:
-        return EntryType(standard)
-    is_taken = is_as_long and declared is not None and declared.kind in _WITHOUT_SIGN
+    if is_as_long and not is_beside and (declared is None or declared.signed):
+        return EntryType(declared or base)
+    is_taken = is_as_long and is_integer
     given = f"declared {declared.name}" if declared is not None else "no type is declared"
     length = "" if is_as_long else f", {mapped.bit_length} bits"
+    where = f" (at subindex 0 only, and no dictionary has subindex {mapped.subindex})" if is_beside else ""
     outcome = "is taken" if is_taken else "is not taken: check it on the device"
-    remark = f"{mapped.words}: {given}{length}; CiA 402 has INTEGER{standard.bit_size}, which {outcome}"
-    return EntryType(standard if is_taken else declared, remark)
+    if is_beside and is_taken:
+        outcome += ": check on the device what is mapped"
+    remark = f"{mapped.words}: {given}{length}; CiA 402 has INTEGER{base.bit_size}{where}, which {outcome}"
+    return EntryType(base if is_taken else declared, remark)
 
 
-def _standard_types(mapped: Mapped, axes: Iterable[int]) -> Iterator[BaseType]:
+class _Standard(NamedTuple):
+    """A type that CiA 402 gives an object, and the subindices that have it."""
+
+    base: BaseType
+    subindices: range
+
+
+def _standard_types(mapped: Mapped, axes: Iterable[int]) -> Iterator[_Standard]:
     for axis in axes:
         found = SIGNED_OBJECTS.get(mapped.object_index - axis * AXIS_STEP)
-        if found is not None and mapped.subindex in found[1]:
-            yield found[0]
+        if found is not None and (mapped.subindex in found[1] or found[1] == _VALUE):
+            yield _Standard(*found)

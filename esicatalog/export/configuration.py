@@ -7,13 +7,14 @@ from typing import NamedTuple
 from esicatalog.errors import InputError
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
+from esicatalog.esi.records.pdo import RX_PDO
 from esicatalog.export.choice import Choice, check_numbers
 from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
 from esicatalog.export.cycle_commands import cycle_remarks
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.init_cmds import StartCommand, start_commands
 from esicatalog.export.missing_modules import missing_modules, unplugged_remarks
-from esicatalog.export.mode_commands import mode_remarks
+from esicatalog.export.mode_commands import AxisMode, axis_modes, name_remarks
 from esicatalog.export.names import checked_prefix, identifier
 from esicatalog.export.naming import entry_names
 from esicatalog.export.pdo_choice import apply_choice, check_entries
@@ -31,6 +32,8 @@ from esicatalog.export.process_image_remarks import (
 from esicatalog.export.sm_configuration import SmConfiguration, configured_sync_managers, pdo_objects, rewritten_objects
 from esicatalog.export.subject import Subject
 from esicatalog.export.unread_remarks import unread_remarks
+from esicatalog.model.assignable_pdos import available_pdos
+from esicatalog.model.axis_outputs import no_controlword_words
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
 from esicatalog.model.process_image import SmImage, process_image, without_modules
@@ -63,6 +66,8 @@ class Configuration(NamedTuple):
     """Indices of assignments and mappings into which commands write something else than what is configured here."""
     axes: tuple[int, ...]
     """CiA 402 axes, from 0."""
+    modes: tuple[AxisMode, ...]
+    """What sets the modes of axes, also of those without evidence; a target remarks what it leaves out."""
     is_drive: bool
     """Whether something may move: a CiA 402 axis, a SoE drive or a motion terminal (MDP 7xx), be it only a module that
     is missing."""
@@ -121,6 +126,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     programmed = programmed_clocks(device, op_mode, choice.cycle_ns)
     commands, command_remarks = remarked(start_commands(device, plugged, expanded, objects))
     names = entry_names(device, expanded, images, objects)
+    modes = axis_modes(names.axes, images, commands, objects)
     missing = missing_modules(device, subject.modules, plugged)
     staying = staying_copies(chosen.device, images)
     remarks = [
@@ -140,7 +146,8 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *_too_short(device, programmed.cycle_ns),
         *command_remarks,
         *cycle_remarks(commands, names.axes, objects, programmed.cycle_ns, _sync0_ns(programmed)),
-        *mode_remarks(commands, names.axes, expanded, images, objects),
+        *name_remarks(expanded, names.axes),
+        *_controlword_remarks(device, plugged, modes),
     ]
     sync_managers, sm_remarks = remarked(configured_sync_managers(device, images, names, objects))
     rewritten = frozenset(rewritten_objects(device, sync_managers))
@@ -159,6 +166,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         rewritten=rewritten,
         contradicted=frozenset(item.object_index for item in found),
         axes=names.axes,
+        modes=modes,
         is_drive=names.is_drive or (missing is not None and missing.may_move),
         missing_modules=missing.words if missing is not None else None,
         lacking=frozenset(lacking),
@@ -180,6 +188,14 @@ def _too_short(device: Device, cycle_ns: int) -> Iterator[str]:
             f"the device describes {least_ns} ns as its smallest bus cycle, this is made for {cycle_ns} ns: choose a "
             "longer one, or find out what this configuration of the device can do"
         )
+
+
+def _controlword_remarks(device: Device, plugged: Sequence[PluggedModule], modes: Sequence[AxisMode]) -> Iterator[str]:
+    """Setpoints of axes without their controlword, as a choice of PDOs may leave them."""
+    for item in modes:
+        if item.is_axis and item.outputs.lacks_controlword:
+            available = available_pdos(device, plugged).pdos
+            yield no_controlword_words(item.outputs, (pdo.pdo for pdo in available if pdo.direction == RX_PDO))
 
 
 def _check_assigned(choice: Choice, images: Sequence[SmImage]) -> None:

@@ -9,7 +9,7 @@ from esicatalog.export.esc_registers import register_remarks
 from esicatalog.export.headings import heading_lines, title_line
 from esicatalog.export.igh_device import DeviceCode, device_code
 from esicatalog.export.igh_limits import lrw_remarks, unassigned_remarks
-from esicatalog.export.igh_startup import WATCHDOG_REGISTERS, timeout_remarks, unsendable_remarks
+from esicatalog.export.igh_startup import WATCHDOG_REGISTERS, start_mode_remarks, timeout_remarks, unsendable_remarks
 from esicatalog.export.names import checked_prefix, unique_names
 from esicatalog.export.rendering import render
 from esicatalog.export.scan_bus import BusConfigurations
@@ -91,6 +91,7 @@ def _heading_lines(configuration: Configuration) -> Iterator[str]:
     device = configuration.subject.device
     remarks = (
         *configuration.remarks,
+        *start_mode_remarks(configuration),
         *configuration.copy_remarks,
         *timeout_remarks(device),
         *register_remarks(device, "IgH", WATCHDOG_REGISTERS),

@@ -17,6 +17,7 @@ from esicatalog.export.esc_registers import (
 )
 from esicatalog.export.igh_limits import master_written
 from esicatalog.export.init_cmds import LaterCommands, SentCommand, StartCommand, by_transition
+from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.unread_remarks import unread_remark
 from esicatalog.model.access import PREOP, SAFEOP
 from esicatalog.model.start_up import BEFORE_SAFE_OP, SENT_IN
@@ -112,6 +113,13 @@ def _unsendable(command: StartCommand) -> str | None:
     if command.complete_access and command.subindex:
         return f"IgH sends complete access from subindex 0 only, and this begins at {command.subindex}"
     return None
+
+
+def start_mode_remarks(configuration: Configuration) -> Iterator[str]:
+    """Modes of drives that neither the master nor the application sets."""
+    sent = [command for command in configuration.commands if _is_sent_by_master(command)]
+    call = f"{configuration.prefix}_send_so() in SAFE-OP"
+    yield from mode_remarks(configuration.modes, sent, configuration.commands, call)
 
 
 def unsendable_remarks(configuration: Configuration) -> Iterator[str]:

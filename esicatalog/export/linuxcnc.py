@@ -16,6 +16,7 @@ from esicatalog.export.igh_files import Listed, listed, sign_words
 from esicatalog.export.igh_limits import pieces
 from esicatalog.export.igh_startup import WATCHDOG_REGISTERS, off_beat, watchdog
 from esicatalog.export.init_cmds import StartCommand
+from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.rendering import render
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
 from esicatalog.model.sm_facts import OUTPUT
@@ -144,6 +145,7 @@ def linuxcnc_configuration(configuration: Configuration) -> str:
     remarks = [
         *configuration.remarks,
         *found.remarks,
+        *mode_remarks(configuration.modes, found.sdos),
         *register_remarks(device, PROGRAM, WATCHDOG_REGISTERS),
         *sm_remarks,
         *sdo_remarks,

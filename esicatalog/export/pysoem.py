@@ -22,6 +22,7 @@ from esicatalog.export.soem_startup import (
     hook_commands,
     later_commands,
     soem_clocks,
+    start_mode_remarks,
 )
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 from esicatalog.words import counted
@@ -82,7 +83,7 @@ class DcCode(NamedTuple):
 def pysoem_module(configuration: Configuration) -> str:
     """The module for one device."""
     maps = [io_map(configuration, direction) for direction in (OUTPUT, INPUT)]
-    remarks = [*configuration.remarks, *configuration.copy_remarks]
+    remarks = [*configuration.remarks, *start_mode_remarks(configuration, "send_so"), *configuration.copy_remarks]
     remarks += [remark for layout in maps for remark in (*layout.remarks, *_sharing(layout))]
     remarks += register_remarks(configuration.subject.device, "pysoem", HOOK_REGISTERS)
     remarks += command_remarks(configuration, "pysoem")

@@ -18,7 +18,7 @@ from esicatalog.export.headings import heading_lines, op_mode_words
 from esicatalog.export.igh_files import Listed, listed, sign_words
 from esicatalog.export.igh_limits import pieces
 from esicatalog.export.init_cmds import StartCommand, single_accesses
-from esicatalog.export.mode_commands import started_modes
+from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.names import unique_names
 from esicatalog.export.rendering import render
 from esicatalog.export.sm_configuration import MappedEntry, SmConfiguration
@@ -97,6 +97,7 @@ def ros2_slave(configuration: Configuration) -> str:
     remarks = [
         *configuration.remarks,
         *found.remarks,
+        *mode_remarks(configuration.modes, list(filter(_is_sent, found.sdos)), starts_cyclic=True),
         *_dc_remarks(configuration),
         *register_remarks(configuration.subject.device, PROGRAM, NO_REGISTERS),
         *_drive_remarks(configuration, found),
@@ -132,7 +133,7 @@ def _pdo_list(configuration: Configuration, found: Listed, direction: str) -> Re
             yield f"{entry.words} has no interface: {PROGRAM} has no type for it at its place"
     yield from _type_remarks(reached, side)
     interfaces = _interfaces(configuration, reached)
-    modes = started_modes(found.sdos)
+    modes = {item.object_index: item.wanted for item in configuration.modes if item.wanted is not None}
     pdos = (
         PdoRows(
             f"0x{pdo.pdo_index:04x}",
@@ -219,14 +220,27 @@ def _value(entry: MappedEntry, side: Side) -> str:
 def _sdos(commands: Iterable[StartCommand]) -> Remarking[list[Row]]:
     rows = []
     for command in chain.from_iterable(map(_accesses, commands)):
-        size = len(command.data)
-        value = int.from_bytes(command.data, "little", signed=size > 2)
-        if command.complete_access or size not in _SDO_TYPES or not -(1 << 31) <= value < 1 << 31:
+        if not _is_sent(command):
             yield f"{command.words} is left out: {PROGRAM} sends integers that fit 32 bits, one subindex at a time"
             continue
         place = f"index: 0x{command.object_index:04x}, sub_index: {command.subindex}"
-        rows.append(Row(f"{place}, type: {_SDO_TYPES[size]}, value: {value}", comment_text(command.words)))
+        rows.append(
+            Row(
+                f"{place}, type: {_SDO_TYPES[len(command.data)]}, value: {_sdo_value(command)}",
+                comment_text(command.words),
+            )
+        )
     return rows
+
+
+def _is_sent(command: StartCommand) -> bool:
+    """Whether the driver can send it."""
+    value = _sdo_value(command)
+    return not command.complete_access and len(command.data) in _SDO_TYPES and -(1 << 31) <= value < 1 << 31
+
+
+def _sdo_value(command: StartCommand) -> int:
+    return int.from_bytes(command.data, "little", signed=len(command.data) > 2)
 
 
 def _accesses(command: StartCommand) -> Iterable[StartCommand]:
@@ -277,7 +291,7 @@ def _drive_remarks(configuration: Configuration, found: Listed) -> Iterator[str]
         )
     if _TARGET_POSITION not in _mapped(configuration, OUTPUT):
         return
-    read, started = _mapped(configuration, INPUT), started_modes(found.sdos).get(MODES_OF_OPERATION)
+    read, wanted = _mapped(configuration, INPUT), configuration.modes[0].wanted
     if MODES_DISPLAY not in read:
         yield (
             "0x6061 is not mapped: without CSP read from there EcCiA402Drive sends 0 as target position, whatever is "
@@ -289,7 +303,7 @@ def _drive_remarks(configuration: Configuration, found: Listed) -> Iterator[str]
             "0x6064 is not mapped: EcCiA402Drive cannot hold the actual position, its target position is 0 until one "
             "is commanded"
         )
-    if started is not None and mode_code(started) == DRIVE_MODES["PP"].code:
+    if wanted is not None and mode_code(wanted) == DRIVE_MODES["PP"].code:
         yield (
             "the start-up command sets PP: EcCiA402Drive sends a commanded position only while 0x6061 reads CSP (some "
             "versions: or PP; older ones: always), else the last position that it read"

@@ -245,7 +245,8 @@ def _assigned_pdo(
         entry_name = display_text(item.entry.names) or ""
         first = placed.first_sample(number)
         mapped = Mapped(first.entry_index or 0, first.subindex or 0, bit_length, one_line(entry_name))
-        found = entry_type(mapped, objects.base_type(first, placed.slot_number), axes)
+        is_known = objects.entry(mapped.object_index, mapped.subindex) is not None
+        found = entry_type(mapped, objects.base_type(first, placed.slot_number), axes, is_known)
         if found.remark is not None:
             yield found.remark
         entries.append(

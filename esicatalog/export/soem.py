@@ -17,6 +17,7 @@ from esicatalog.export.soem_startup import (
     hook_commands,
     later_commands,
     soem_clocks,
+    start_mode_remarks,
 )
 from esicatalog.model.sm_facts import INPUT, OUTPUT
 
@@ -77,6 +78,7 @@ def soem_header(configuration: Configuration, version: str = "2") -> str:
     images = [image_code(configuration, direction) for direction in (OUTPUT, INPUT)]
     remarks = (
         *configuration.remarks,
+        *start_mode_remarks(configuration, f"{configuration.prefix}_send_so"),
         *configuration.copy_remarks,
         *register_remarks(configuration.subject.device, "SOEM", HOOK_REGISTERS),
         *command_remarks(configuration, "SOEM"),

@@ -14,6 +14,7 @@ from esicatalog.export.esc_registers import (
     settable,
 )
 from esicatalog.export.init_cmds import StartCommand
+from esicatalog.export.mode_commands import mode_remarks
 from esicatalog.export.pdo_objects import PdoObject
 from esicatalog.model.start_up import BEFORE_SAFE_OP
 
@@ -84,6 +85,13 @@ def command_remarks(configuration: Configuration, program: str) -> Iterator[str]
             f"{command.words} is left out: {program} sends complete access from subindex 0 or 1 only, and this begins "
             f"at {command.subindex}"
         )
+
+
+def start_mode_remarks(configuration: Configuration, function: str) -> Iterator[str]:
+    """Modes of drives that neither the hook sets nor the function for commands of SO."""
+    sent = [command for command in hook_commands(configuration) if isinstance(command, StartCommand)]
+    later = tuple(later_commands(configuration))
+    yield from mode_remarks(configuration.modes, sent, later, f"{function}() in SAFE-OP")
 
 
 def soem_clocks(found: Clocks) -> SoemClocks:

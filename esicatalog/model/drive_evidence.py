@@ -32,6 +32,8 @@ from esicatalog.model.dictionary import ObjectEntry, enum_values
 from esicatalog.model.drive_parts import (
     Part,
     declaring_view,
+    mapped_setpoint_words,
+    mapped_words,
     mapping_pdos,
     mapping_words,
     maps_setpoint,
@@ -288,7 +290,7 @@ def start_evidence(parts: Sequence[Part]) -> Iterator[ModeEvidence]:
         text = f"{words}, but the module's name {part.name!r} {against}"
         yield _finding(part, mode, "C3", text, conflict=True, object_index=index)
     elif pdos or not mode.setpoints:
-        mapped = f"; {mapping_words(pdos)} its setpoint {setpoint_words(part, mode)}" if pdos else ""
+        mapped = f"; {mapping_words(pdos)} its setpoint {mapped_setpoint_words(part, mode, pdos)}" if pdos else ""
         pdo_index = pdos[0].pdo_index if pdos else None
         yield _finding(part, mode, "B1", words + mapped, object_index=index, pdo_index=pdo_index)
     else:
@@ -331,7 +333,8 @@ def _named(part: Part) -> Iterator[ModeEvidence]:
         mode = DRIVE_MODES[name]
         pdos = mapping_pdos(part, mode)
         if pdos:
-            text = f"module name {part.name!r} names {name}; {mapping_words(pdos)} {setpoint_words(part, mode)}"
+            where = f"{mapping_words(pdos)} {mapped_setpoint_words(part, mode, pdos)}"
+            text = f"module name {part.name!r} names {name}; {where}"
             yield _finding(part, mode, "C1", text, pdo_index=pdos[0].pdo_index)
     for pdo in part.rx_pdos:
         for name in sorted(claimed_modes(display_text(pdo.names) or "")):
@@ -351,7 +354,7 @@ def _mapped(part: Part) -> Iterator[ModeEvidence]:
             if part.at(setpoint) not in mapped:
                 continue
             companions = [f"0x{part.at(index):04X}" for index in profile.companions if part.at(index) in mapped]
-            where = f"{pdo_words(pdo)} maps 0x{part.at(setpoint):04X}"
+            where = f"{pdo_words(pdo)} maps {mapped_words(part, part.at(setpoint), [pdo])}"
             if companions:
                 text = f"{where} with {', '.join(companions)}"
                 yield _finding(part, profile, "D2 profile", text, pdo_index=pdo.pdo_index)

@@ -28,6 +28,9 @@ from esicatalog.model.process_image import SmImage
 from esicatalog.model.slots import PluggedModule
 from esicatalog.model.start_up import written_places, yields
 
+_ARRAYS = (0x60C1,)
+"""Setpoints that are elements of an object."""
+
 
 class Part(NamedTuple):
     """What is looked at together: the device's own description or one module, for one axis."""
@@ -223,6 +226,25 @@ def unusable_entry(pdo: Pdo, objects: Container[int | None]) -> str | None:
 def setpoint_words(part: Part, mode: DriveMode) -> str:
     """The objects of a mode's setpoint in words."""
     return object_words(map(part.at, mode.setpoints))
+
+
+def mapped_words(part: Part, index: int, pdos: Iterable[Pdo]) -> str:
+    """An object as PDOs map it, with the subindex and a doubt where that is none of a single value.
+
+    CiA 402 has setpoints and modes at subindex 0, but for those that are arrays.
+    """
+    subindices = [entry.subindex or 0 for pdo in pdos for entry in pdo.entries if entry.entry_index == index]
+    if not subindices or 0 in subindices or index - part.axis_shift in _ARRAYS:
+        return object_words([index])
+    subindex = subindices[0]
+    is_known = any(entry.subindex == subindex for entry in declared_entries(part, index))
+    doubt = "which CiA 402 does not have" if is_known else "which neither CiA 402 nor a dictionary has"
+    return f"0x{index:04X}:{subindex:02X}, {doubt}"
+
+
+def mapped_setpoint_words(part: Part, mode: DriveMode, pdos: Sequence[Pdo]) -> str:
+    """The objects of a mode's setpoint as PDOs map them."""
+    return " and ".join(mapped_words(part, part.at(index), pdos) for index in mode.setpoints)
 
 
 def object_words(indices: Iterable[int]) -> str:

@@ -7,16 +7,20 @@ says so instead.
 from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
-from esicatalog.esi.records.pdo import RX_PDO, Pdo
+from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.access import states_to_write
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
+from esicatalog.model.axis_outputs import axis_outputs, no_controlword_words
 from esicatalog.model.cia402 import MODES_OF_OPERATION, DriveMode
 from esicatalog.model.dictionary import ObjectEntry
+from esicatalog.model.drive_choice import chosen_with
 from esicatalog.model.drive_evidence import mode_code
 from esicatalog.model.drive_parts import (
     Part,
     assigned_rx_pdos,
     is_declared,
+    mapped_setpoint_words,
+    mapped_words,
     mapping_pdo,
     mapping_pdos,
     mapping_words,
@@ -29,7 +33,7 @@ from esicatalog.model.drive_parts import (
 )
 from esicatalog.model.drive_setup import ConfiguredDrive, DriveSetup
 from esicatalog.model.pdo_mapping import mapping_obstacle
-from esicatalog.model.start_up import start_command, written_data
+from esicatalog.model.start_up import BEFORE_SAFE_OP, START_TRANSITIONS, start_command, written_data
 
 
 class Recipe(NamedTuple):
@@ -50,8 +54,15 @@ def mode_recipe(drive: ConfiguredDrive, mode: DriveMode, parts: Sequence[Part], 
     usable = [_usable(part, mode, setup) for part in parts]
     part, pdos = _mapping(usable, mode)
     are_default = all(pdo in part.assigned for pdo in pdos)
-    setpoint = _setpoint(mode, parts, usable, setup) if mode.setpoints else None
-    steps = (plug, setpoint, setup.op_mode_words, _mode_of_operation(mode, parts, pdos, setup))
+    chosen = [] if are_default else chosen_with(pdos, part.axis, setup)
+    setpoint = _setpoint(mode, parts, usable, chosen, setup) if mode.setpoints else None
+    steps = (
+        plug,
+        setpoint,
+        _controlword(part, pdos, chosen, setup),
+        setup.op_mode_words,
+        _mode_of_operation(mode, parts, pdos, chosen, setup),
+    )
     return Recipe(tuple(pdos), are_default, setup.op_mode_choice, "; ".join(step for step in steps if step is not None))
 
 
@@ -90,21 +101,26 @@ def _mapping(parts: Sequence[Part], mode: DriveMode) -> tuple[Part, Sequence[Pdo
     return next(((part, pdos) for part in reversed(parts) if (pdos := mapping_pdos(part, mode))), (parts[-1], ()))
 
 
-def _setpoint(mode: DriveMode, parts: Sequence[Part], usable: Sequence[Part], setup: DriveSetup) -> str:
-    """Which RxPDOs have the setpoint, how they come to be assigned, or why none has it."""
+def _setpoint(
+    mode: DriveMode, parts: Sequence[Part], usable: Sequence[Part], chosen: Sequence[Pdo], setup: DriveSetup
+) -> str:
+    """Which RxPDOs have the setpoint, what to choose where they are not assigned, or why none has it."""
     part, pdos = _mapping(usable, mode)
     if pdos:
         words = f"{mapping_words(pdos)} the setpoint"
-        if all(pdo in part.assigned for pdo in pdos):
+        if (mapped := mapped_setpoint_words(part, mode, pdos)) != setpoint_words(part, mode):
+            words += f" as {mapped}"
+        if not chosen:
             return words
+        choice = f"choose --pdo {','.join(f'0x{pdo.pdo_index or 0:04X}' for pdo in chosen)}"
         if any(pdo.pdo_index in setup.repeated for pdo in pdos):
-            return f"{words}; assigned twice {setup.assigning}, which no export makes: choose it once"
+            return f"{words}; assigned twice {setup.assigning}, which no export makes: {choice}"
         subject = "it is not" if len(pdos) == 1 else "not all are"
         doubt = "" if declares_pdo_assign(setup.device) else f", and {NO_PDO_ASSIGN}"
         others = [
-            f"; choose the PDOs of SM{item.sm} too, without 0x{item.pdo_index:04X}" for item in setup.beside(pdos)
+            f"; choose the PDOs of SM{item.sm} too, without 0x{item.pdo_index:04X}" for item in setup.beside(chosen)
         ]
-        return f"{words}; {subject} assigned {setup.assigning}{doubt}{''.join(others)}"
+        return f"{words}; {subject} assigned {setup.assigning}{doubt}: {choice}{''.join(others)}"
     objects = setpoint_words(parts[-1], mode)
     problem = _mapping_problem(mode, usable, setup)
     if problem is None:
@@ -141,30 +157,46 @@ def _mapping_problem(mode: DriveMode, parts: Sequence[Part], setup: DriveSetup) 
     return None
 
 
-def _mode_of_operation(mode: DriveMode, parts: Sequence[Part], pdos: Sequence[Pdo], setup: DriveSetup) -> str:
+def _controlword(part: Part, pdos: Sequence[Pdo], chosen: Sequence[Pdo], setup: DriveSetup) -> str | None:
+    """That the controlword is not assigned beside the setpoint."""
+    outputs = axis_outputs(part.axis, setup.rx_pdos(chosen)) if pdos else None
+    if outputs is None or not outputs.lacks_controlword:
+        return None
+    return no_controlword_words(outputs, setup.available_rx_pdos)
+
+
+def _mode_of_operation(
+    mode: DriveMode, parts: Sequence[Part], pdos: Sequence[Pdo], chosen: Sequence[Pdo], setup: DriveSetup
+) -> str:
     """Where 0x6060 is set: process data overwrite in every cycle what an InitCmd or the user wrote once.
 
-    Looked for beside the setpoint first, then in what is assigned without a choice and may stay so beside it.
+    Looked for beside the setpoint first, then in what is chosen with it or assigned without a choice.
     """
     index = parts[-1].at(MODES_OF_OPERATION)
-    excluded = {rival for pdo in pdos for rival in setup.exclusions.get(pdo.pdo_index, ())}
-    assigned = [placed.pdo for image in setup.images for placed in image.pdos if placed.direction == RX_PDO]
-    staying = [pdo for pdo in assigned if pdo.pdo_index not in excluded]
-    for candidates, how in ((pdos, ""), (staying, f" (assigned {setup.assigning})")):
-        if (pdo := mapping_pdo(index, candidates)) is not None:
-            unusable = unusable_entry(pdo, (index,))
-            step = f": set it to {mode.code}" if unusable is None else f", but {unusable}"
-            return f"0x{index:04X} is mapped in {pdo_words(pdo)}{how}{step}"
-    command = start_command(setup.commands, index)
-    data = written_data(command, index) if command is not None else None
-    code = mode_code(data) if data is not None else None
+    pdo = mapping_pdo(index, (*pdos, *setup.rx_pdos(chosen)))
+    if pdo is not None:
+        how = "" if pdo in (*pdos, *chosen) else f" (assigned {setup.assigning})"
+        unusable = unusable_entry(pdo, (index,))
+        step = f": set it to {mode.code}" if unusable is None else f", but {unusable}"
+        return f"{mapped_words(parts[-1], index, [pdo])} is mapped in {pdo_words(pdo)}{how}{step}"
+    code = _written_code(setup, index, START_TRANSITIONS)
     if code == mode.code:
-        return f"0x{index:04X} = {mode.code} is written by an InitCmd"
+        written = f"0x{index:04X} = {mode.code} is written by an InitCmd"
+        is_early = _written_code(setup, index, BEFORE_SAFE_OP) == code
+        late = f"{written} of SO: call send_so() of an export that has it (IgH, SOEM, pysoem), else write {code} to it"
+        return written if is_early else f"{late} before operation"
     declared = next((entry for part in parts if (entry := single_value(part, index)) is not None), None)
     if code is None:
         return unset_mode_words(index, mode.code, declared)
     doubt = " (read-only by the description)" if _is_read_only(declared) else ""
     return f"{unset_mode_words(index, mode.code, None)}, after the InitCmd that writes {code}{doubt}"
+
+
+def _written_code(setup: DriveSetup, index: int, transitions: Collection[str]) -> int | None:
+    """The mode that InitCmds have written to 0x6060 after some transitions of a start."""
+    command = start_command(setup.commands, index, transitions)
+    data = written_data(command, index) if command is not None else None
+    return mode_code(data) if data is not None else None
 
 
 def _is_read_only(declared: ObjectEntry | None) -> bool:

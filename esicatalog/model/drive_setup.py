@@ -61,11 +61,16 @@ class DriveSetup:
     def _available(self) -> list[AvailablePdo]:
         return available_pdos(self.device, self._plugged).pdos
 
+    @property
+    def available_rx_pdos(self) -> list[Pdo]:
+        """The RxPDOs of the device and of its modules."""
+        return [item.pdo for item in self._available if item.direction == RX_PDO]
+
     def beside(self, pdos: Iterable[Pdo]) -> list[Beside]:
         """What is assigned beside these RxPDOs where they are chosen, and excludes one of them."""
         chosen = {}
         for pdo in pdos:
-            sm = assignment_place(self.device, RX_PDO, pdo).sm
+            sm = self._place(pdo)
             if pdo.pdo_index is not None and sm is not None:
                 chosen[pdo.pdo_index] = sm
         return list(excluded_beside(self.device, self._available, chosen, assigned_indices(self.images)))
@@ -108,6 +113,33 @@ class DriveSetup:
                 why = "which is mandatory" if rival.is_mandatory else f"the only one that SM{rival.sm} can have"
                 return f"cannot be assigned beside 0x{rival.pdo_index:04X}, {why}"
         return None
+
+    def takes(self, pdo: Pdo, chosen: Sequence[Pdo]) -> bool:
+        """Whether an RxPDO can be chosen beside others that are."""
+        rivals = self.exclusions.get(pdo.pdo_index, ())
+        if any(other.pdo_index == pdo.pdo_index or other.pdo_index in rivals for other in chosen):
+            return False
+        beside = self.beside([*chosen, pdo])
+        return self.obstacle(pdo) is None and not any(item.is_mandatory or not item.has_others for item in beside)
+
+    def beside_by_default(self, pdos: Iterable[Pdo]) -> list[Pdo]:
+        """The PDOs that the SyncManagers of these RxPDOs have without a choice; of samples the first."""
+        numbers = {self._place(pdo) for pdo in pdos}
+        placed = [item for image in self.images if image.sm in numbers for item in image.pdos]
+        return [item.pdo for item in placed if item.sample <= 1 and self._place(item.pdo) in numbers]
+
+    def rx_pdos(self, chosen: Sequence[Pdo]) -> list[Pdo]:
+        """The RxPDOs that are assigned where these are chosen: they and what other SyncManagers keep beside them."""
+        numbers = {self._place(pdo) for pdo in chosen}
+        excluded = {rival for pdo in chosen for rival in self.exclusions.get(pdo.pdo_index, ())}
+        kept = [item for image in self.images if image.sm not in numbers for item in image.pdos]
+        return [
+            *chosen,
+            *(item.pdo for item in kept if item.direction == RX_PDO and item.pdo.pdo_index not in excluded),
+        ]
+
+    def _place(self, pdo: Pdo) -> int | None:
+        return assignment_place(self.device, RX_PDO, pdo).sm
 
     @cached_property
     def commands(self) -> tuple[InitCmd, ...]:

@@ -65,12 +65,13 @@ def written_data(command: InitCmd, index: int) -> bytes | None:
     return decode_hex_binary(command.data) or None
 
 
-def start_command(commands: Iterable[InitCmd], index: int) -> InitCmd | None:
-    """The command whose value an object has in operation, None where no start writes it."""
+def start_command(
+    commands: Iterable[InitCmd], index: int, transitions: Collection[str] = START_TRANSITIONS
+) -> InitCmd | None:
+    """The command whose value an object has after these transitions of a start, None where none of them writes it."""
     due = [command for command in commands if written_data(command, index) is not None]
-    return after_start(
-        (transition_of(transition), index, command) for command in due for transition in command.transitions
-    ).get(index)
+    writes = ((transition_of(transition), index, command) for command in due for transition in command.transitions)
+    return after_start(write for write in writes if write[0] in transitions).get(index)
 
 
 def written_places(modules: Iterable[Module]) -> set[tuple[int | None, int]]:
