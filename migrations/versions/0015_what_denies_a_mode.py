@@ -1,8 +1,8 @@
 """what denies a mode
 
 No table changes; what is derived is made anew after every migration, and this changed: a value of 0x6060 whose text
-denies its mode is evidence against it; encoder modules (CiA 406) say nothing of a drive's modes; recipes tell which
-PDOs have to be chosen beside the setpoint's, and that a read-only 0x6060 cannot be written.
+denies its mode is evidence against it; encoder modules (CiA 406) say nothing of a drive's modes; recipes list
+the PDOs to choose, tell a mapped subindex that nobody describes, and that a read-only 0x6060 cannot be written.
 """
 
 revision = "0015"
