@@ -303,6 +303,16 @@ class Catalog:
         with self._identities() as lookup:
             return lookup.state(STATE_HASH)
 
+    def is_unfinished(self) -> bool:
+        """Whether an ingest is under way or was cut short: what answers and lists lack may be described all the same.
+
+        It is for who opens a catalog to ask, once; no answer says so itself.
+        """
+        from esicatalog.catalog.unfinished import is_unfinished
+
+        with self._connection() as connection:
+            return is_unfinished(connection)
+
     def findings(self, rules: "Iterable[Rule]") -> "list[DocumentFinding]":
         """What an ingest found by these rules, document by document, then what documents contradict each other in."""
         from esicatalog.catalog.stored_findings import stored_findings

@@ -9,13 +9,13 @@ from typing import Any, NamedTuple
 import click
 import msgspec
 
-from esicatalog.api import Catalog
 from esicatalog.catalog.results import identity_json
 from esicatalog.cli.common import (
     EXIT_NO,
     FILE,
     IDENTITY,
     Command,
+    catalog_to_ask,
     db_option,
     format_option,
     print_json,
@@ -105,7 +105,7 @@ def command(identities: tuple[Identity, ...], files: tuple[Path, Path] | None, d
 
 
 def _of_catalog(identities: Sequence[Identity], db: str) -> _Comparison:
-    with Catalog.open(db) as catalog:
+    with catalog_to_ask(db) as catalog:
         found = [catalog.device(identity) for identity in identities]
     for words in dict.fromkeys(item.identified.damage for item in found):
         if words is not None:

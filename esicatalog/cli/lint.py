@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, FILE, Command, format_option, print_json, reporting_errors
+from esicatalog.cli.common import EXIT_NO, FILE, Command, catalog_to_ask, format_option, print_json, reporting_errors
 from esicatalog.errors import InputError
 
 if TYPE_CHECKING:
@@ -131,9 +131,7 @@ class _StoredRun:
 
     def findings(self) -> "list[DocumentFinding]":
         """All findings; those across documents come last. The catalog is closed before anything is printed."""
-        from esicatalog.api import Catalog
-
-        with Catalog.open(self._db, read_only=True) as catalog:
+        with catalog_to_ask(self._db, read_only=True) as catalog:
             self.unreadable += catalog.unchecked_documents(self._rules)
             return catalog.findings(self._rules)
 
