@@ -128,6 +128,24 @@ async def test_flags_of_sync_managers_and_pdos(tmp_path):
     assert texts(tree, "section[aria-labelledby=image] h3")[1] == "SM3 Inputs: 6 bytes (48 bits)"
 
 
+async def test_a_pdo_that_yields_to_a_module_is_marked_and_says_which_sync_manager_it_names(tmp_path):
+    """ESI-FACTS 12: the module that is plugged by default brings 0x1600 itself; 0x1601 has no such PDO to yield to."""
+    slots = "<Slots><Slot MinInstances='1' MaxInstances='1'><Name>S</Name><ModuleIdent Default='1'>#x10</ModuleIdent>"
+    pdos = pdo("RxPdo", "#x1600", 8, attributes="Sm='2' Fixed='1' OverwrittenByModule='1'")
+    pdos += pdo("RxPdo", "#x1601", 8, attributes="Sm='2' OverwrittenByModule='1'")
+    of_module = pdo("RxPdo", "#x1600", 16, attributes="Sm='2'")
+    module = f"<Module><Type ModuleIdent='#x10'>M</Type><Name>M</Name>{of_module}</Module>"
+    db = catalog_of(tmp_path, esi(device(f"{SMS}{pdos}{slots}</Slot></Slots>"), module))
+    assert [(row[2], row[5]) for row in section(db, "PDOs of the device")] == [
+        ("no (Sm 2 in the file)", "fixed, overwritten by module"),
+        ("SM2", "overwritten by module"),
+    ]
+    assert texts(await page(db, PATH), "section[aria-labelledby=pdos] > details > summary .small")[:2] == [
+        "8 bits, not assigned by default (Sm 2 in the file), fixed, overwritten by module",
+        "8 bits, SM2 by default, overwritten by module",
+    ]
+
+
 async def test_what_is_generated_of_the_whole_description_is_told_apart(tmp_path):
     """EEPROM images and ESI documents depend on no choice."""
     tree = await page(catalog_of(tmp_path, esi(device(SMS + pdo("TxPdo", "#x1A00", 8, attributes="Sm='3'")))), PATH)

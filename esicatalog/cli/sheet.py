@@ -19,7 +19,14 @@ from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels, slot_offers
 from esicatalog.model.module_idents import module_idents_words
-from esicatalog.model.pdo_facts import bits_words, entry_words, pdo_flags, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import (
+    bits_words,
+    declared_sm_words,
+    entry_words,
+    pdo_flags,
+    pdos_by_direction,
+    symmetric_exclusions,
+)
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts, sm_flags
@@ -215,10 +222,10 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
                 [
                     direction,
                     _hex(pdo.pdo_index),
-                    f"SM{sm}" if sm is not None else "no",
+                    f"SM{sm}" if sm is not None else f"no{declared_sm_words(pdo, sm)}",
                     str(len(pdo.entries)),
                     bits_words(pdo),
-                    " ".join(pdo_flags(pdo)),
+                    ", ".join(pdo_flags(pdo)),
                     " ".join(map(_hex, exclusions.get(pdo.pdo_index, ()))),
                     display_text(pdo.names) or "",
                 ]

@@ -25,7 +25,14 @@ from esicatalog.model.derivation import derive
 from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
 from esicatalog.model.module_choice import module_labels, module_name, slot_offers
 from esicatalog.model.module_idents import module_idents_words
-from esicatalog.model.pdo_facts import bits_words, entry_words, pdo_flags, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import (
+    bits_words,
+    declared_sm_words,
+    entry_words,
+    pdo_flags,
+    pdos_by_direction,
+    symmetric_exclusions,
+)
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts, sm_flags
@@ -291,6 +298,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
             "index": index_words(pdo.pdo_index),
             "name": display_text(pdo.names) or "",
             "sm": sms.get((direction, position)),
+            "declared_sm": declared_sm_words(pdo, sms.get((direction, position))),
             "bits": bits_words(pdo),
             "flags": pdo_flags(pdo),
             "excludes": exclusions.get(pdo.pdo_index, ()),
