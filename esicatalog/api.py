@@ -245,7 +245,8 @@ class Catalog:
     def export_subject(self, identity: str | Identity) -> "Subject":
         """What generators get of a device: its description with the vendor and groups of its document.
 
-        Without a variant it says of the preferred description whether others exchange something else. Raises
+        Without a revision it says of the latest one whether others exchange something else, without a variant the same
+        of the preferred description. Raises
         :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
         """
         wanted = identity_of(identity)
@@ -413,11 +414,9 @@ def _subject_among_variants(connection: "sa.Connection", wanted: Identity) -> "S
 
     number, found, variants = find_device(connection, wanted)
     with_slots = variants_with_slots(connection, found, len(variants))
-    is_open = wanted.variant is None and len(variants) > 1
-    differing = _lookup_on(connection).other_variants(found) if is_open else None
-    words = f"{found.identity_text} has several descriptions; @1 is taken, append @N to choose another: {differing}"
+    ambiguities = _lookup_on(connection).ambiguities(wanted, found)
     subject = _export_subject(connection, RecordReader(ConnectionQuery(connection)), number, found)
-    return subject.beside(with_slots, words if differing is not None else None)
+    return subject.beside(with_slots, ambiguities)
 
 
 def _export_subject(

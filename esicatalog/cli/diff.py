@@ -107,9 +107,8 @@ def command(identities: tuple[Identity, ...], files: tuple[Path, Path] | None, d
 def _of_catalog(identities: Sequence[Identity], db: str) -> _Comparison:
     with catalog_to_ask(db) as catalog:
         found = [catalog.device(identity) for identity in identities]
-    for words in dict.fromkeys(item.identified.damage for item in found):
-        if words is not None:
-            click.echo(words, err=True)
+    for words in dict.fromkeys(words for item in found for words in item.warnings):
+        click.echo(words, err=True)
     left, right = (
         _Side(
             DescribedDevice(item.found.vendor_id, item.found.vendor, item.device, item.modules, 0),

@@ -62,7 +62,7 @@ class Inputs(NamedTuple):
     def tell(self, subject: "Subject") -> None:
         """Note, once, what there is to know of a description and of its choice."""
         accepted = f"accepted, {subject.substitution}" if subject.substitution is not None else None
-        told = (accepted, subject.damage, subject.ambiguity)
+        told = (accepted, subject.damage, *subject.ambiguities)
         self.notes.extend(words for words in told if words and words not in self.notes)
 
     def check_output(self, output: str | Path | None) -> None:

@@ -136,6 +136,7 @@ def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[st
     if len(description.variants) > 1:
         rank = "the preferred description" if found.variant == 1 else "not the preferred description"
         shown.append(("variant", f"{found.variant} of {len(description.variants)}: {rank} of this identity"))
+    shown += [("warning", words) for words in description.ambiguities]
     yield from _fact_lines(shown)
 
 

@@ -27,8 +27,8 @@ class Subject(NamedTuple):
     """Why this description stands for a device of another revision, in words; None when it is exact."""
     damage: str | None = None
     """That the documents were not read whole, in words: the description may lack something."""
-    ambiguity: str | None = None
-    """That the identity names descriptions with other process data too, in words; None where this one was chosen."""
+    ambiguities: tuple[str, ...] = ()
+    """That the identity names descriptions with other process data too, in words; empty where this one was chosen."""
     document_vendor: Vendor | None = None
     """The vendor as the document writes it."""
     groups: tuple[Group, ...] = ()
@@ -85,9 +85,9 @@ class Subject(NamedTuple):
         """The same description with the vendor and groups of its document."""
         return self._replace(document_vendor=vendor, groups=tuple(groups))
 
-    def beside(self, variants_with_slots: tuple[int, ...], ambiguity: str | None = None) -> Self:
+    def beside(self, variants_with_slots: tuple[int, ...], ambiguities: tuple[str, ...] = ()) -> Self:
         """The same description among others of its identity, of which these variants have slots."""
-        return self._replace(variants_with_slots=variants_with_slots, ambiguity=ambiguity)
+        return self._replace(variants_with_slots=variants_with_slots, ambiguities=ambiguities)
 
     def standing_in(self, reason: str) -> Self:
         """The same description, accepted for another revision."""

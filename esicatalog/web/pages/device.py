@@ -171,6 +171,7 @@ def _head(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) ->
         "image": image_key(description.device.image_data),
         "group": description.device.group_type,
         "described": description.identified,
+        "ambiguities": description.ambiguities,
         "path": path,
         "chosen": chosen,
         "json_path": f"{path}.json{chosen}",
