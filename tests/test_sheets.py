@@ -146,6 +146,16 @@ async def test_a_pdo_that_yields_to_a_module_is_marked_and_says_which_sync_manag
     ]
 
 
+async def test_a_direction_that_the_control_byte_gives_is_told_beside_the_role(tmp_path):
+    """Bits 3:2 of 0x20 are 00: the master reads, and the TxPdo says the same."""
+    sms = SMS.replace("<Sm ControlByte='#x64'>", "<Sm ControlByte='#x20'>")
+    db = catalog_of(tmp_path, esi(device(sms + pdo("TxPdo", "#x1A00", 8, attributes="Sm='2'"))))
+    title = "SM2 Outputs (runs as input, by its ControlByte): 1 byte (8 bits)"
+    assert f"Default process image, {title}" in run("show", IDENTITY, db=db).stdout.splitlines()
+    headings = texts(await page(db, PATH), "section[aria-labelledby=image] h3")
+    assert headings == [title, "SM3 Inputs: 0 bytes (0 bits)"]
+
+
 async def test_what_is_generated_of_the_whole_description_is_told_apart(tmp_path):
     """EEPROM images and ESI documents depend on no choice."""
     tree = await page(catalog_of(tmp_path, esi(device(SMS + pdo("TxPdo", "#x1A00", 8, attributes="Sm='3'")))), PATH)

@@ -203,7 +203,7 @@ def _process_image(images: list[SmImage], heading: str) -> Iterator[str]:
             for pdo in image.pdos
             for placed in pdo.entries
         ]
-        title = f"{heading}, {' '.join(filter(None, (f'SM{image.sm}', image.usage)))}: {image.size_words}"
+        title = f"{heading}, {' '.join(filter(None, (f'SM{image.sm}', image.usage_words)))}: {image.size_words}"
         yield ""
         yield title
         for line in table_lines(rows, ("byte.bit", "bits", "entry", "type", "name", "PDO")) if rows else []:

@@ -270,7 +270,7 @@ def _exports(description: DeviceDescription, has_process_data: bool) -> dict[str
 def _image(image: SmImage) -> dict[str, Any]:
     return {
         "sm": image.sm,
-        "usage": image.usage or "",
+        "usage": image.usage_words,
         "size": image.size_words,
         "remarks": image.remarks,
         "drawing": process_image_svg(image) if image.bit_size else "",
