@@ -1053,7 +1053,10 @@ async def test_the_page_says_of_a_bus_what_the_command_says(data_db, tmp_path):
     tree = html.fromstring(answer.text)
     shown = list(zip(texts(tree, "dl.facts dt"), texts(tree, "dl.facts dd"), strict=True))
     assert lines.splitlines() == [f"  {name:15}  {words}" for name, words in shown]
-    assert ("process data", "2 bytes out, 2 bytes in; unknown of slave 2") in shown
+    assert (
+        "process data",
+        "2 bytes out, 2 bytes in; of slave 1 as the nearest ESI has them; unknown of slave 2",
+    ) in shown
 
 
 async def test_the_page_says_of_a_device_what_the_sheet_says(tmp_path):
