@@ -156,6 +156,17 @@ async def test_a_direction_that_the_control_byte_gives_is_told_beside_the_role(t
     assert headings == [title, "SM3 Inputs: 0 bytes (0 bits)"]
 
 
+async def test_an_axis_of_which_nothing_says_its_modes_is_unknown(tmp_path):
+    """docs/drive-modes.md, rank F: profile number 402, and neither objects nor PDOs of CiA 402."""
+    content = "<Profile><ProfileNo>402</ProfileNo></Profile>" + SMS + pdo("RxPdo", "#x1600", 16, attributes="Sm='2'")
+    db = catalog_of(tmp_path, esi(device(content)))
+    words = "profile number 402, but nothing says which modes"
+    assert section(db, "Drive modes") == [["axis 0", "unknown", words]]
+    tree = await page(db, PATH)
+    assert texts(tree, "nav.toc a[href='#modes']") == ["Drive modes"]
+    assert texts(tree, "section[aria-labelledby=modes] > .scroll tbody td") == ["0", "", "unknown", words, ""]
+
+
 async def test_what_is_generated_of_the_whole_description_is_told_apart(tmp_path):
     """EEPROM images and ESI documents depend on no choice."""
     tree = await page(catalog_of(tmp_path, esi(device(SMS + pdo("TxPdo", "#x1A00", 8, attributes="Sm='3'")))), PATH)

@@ -15,7 +15,14 @@ from esicatalog.identity import ModuleChoice
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
-from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
+from esicatalog.model.device_words import (
+    WITHOUT_SLOT,
+    axes_alone,
+    eeprom_words,
+    head_facts,
+    init_cmd_target,
+    predefined_words,
+)
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels, slot_offers
 from esicatalog.model.module_idents import module_idents_words
@@ -84,6 +91,7 @@ def _drive_modes(found: DriveModes) -> Iterator[str]:
         ]
         for item in found.verdicts
     ]
+    rows += [[f"axis {item.axis}", "", "unknown", item.evidence] for item in axes_alone(found)]
     yield from _section("Drive modes: what the file says, not what the drive does", ("", "mode", "", "evidence"), rows)
     recipes = [[f"axis {item.axis}", item.mode, item.recipe] for item in found.verdicts if item.recipe]
     yield from _section("How to run them", ("", "mode", "recipe"), recipes)

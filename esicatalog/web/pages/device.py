@@ -22,7 +22,14 @@ from esicatalog.export.sii_summary import WHY_MERGE
 from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
-from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
+from esicatalog.model.device_words import (
+    WITHOUT_SLOT,
+    axes_alone,
+    eeprom_words,
+    head_facts,
+    init_cmd_target,
+    predefined_words,
+)
 from esicatalog.model.module_choice import module_labels, module_name, slot_offers
 from esicatalog.model.module_idents import module_idents_words
 from esicatalog.model.pdo_facts import (
@@ -146,6 +153,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "modules": _modules(description.modules),
         "without_slot": WITHOUT_SLOT,
         "verdicts": derived.modes.verdicts,
+        "axes_alone": axes_alone(derived.modes),
         "evidence": derived.modes.evidence,
         "op_modes": _op_modes(device, description.default_position(choice)),
         "commands": _commands_by_owner(description, choice),
