@@ -1,5 +1,6 @@
 """``esicatalog export``: where the device comes from, exact matches only, one line for every error."""
 
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -435,6 +436,29 @@ def test_no_export_writes_over_what_it_reads(data, data_db, tmp_path):
     assert {path: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()} == kept
     assert run("igh", "--esi", drive, "-o", tmp_path / "out.h").exit_code == 0
     assert run("igh", "--esi", drive, "-o", tmp_path / "out.h").exit_code == 0
+
+
+def test_a_document_that_the_catalog_has_a_device_from_is_not_written_over(data, tmp_path):
+    """Nor the archive that holds one; documents of other devices are no input."""
+    folder = write(tmp_path / "in", {"l6n.xml": (data / "l6n_drive.xml").read_bytes(), "other.xml": esi(device())})
+    with zipfile.ZipFile(folder / "a.zip", "w") as archive:
+        archive.writestr("sub/b.xml", esi(device(product="#x2")))
+    db = tmp_path / "c.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([folder], jobs=1)
+    (tmp_path / "slaves.csv").write_text("0x4321,0xe2,1\n")
+    kept = {path: path.read_bytes() for path in folder.iterdir()}
+    for words in (
+        ("igh", "0x4321:0xe2", "-o", folder / "l6n.xml"),
+        ("esi", "0x4321:0xe2", "-o", folder / "l6n.xml"),
+        ("esi", "--vendor", "0x4321", "-o", folder / "l6n.xml"),
+        ("igh", "--scan", tmp_path / "slaves.csv", "-o", folder / "l6n.xml"),
+        ("sii", "0xe5c:2:1", "-o", folder / "a.zip"),
+    ):
+        line = error_line(run(*words, db=db), 2)
+        assert line == f"esicatalog: {words[-1]}: is an input of this export or its catalog; write to another file"
+    assert {path: path.read_bytes() for path in folder.iterdir()} == kept
+    assert run("igh", "0x4321:0xe2", "-o", folder / "other.xml", db=db).exit_code == 0
 
 
 def test_a_dictionary_that_a_file_pulls_in_is_not_written_over(tmp_path):

@@ -49,7 +49,6 @@ class Inputs(NamedTuple):
         if self.esi is not None:
             found, references = _subject_of_file(self.esi, self.identity)
             self.read.extend(str(self.esi.parent / member) for member in references)
-            self.check_output(self.output)
             self.tell(found)
             return found
         if self.identity is None:
@@ -60,7 +59,15 @@ class Inputs(NamedTuple):
         return found
 
     def tell(self, subject: "Subject") -> None:
-        """Note, once, what there is to know of a description and of its choice."""
+        """Note, once, what there is to know of a description and of its choice.
+
+        Raises :class:`InputError` where the output is a document that the catalog has it from.
+        """
+        from esicatalog.esi.containers import NESTED
+
+        files = {part for location in subject.locations for part in (location, location.split(NESTED)[0])}
+        self.read.extend(files.difference(self.read))
+        self.check_output(self.output)
         accepted = f"accepted, {subject.substitution}" if subject.substitution is not None else None
         told = (accepted, subject.damage, *subject.ambiguities)
         self.notes.extend(words for words in told if words and words not in self.notes)

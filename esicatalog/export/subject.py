@@ -35,6 +35,8 @@ class Subject(NamedTuple):
     """All groups of the document."""
     variants_with_slots: tuple[int, ...] = ()
     """Of several descriptions of the identity, those that have slots."""
+    locations: tuple[str, ...] = ()
+    """Where a catalog says that the documents lie which carry it, of members of archives with their place inside."""
 
     @property
     def product_code(self) -> int | None:
@@ -100,7 +102,10 @@ def subject_of_description(described: IdentifiedDevice, device: Device, modules:
     if found.vendor_id is None:
         raise InputError(f"{device.type or 'the device'} is of a vendor without id")
     origin = tuple(f"{source.member}, line {source.line}" for source in described.sources)
-    return Subject(found.vendor_id, found.vendor, device, tuple(modules), origin, damage=described.damage)
+    locations = tuple(source.location for source in described.sources)
+    return Subject(
+        found.vendor_id, found.vendor, device, tuple(modules), origin, damage=described.damage, locations=locations
+    )
 
 
 def subjects_of_document(document: Document, file_name: str) -> list[Subject]:
