@@ -37,6 +37,8 @@ _TOLD = (REFUSED, "L60")
 """Findings that bear on a comparison: the document had to be repaired, or a part of it was not found."""
 _WIDEST_PLACE, _WIDEST_VALUE = 44, 76
 _WORDS = {ADDED: "only right: {right}", REMOVED: "only left: {left}", CHANGED: "{left} -> {right}"}
+_SCREEN_LINES = 40
+"""From more lines on the summary stands before them too: nobody sees both ends."""
 _LEGEND = "! counts: a master's configuration made for the left device may not fit the right one"
 
 
@@ -98,7 +100,8 @@ def command(identities: tuple[Identity, ...], files: tuple[Path, Path] | None, d
     if output_format == "json":
         print_json(_as_json(comparison))
     else:
-        for line in _lines(comparison):
+        lines = list(_lines(comparison))
+        for line in [lines[-1], "", *lines] if len(lines) > _SCREEN_LINES else lines:
             click.echo(line)
     if comparison.only_left or any(pair.counting for pair in comparison.pairs):
         sys.exit(EXIT_NO)
