@@ -108,6 +108,8 @@ async def test_a_predefined_assignment_that_is_marked_default_is_not_the_image(t
         "Extended: SM2 0x1602 SM3 0x1A00",
     ]
 
+    unnamed = catalog_of(tmp_path / "unnamed", esi(device(info.replace("Standard", "") + SMS + pdos)))
+    assert section(unnamed, "Predefined PDO assignments")[0][0] == "without name"
     same = catalog_of(tmp_path / "same", esi(device(info.replace("#x1600", "#x1602") + SMS + pdos)))
     assert section(same, "Predefined PDO assignments")[0][2] == "marked Default in the file"
 

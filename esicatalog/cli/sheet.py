@@ -72,7 +72,7 @@ def device_sheet_lines(description: DeviceDescription, choice: Mapping[int, Modu
 def _assignments(device: Device, default_images: list[SmImage]) -> Iterator[str]:
     rows = [
         [
-            item.name,
+            item.shown_name,
             "; ".join(f"SM{sm}: {' '.join(map(_hex, indices)) or 'none'}" for sm, indices in item.pdo_indices.items()),
             predefined_words(item, default_images),
         ]
