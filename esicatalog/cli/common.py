@@ -98,9 +98,14 @@ class Terminated(KeyboardInterrupt):
 
 
 def say_interrupted(error: BaseException) -> int:
-    """One line about an interrupt; returns the exit code that shells give it."""
-    click.echo("esicatalog: interrupted; nothing stored before is lost, run it again to go on", err=True)
+    """One line about an interrupt, with what a command has noted of it; returns the exit code that shells give it."""
+    click.echo("; ".join(["esicatalog: interrupted", *getattr(error, "__notes__", ())]), err=True)
     return 128 + (signal.SIGTERM if isinstance(error, Terminated) else signal.SIGINT)
+
+
+def say_no_document(paths: Iterable[str]) -> None:
+    """One line where paths are there and hold nothing: one of them may be mistyped."""
+    click.echo(f"esicatalog: no ESI document was found in {', '.join(paths)}", err=True)
 
 
 def reporting_errors(function: Function) -> Function:
