@@ -1,9 +1,9 @@
 """The Python interface: open a catalog, fill it, ask it.
 
 >>> catalog = Catalog.open("catalog.db", create=True)
->>> report = catalog.ingest(["vendor-files"])
+>>> report = catalog.ingest(["data"])
 >>> answer = catalog.identify(0x1097, 0x2406, 0x8F)
->>> drives = catalog.devices(modes=["CSV"], sync="sync1")
+>>> drives = catalog.devices(modes=["CSV"], sync="sync0")
 """
 
 import contextlib
