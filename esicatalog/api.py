@@ -1,9 +1,9 @@
 """The Python interface: open a catalog, fill it, ask it.
 
 >>> catalog = Catalog.open("catalog.db", create=True)
->>> report = catalog.ingest(["vendor-files"])
+>>> report = catalog.ingest(["data"])
 >>> answer = catalog.identify(0x1097, 0x2406, 0x8F)
->>> drives = catalog.devices(modes=["CSV"], sync="sync1")
+>>> drives = catalog.devices(modes=["CSV"], sync="sync0")
 """
 
 import contextlib
@@ -245,7 +245,8 @@ class Catalog:
     def export_subject(self, identity: str | Identity) -> "Subject":
         """What generators get of a device: its description with the vendor and groups of its document.
 
-        Without a variant it says of the preferred description whether others exchange something else. Raises
+        Without a revision it says of the latest one whether others exchange something else, without a variant the same
+        of the preferred description. Raises
         :class:`~esicatalog.errors.NotFound` and :class:`~esicatalog.errors.InputError`.
         """
         wanted = identity_of(identity)
@@ -302,6 +303,16 @@ class Catalog:
 
         with self._identities() as lookup:
             return lookup.state(STATE_HASH)
+
+    def is_unfinished(self) -> bool:
+        """Whether an ingest is under way or was cut short: what answers and lists lack may be described all the same.
+
+        It is for who opens a catalog to ask, once; no answer says so itself.
+        """
+        from esicatalog.catalog.unfinished import is_unfinished
+
+        with self._connection() as connection:
+            return is_unfinished(connection)
 
     def findings(self, rules: "Iterable[Rule]") -> "list[DocumentFinding]":
         """What an ingest found by these rules, document by document, then what documents contradict each other in."""
@@ -403,11 +414,9 @@ def _subject_among_variants(connection: "sa.Connection", wanted: Identity) -> "S
 
     number, found, variants = find_device(connection, wanted)
     with_slots = variants_with_slots(connection, found, len(variants))
-    is_open = wanted.variant is None and len(variants) > 1
-    differing = _lookup_on(connection).other_variants(found) if is_open else None
-    words = f"{found.identity_text} has several descriptions; @1 is taken, append @N to choose another: {differing}"
+    ambiguities = _lookup_on(connection).ambiguities(wanted, found)
     subject = _export_subject(connection, RecordReader(ConnectionQuery(connection)), number, found)
-    return subject.beside(with_slots, words if differing is not None else None)
+    return subject.beside(with_slots, ambiguities)
 
 
 def _export_subject(

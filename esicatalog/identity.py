@@ -15,6 +15,7 @@ NO_REVISION = "-"
 _MOST_DIGITS = 20
 _SHOWN = 60
 
+_BOUNDS_WRITTEN = "write <=8, >=8 or 8"
 _BOUNDS = re.compile(r"(<=|>=|=)?\s*(-?)(.+)", re.DOTALL)
 _COE_SUBINDEX = re.compile(r"(?=.*[a-f])[0-9a-f]{2}", re.IGNORECASE)
 """Two digits of which one tells that they are hexadecimal."""
@@ -186,7 +187,9 @@ def parse_bounds(text: str, what: str = "amount") -> Bounds:
     """An amount written ``<=8``, ``>=8`` or ``8``, in any notation, also negative. Raises :class:`InputError`."""
     match = _BOUNDS.fullmatch(text.strip())
     if match is None:
-        raise InputError(f"{what} is empty; write <=8, >=8 or 8")
+        raise InputError(f"{what} is empty; {_BOUNDS_WRITTEN}")
+    if match[3].startswith(("<", ">", "=")):
+        raise InputError(f"{what} {text[:_SHOWN]!r} is no such amount; {_BOUNDS_WRITTEN}")
     value = parse_number(match[3], what) * (-1 if match[2] else 1)
     return Bounds(None if match[1] == "<=" else value, None if match[1] == ">=" else value)
 

@@ -13,7 +13,7 @@ from click.testing import CliRunner
 from snippets import device, dictionary, esi, pdo, rows, write
 
 from esicatalog import Catalog
-from esicatalog.catalog.check import CUT_SHORT
+from esicatalog.catalog.unfinished import CUT_SHORT
 from esicatalog.cli.main import cli
 
 PROGRAM = (sys.executable, "-m", "esicatalog")

@@ -1,6 +1,7 @@
 """A bus as a whole: E-bus budget, aliases, process data, clocks, LRW."""
 
 import msgspec
+import pytest
 
 from esicatalog.model.bus import DeviceAtBus, as_listed, look_at_bus, with_virtual
 from esicatalog.scan.front import read_pdos
@@ -116,6 +117,15 @@ def test_what_is_listed_of_virtual_pdos_is_no_other_size():
         assert (report.notes, report.input_bytes) == (notes, 35)
 
 
+@pytest.mark.parametrize(
+    ("told", "described_at"),
+    [({}, (0,)), ({"output_bits": 8}, (0,)), ({"output_bits": 8, "input_bits": 0}, ())],
+)
+def test_bytes_are_those_of_the_description_where_the_scan_lacks_a_direction(told, described_at):
+    _, summary = bus(TERMINAL, at0=told)
+    assert summary.bytes_described_at == described_at
+
+
 def test_ports_of_the_scan_say_what_is_on_the_e_bus():
     ports = (ScannedPort(number=0, kind="MII"), ScannedPort(number=1, kind="N/A"))
     reports, _ = bus(COUPLER, None, at1={"ports": ports, "e_bus_current_ma": 0})
@@ -128,7 +138,7 @@ def test_summary():
     )
     assert summary.duplicate_aliases == {5: (0, 1)}
     assert (summary.output_bytes, summary.input_bytes) == (9, 18)
-    assert summary.bytes_unknown_at == (1,)
+    assert (summary.bytes_unknown_at, summary.bytes_described_at) == ((1,), (0, 2))
     assert summary.reference_clock_candidate == 2
     assert summary.no_lrw_at == (2,)
 

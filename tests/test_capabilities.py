@@ -419,7 +419,7 @@ def test_modes_in_any_case():
     [
         (("--mode", "XYZ"), "mode 'XYZ': say one of PP,"),
         (("--strict",), "strict is about drive modes"),
-        (("--bytes-in", "<8"), "--bytes-in '<8' is not a number"),
+        (("--bytes-in", "<8"), "--bytes-in '<8' is no such amount; write <=8, >=8 or 8"),
         (("--like", "0xe5c:0x99"), "is not in the catalog"),
     ],
 )

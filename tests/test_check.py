@@ -11,8 +11,8 @@ from snippets import device, esi, rows, write
 
 from esicatalog import Catalog
 from esicatalog.catalog import schema
-from esicatalog.catalog.check import CUT_SHORT
 from esicatalog.catalog.check_rows import rules
+from esicatalog.catalog.unfinished import CUT_SHORT
 
 
 def damaged(db: Path, folder: Path, *statements: str) -> list[str]:

@@ -319,6 +319,36 @@ def test_a_failed_document_is_exit_1(tmp_path):
     assert json.loads(run("devices", "--format", "json", db=tmp_path / "c.db").stdout)[0]["type"] == "T1"
 
 
+def test_a_folder_without_documents_is_told(tmp_path):
+    """It may be mistyped; an empty list is an answer all the same: exit code 0."""
+    folder = write(tmp_path / "in", {"readme.txt": "no ESI", "other.xml": "<other/>"})
+    line = f"esicatalog: no ESI document was found in {folder}"
+    for _ in range(2):
+        ingested = run("ingest", folder, "--jobs", "1", db=tmp_path / "c.db")
+        assert (ingested.exit_code, ingested.stderr.splitlines()) == (0, [line])
+    linted = run("lint", folder)
+    assert (linted.exit_code, linted.stderr.splitlines()[1:]) == (0, [line])
+    write(folder, {"a.xml": esi(device())})
+    assert run("ingest", folder, "--jobs", "1", db=tmp_path / "c.db").stderr == ""
+    assert line not in run("lint", folder).stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "asked", "more"),
+    [
+        (("ingest", "in", "--jobs", "1"), "ingest", "; nothing stored before is lost, run it again to go on"),
+        (("check",), "check", ""),
+    ],
+)
+def test_what_an_interrupt_leaves_is_said_of_what_stores_something(data_db, tmp_path, monkeypatch, words, asked, more):
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Catalog, asked, interrupted)
+    result = run(*words, db=shutil.copy(data_db, tmp_path / "c.db"))
+    assert (result.exit_code, result.stderr.strip()) == (130, f"esicatalog: interrupted{more}")
+
+
 def test_check_ends_with_the_content_hash(data_db, tmp_path):
     result = run("check", db=data_db)
     last = result.stdout.splitlines()[-1]

@@ -84,6 +84,15 @@ def test_one_device_with_itself(two_revisions):
     assert (done.exit_code, done.stdout.splitlines()[-1]) == (0, "no differences")
 
 
+@pytest.mark.parametrize(("entries", "is_first"), [(5, False), (60, True)])
+def test_the_summary_stands_before_a_long_list_too(tmp_path, entries, is_first):
+    """Each entry of the PDO is 8 bits long, then 16."""
+    texts = [esi(device(SMS + pdo("RxPdo", "#x1600", *[bits] * entries, attributes='Sm="2"'))) for bits in (8, 16)]
+    lines = run("--esi", *files(tmp_path, *texts)).stdout.splitlines()
+    assert (lines[0] == lines[-1]) is is_first
+    assert lines[2 * is_first].startswith("left ")
+
+
 def test_a_device_that_is_not_in_the_catalog(two_revisions):
     done = run("0xE5C:1:1", "0xE5C:9", db=two_revisions)
     assert (done.exit_code, done.stdout) == (1, "")

@@ -8,9 +8,10 @@ from snippets import device, esi, write
 
 from esicatalog import Catalog, CatalogError
 from esicatalog.catalog import database, schema
-from esicatalog.catalog.check import CUT_SHORT, KEYS_MISSING
+from esicatalog.catalog.check import KEYS_MISSING
 from esicatalog.catalog.deferred_keys import drop_keys
 from esicatalog.catalog.load import finish_load, prepare_load
+from esicatalog.catalog.unfinished import CUT_SHORT
 
 
 def keys(engine: sa.Engine) -> set[tuple[str, str]]:

@@ -101,3 +101,12 @@ def test_the_documents_of_that_have_what_versions_have_changed(tmp_path):
     searched = "SELECT vendor FROM device_search WHERE type = ?"
     assert rows(tmp_path / "c.db", searched, "ED12")[0] == ("Beispielantriebe Example Drives",)
     assert rows(tmp_path / "c.db", searched, "UR20") == [("Unrelated Robots",)]
+
+
+def test_the_python_example_of_the_readme_finds_something_in_the_example_files(data_db):
+    example = (ROOT / "README.md").read_text(encoding="utf-8").partition("```python\n")[2].partition("```")[0]
+    lines = [line.strip() for line in example.splitlines() if "= catalog." in line]
+    with Catalog.open(data_db) as catalog:
+        found: dict = {"catalog": catalog}
+        exec("\n".join(lines), found)
+    assert (found["answer"].match, len(found["drives"]), len(found["sheet"].device.rx_pdos)) == ("exact", 3, 2)

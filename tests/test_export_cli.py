@@ -1,10 +1,12 @@
 """``esicatalog export``: where the device comes from, exact matches only, one line for every error."""
 
+import zipfile
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 from snippets import device, esi, one, only_device, pdo, read, rows, write
+from test_cli import run as main_run
 from test_export_configuration import dc, times
 
 from esicatalog import Catalog
@@ -376,8 +378,33 @@ def test_other_variants_that_exchange_something_else_are_told(tmp_path):
         scan = run("igh", "--scan", "-", db=db, stdin="vendor,product,revision\n0xE5C,1,1\n")
         assert ("has several descriptions" in scan.stdout) is is_told
         assert scan.stderr == result.stderr
+        assert (f"  warning          {words}{differing}" in main_run("show", "0xE5C:1:1", db=db).stdout) is is_told
         accepted = run("igh", "0xE5C:1:2", "--accept-revision", db=db)
         assert (words in accepted.stderr) is is_told
+
+
+def test_other_revisions_that_exchange_something_else_are_told_where_none_is_named(tmp_path):
+    """Exports and sheet, in the words of ``identify``; the newest is taken."""
+    sms = "<Sm ControlByte='#x64'>Outputs</Sm>"
+    wide, narrow = (device(sms + pdo("RxPdo", "#x1600", bits, attributes="Sm='0'"), revision="#x2") for bits in (32, 8))
+    taken = "0x00000e5c:0x00000001 has several revisions; 0x00000002 is taken, append :R to choose another: "
+    differing = "default process image differs in 1 of 1 other revisions; 0x00000001 for example: "
+    for older, is_told in ((narrow, True), (wide, False)):
+        db, folder = tmp_path / f"{is_told}.db", tmp_path / f"{is_told}"
+        document = esi(wide + older.replace('RevisionNo="#x2"', 'RevisionNo="#x1"'))
+        with Catalog.open(db, create=True) as catalog:
+            catalog.ingest([write(folder, {"a.xml": document})], jobs=1)
+            (warning,) = catalog.identify(0xE5C, 1).warnings or ("",)
+            assert warning.startswith(differing) is is_told
+            assert catalog.device("0xE5C:1").warnings == ((taken + warning,) if is_told else ())
+            assert catalog.device("0xE5C:1:2").warnings == ()
+        result = run("igh", "0xE5C:1", db=db)
+        assert (taken + differing in " ".join(result.stdout.replace("*", " ").split())) is is_told
+        for target in ("igh", "sii", "esi"):
+            assert (f"esicatalog: {taken}{differing}" in run(target, "0xE5C:1", db=db).stderr) is is_told
+        assert "several revisions" not in (named := run("igh", "0xE5C:1:2", db=db)).stdout + named.stderr
+        sheet = main_run("show", "0xE5C:1", db=db).stdout
+        assert (f"  warning          {taken}{differing}" in sheet) is is_told
 
 
 def test_no_export_writes_over_what_it_reads(data, data_db, tmp_path):
@@ -409,6 +436,29 @@ def test_no_export_writes_over_what_it_reads(data, data_db, tmp_path):
     assert {path: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()} == kept
     assert run("igh", "--esi", drive, "-o", tmp_path / "out.h").exit_code == 0
     assert run("igh", "--esi", drive, "-o", tmp_path / "out.h").exit_code == 0
+
+
+def test_a_document_that_the_catalog_has_a_device_from_is_not_written_over(data, tmp_path):
+    """Nor the archive that holds one; documents of other devices are no input."""
+    folder = write(tmp_path / "in", {"l6n.xml": (data / "l6n_drive.xml").read_bytes(), "other.xml": esi(device())})
+    with zipfile.ZipFile(folder / "a.zip", "w") as archive:
+        archive.writestr("sub/b.xml", esi(device(product="#x2")))
+    db = tmp_path / "c.db"
+    with Catalog.open(db, create=True) as catalog:
+        catalog.ingest([folder], jobs=1)
+    (tmp_path / "slaves.csv").write_text("0x4321,0xe2,1\n")
+    kept = {path: path.read_bytes() for path in folder.iterdir()}
+    for words in (
+        ("igh", "0x4321:0xe2", "-o", folder / "l6n.xml"),
+        ("esi", "0x4321:0xe2", "-o", folder / "l6n.xml"),
+        ("esi", "--vendor", "0x4321", "-o", folder / "l6n.xml"),
+        ("igh", "--scan", tmp_path / "slaves.csv", "-o", folder / "l6n.xml"),
+        ("sii", "0xe5c:2:1", "-o", folder / "a.zip"),
+    ):
+        line = error_line(run(*words, db=db), 2)
+        assert line == f"esicatalog: {words[-1]}: is an input of this export or its catalog; write to another file"
+    assert {path: path.read_bytes() for path in folder.iterdir()} == kept
+    assert run("igh", "0x4321:0xe2", "-o", folder / "other.xml", db=db).exit_code == 0
 
 
 def test_a_dictionary_that_a_file_pulls_in_is_not_written_over(tmp_path):

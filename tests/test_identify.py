@@ -890,7 +890,10 @@ def test_a_scan_on_the_shell(data_db, tmp_path):
     assert "  1: E-bus supply exceeded by 100 mA: put a power feed before it" in lines
     assert "  1: alias 7 is also that of slave 0" in lines
     assert "  slaves           3, 1 with exact ESI" in lines
-    assert "  process data     2 bytes out, 2 bytes in; unknown of slave 2" in lines
+    assert (
+        "  process data     2 bytes out, 2 bytes in; of slave 1 as the nearest ESI has them; unknown of slave 2"
+        in lines
+    )
 
 
 def test_a_bus_is_looked_at_in_ring_order(data_db):
@@ -917,7 +920,8 @@ def test_gaps_of_a_listing_are_told(data_db):
     text = SLAVES.replace("Slave 2", "Slave 9").replace("Slave 1", "Slave 3")
     lines = run("identify", "--slaves", "-", db=data_db, stdin=text).stdout.splitlines()
     assert "  not listed       slaves 1, 2, 4 to 8" in lines
-    assert "  process data     2 bytes out, 2 bytes in; unknown of slaves 1, 2, 4 to 9" in lines
+    sizes = "2 bytes out, 2 bytes in; of slave 3 as the nearest ESI has them; unknown of slaves 1, 2, 4 to 9"
+    assert f"  process data     {sizes}" in lines
 
 
 def test_a_listing_of_one_slave_is_of_that_slave(data_db):

@@ -126,9 +126,13 @@ def test_l52_knows_how_often_a_pdo_may_be_sampled(tmp_path, limit, count):
         ("L19", "DynamicInputs", "#x64", 1),
         ("L21", "DynamicOutputs", "#x24", 1),
         ("L21", "DynamicInputs", "#x20", 0),
+        # It is outputs by bits 3:2 of its ControlByte, whatever its role is.
+        ("L21", "Outputs", "#x20", 0),
+        ("L21", "Inputs", "#x24", 1),
+        ("L21", "MBoxOut", "#x26", 0),
     ],
 )
-def test_l19_and_l21_know_the_dynamic_roles(tmp_path, rule_id, role, control, count):
+def test_l19_and_l21_know_roles_and_directions(tmp_path, rule_id, role, control, count):
     sm = f'<Sm StartAddress="#x1000" ControlByte="{control}">{role}</Sm>'
     assert len(linted(tmp_path, rule_id, device(sm))) == count
 

@@ -383,6 +383,10 @@ async def test_json_of_a_device_says_that_others_contradict_it(tmp_path):
     assert {item["name"] for item in first["variants"]} == {"A", "B"}
     asked = (await (await client(db)).get("/-/esi/identify.json?vendor=0xe5c&product=1&revision=1")).json()
     assert first["variants"] == asked["variants"]
+    (warning,) = first["warnings"]
+    assert warning.endswith(f"@1 is taken, append @N to choose another: {asked['warnings'][0]}")
+    assert second["warnings"] == [], "it was chosen"
+    assert warning in texts(await page(db, "/-/esi/device/0xe5c/1/1"), "dl.facts dd")
 
 
 async def test_virtual_sync_managers_are_named_so(tmp_path):
@@ -1049,7 +1053,10 @@ async def test_the_page_says_of_a_bus_what_the_command_says(data_db, tmp_path):
     tree = html.fromstring(answer.text)
     shown = list(zip(texts(tree, "dl.facts dt"), texts(tree, "dl.facts dd"), strict=True))
     assert lines.splitlines() == [f"  {name:15}  {words}" for name, words in shown]
-    assert ("process data", "2 bytes out, 2 bytes in; unknown of slave 2") in shown
+    assert (
+        "process data",
+        "2 bytes out, 2 bytes in; of slave 1 as the nearest ESI has them; unknown of slave 2",
+    ) in shown
 
 
 async def test_the_page_says_of_a_device_what_the_sheet_says(tmp_path):

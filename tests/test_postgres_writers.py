@@ -14,10 +14,10 @@ from snippets import device, dictionary, esi, pdo, read, write
 
 from esicatalog import Catalog, CatalogError
 from esicatalog.catalog import database, schema
-from esicatalog.catalog.check import CUT_SHORT
 from esicatalog.catalog.identity import IdentityLookup
 from esicatalog.catalog.load import finish_load
 from esicatalog.catalog.rows import RowMaker
+from esicatalog.catalog.unfinished import CUT_SHORT
 from esicatalog.catalog.writer import SourceRow, Writer
 
 GENEROUS_SECONDS = 300

@@ -108,6 +108,8 @@ async def test_a_predefined_assignment_that_is_marked_default_is_not_the_image(t
         "Extended: SM2 0x1602 SM3 0x1A00",
     ]
 
+    unnamed = catalog_of(tmp_path / "unnamed", esi(device(info.replace("Standard", "") + SMS + pdos)))
+    assert section(unnamed, "Predefined PDO assignments")[0][0] == "without name"
     same = catalog_of(tmp_path / "same", esi(device(info.replace("#x1600", "#x1602") + SMS + pdos)))
     assert section(same, "Predefined PDO assignments")[0][2] == "marked Default in the file"
 
@@ -126,6 +128,45 @@ async def test_flags_of_sync_managers_and_pdos(tmp_path):
     summaries = texts(tree, "section[aria-labelledby=pdos] summary .small")
     assert summaries == ["8 bits, SM2 by default, fixed", "24 bits, SM3 by default, OSFac 2"]
     assert texts(tree, "section[aria-labelledby=image] h3")[1] == "SM3 Inputs: 6 bytes (48 bits)"
+
+
+async def test_a_pdo_that_yields_to_a_module_is_marked_and_says_which_sync_manager_it_names(tmp_path):
+    """ESI-FACTS 12: the module that is plugged by default brings 0x1600 itself; 0x1601 has no such PDO to yield to."""
+    slots = "<Slots><Slot MinInstances='1' MaxInstances='1'><Name>S</Name><ModuleIdent Default='1'>#x10</ModuleIdent>"
+    pdos = pdo("RxPdo", "#x1600", 8, attributes="Sm='2' Fixed='1' OverwrittenByModule='1'")
+    pdos += pdo("RxPdo", "#x1601", 8, attributes="Sm='2' OverwrittenByModule='1'")
+    of_module = pdo("RxPdo", "#x1600", 16, attributes="Sm='2'")
+    module = f"<Module><Type ModuleIdent='#x10'>M</Type><Name>M</Name>{of_module}</Module>"
+    db = catalog_of(tmp_path, esi(device(f"{SMS}{pdos}{slots}</Slot></Slots>"), module))
+    assert [(row[2], row[5]) for row in section(db, "PDOs of the device")] == [
+        ("no (Sm 2 in the file)", "fixed, overwritten by module"),
+        ("SM2", "overwritten by module"),
+    ]
+    assert texts(await page(db, PATH), "section[aria-labelledby=pdos] > details > summary .small")[:2] == [
+        "8 bits, not assigned by default (Sm 2 in the file), fixed, overwritten by module",
+        "8 bits, SM2 by default, overwritten by module",
+    ]
+
+
+async def test_a_direction_that_the_control_byte_gives_is_told_beside_the_role(tmp_path):
+    """Bits 3:2 of 0x20 are 00: the master reads, and the TxPdo says the same."""
+    sms = SMS.replace("<Sm ControlByte='#x64'>", "<Sm ControlByte='#x20'>")
+    db = catalog_of(tmp_path, esi(device(sms + pdo("TxPdo", "#x1A00", 8, attributes="Sm='2'"))))
+    title = "SM2 Outputs (runs as input, by its ControlByte): 1 byte (8 bits)"
+    assert f"Default process image, {title}" in run("show", IDENTITY, db=db).stdout.splitlines()
+    headings = texts(await page(db, PATH), "section[aria-labelledby=image] h3")
+    assert headings == [title, "SM3 Inputs: 0 bytes (0 bits)"]
+
+
+async def test_an_axis_of_which_nothing_says_its_modes_is_unknown(tmp_path):
+    """docs/drive-modes.md, rank F: profile number 402, and neither objects nor PDOs of CiA 402."""
+    content = "<Profile><ProfileNo>402</ProfileNo></Profile>" + SMS + pdo("RxPdo", "#x1600", 16, attributes="Sm='2'")
+    db = catalog_of(tmp_path, esi(device(content)))
+    words = "profile number 402, but nothing says which modes"
+    assert section(db, "Drive modes") == [["axis 0", "unknown", words]]
+    tree = await page(db, PATH)
+    assert texts(tree, "nav.toc a[href='#modes']") == ["Drive modes"]
+    assert texts(tree, "section[aria-labelledby=modes] > .scroll tbody td") == ["0", "", "unknown", words, ""]
 
 
 async def test_what_is_generated_of_the_whole_description_is_told_apart(tmp_path):

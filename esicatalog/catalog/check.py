@@ -8,17 +8,16 @@ import sqlalchemy as sa
 from esicatalog.catalog import schema
 from esicatalog.catalog.check_rows import rules
 from esicatalog.catalog.check_values import value_problems
-from esicatalog.catalog.deferred_keys import are_keys_pending, is_empty
+from esicatalog.catalog.deferred_keys import are_keys_pending
 from esicatalog.catalog.full_text import outdated_devices, search_table
 from esicatalog.catalog.load import are_indexes_pending, secondary_indexes
 from esicatalog.catalog.pictures import damaged_pictures
 from esicatalog.catalog.schema import devices
 from esicatalog.catalog.spelled_vendors import vendor_problems
 from esicatalog.catalog.state import CONTENT_HASH, STATE_HASH, content_hash, read_state, state_hash
+from esicatalog.catalog.unfinished import CUT_SHORT, is_unfinished
 from esicatalog.catalog.views import FULL_TEXT, views
 
-CUT_SHORT = "an ingest was cut short: run it again"
-"""All that there is to say of a catalog whose ingest was killed."""
 KEYS_MISSING = "foreign keys are missing: the next ingest of who owns the tables puts them back"
 """Of a complete catalog: whoever loads it need not be the owner, and running again does not help then."""
 _INGEST_AGAIN = "delete the catalog and ingest again"
@@ -76,13 +75,12 @@ def check_catalog(connection: sa.Connection) -> CheckResult:
 
 
 def _load_problems(connection: sa.Connection, recomputed: str) -> Iterator[str]:
-    stored = read_state(connection, CONTENT_HASH)
-    keys_pending = are_keys_pending(connection)
-    if are_indexes_pending(connection) or (stored is None and (keys_pending or not is_empty(connection))):
+    if is_unfinished(connection):
         yield CUT_SHORT
         return
-    if keys_pending:
+    if are_keys_pending(connection):
         yield KEYS_MISSING
+    stored = read_state(connection, CONTENT_HASH)
     if stored is None:  # nothing was ingested yet
         return
     if stored != recomputed:

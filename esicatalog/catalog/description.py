@@ -60,6 +60,13 @@ class DeviceDescription(NamedTuple):
     findings: tuple[SourceFinding, ...]
     variants_with_slots: tuple[int, ...] = ()
     """Of several descriptions of the identity, those that have slots."""
+    ambiguities: tuple[str, ...] = ()
+    """What was chosen where the identity leaves it open and others exchange something else, in words."""
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What to know before the description is taken for a device."""
+        return tuple(filter(None, (self.identified.damage, *self.ambiguities)))
 
     @property
     def identified(self) -> IdentifiedDevice:
@@ -118,6 +125,7 @@ def read_description(connection: sa.Connection, lookup: IdentityLookup, identity
         same_layout(connection, number),
         _findings(connection, number),
         variants_with_slots(connection, found, len(variants)),
+        lookup.ambiguities(identity, found),
     )
 
 
@@ -190,7 +198,7 @@ def description_json(description: DeviceDescription, choice: Mapping[int, Module
     return {
         "identity": description.found.as_json(),
         "sources": [source.as_json() for source in description.sources],
-        "warnings": list(filter(None, [description.identified.damage])),
+        "warnings": list(description.warnings),
         "variants": [variant.as_json() for variant in description.variants],
         "process_image": [_image_json(image) for image in images],
         "slots": [

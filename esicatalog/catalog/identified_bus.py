@@ -133,13 +133,15 @@ def bus_facts(bus: BusReport) -> list[tuple[str, str]]:
     is_one_of_several = len(bus.slaves) == 1 and bool(summary.not_listed)
     tells_clock = not is_one_of_several or summary.reference_clock_at
     unknown_at = [n for n in summary.bytes_unknown_at if not (is_one_of_several and n in summary.not_listed)]
+    near_at = [position for position in summary.bytes_described_at if position in bus.not_exact_at]
+    near = f"; of {slave_words(near_at)} as the nearest ESI has them" if near_at else ""
     unknown = f"; unknown of {slave_words(unknown_at)}" if unknown_at else ""
     sizes = f"{counted(summary.output_bytes, 'byte')} out, {counted(summary.input_bytes, 'byte')} in"
     facts = [
         ("slaves", f"{len(bus.slaves)}, {len(bus.slaves) - len(bus.not_exact_at)} with exact ESI"),
         ("not listed", slave_words(summary.not_listed)),
         ("no exact ESI", slave_words(bus.not_exact_at)),
-        ("process data", sizes + unknown),
+        ("process data", sizes + near + unknown),
         ("reference clock", _reference_clock_words(bus) if tells_clock else ""),
         ("no LRW", slave_words(summary.no_lrw_at)),
         ("E-bus exceeded", slave_words(summary.e_bus_exceeded_at)),

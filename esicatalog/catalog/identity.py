@@ -16,7 +16,7 @@ from esicatalog.catalog.reader import RecordReader
 from esicatalog.catalog.results import NONE, VENDOR, DeviceSource, FoundDevice, Identification, IdentifiedDevice
 from esicatalog.catalog.views import image_is_known, vendor_name
 from esicatalog.errors import NotFound
-from esicatalog.identity import is_read
+from esicatalog.identity import NO_REVISION, Identity, is_read
 from esicatalog.model.bus import DeviceAtBus
 from esicatalog.model.compare_image import layout_difference
 from esicatalog.model.image_layout import ImageLayout, image_layouts
@@ -152,18 +152,13 @@ class IdentityLookup:
             # for a revision that is not described, would take half as long again.
             match, reason = EXACT, EXACT_REASON
             chosen = sorted(exact, key=lambda row: row.variant)
-            others = sorted(
-                (row for row in rows if row.revision_no != revision_no and row.variant == 1),
-                key=lambda row: (row.hidden, abs((row.revision_no or 0) - (revision_no or 0))),
-            )
+            others = _other_revisions(rows, revision_no)
         else:
             match, reason, chosen, others = _nearest(rows, revision_no)
         variants = tuple(self.with_sources([(row.id, _device(row)) for row in chosen]))
         candidates = tuple(map(_device, others[:NEAREST]))
         of_variants = self._variant_warning(chosen[0], chosen[1:], changes)
-        of_revisions = self._warning(
-            chosen[0], others, changes, "revisions", lambda row: hex32(row.revision_no, "the one without RevisionNo")
-        )
+        of_revisions = self._revision_warning(chosen[0], others, changes)
         return Identification(*query, match, reason, variants[0], variants, candidates, of_variants, of_revisions)
 
     def _of_product(self, key: tuple[int, int], changes: int | None) -> list[_Row]:
@@ -171,15 +166,45 @@ class IdentityLookup:
 
     def other_variants(self, device: FoundDevice) -> str | None:
         """How variants of the identity of a described device exchange something else; None if none does."""
-        if device.vendor_id is None or device.product_code is None:
-            return None
         changes = self._changes()
-        rows = self._of_product((device.vendor_id, device.product_code), changes)
-        alike = sorted((row for row in rows if row.revision_no == device.revision_no), key=lambda row: row.variant)
-        ours = next((row for row in alike if row.variant == device.variant), None)
+        ours, rows = self._among_product(device, changes)
         if ours is None:
             return None
-        return self._variant_warning(ours, [row for row in alike if row is not ours], changes)
+        alike = (row for row in rows if row.revision_no == ours.revision_no and row is not ours)
+        return self._variant_warning(ours, sorted(alike, key=lambda row: row.variant), changes)
+
+    def other_revisions(self, device: FoundDevice) -> str | None:
+        """How other revisions of the product of a described device exchange something else; None if none does."""
+        changes = self._changes()
+        ours, rows = self._among_product(device, changes)
+        if ours is None:
+            return None
+        return self._revision_warning(ours, _other_revisions(rows, ours.revision_no), changes)
+
+    def _among_product(self, device: FoundDevice, changes: int | None) -> tuple[_Row | None, list[_Row]]:
+        """The row of a described device, None where it has no codes or is gone by now, and all of its product."""
+        if device.vendor_id is None or device.product_code is None:
+            return None, []
+        rows = self._of_product((device.vendor_id, device.product_code), changes)
+        place = (device.revision_no, device.variant)
+        return next((row for row in rows if (row.revision_no, row.variant) == place), None), rows
+
+    def ambiguities(self, asked: Identity, found: FoundDevice) -> tuple[str, ...]:
+        """What was chosen where an identity leaves it open and others exchange something else, in words.
+
+        ``found`` is the description that was taken: the latest revision, the preferred variant.
+        """
+        is_open = asked.revision_no is None and not asked.without_revision
+        revision = hex32(found.revision_no, NO_REVISION)
+        told = {
+            f"{asked} has several revisions; {revision} is taken, append :R to choose another": (
+                self.other_revisions(found) if is_open else None
+            ),
+            f"{found.identity_text} has several descriptions; @1 is taken, append @N to choose another": (
+                self.other_variants(found) if asked.variant is None else None
+            ),
+        }
+        return tuple(f"{taken}: {differing}" for taken, differing in told.items() if differing is not None)
 
     def with_sources(self, found: Sequence[tuple[int, FoundDevice]]) -> list[IdentifiedDevice]:
         """Descriptions, given with their row numbers, with the documents and lines that carry them."""
@@ -229,6 +254,11 @@ class IdentityLookup:
     def _variant_warning(self, ours: _Row, variants: list[_Row], changes: int | None) -> str | None:
         return self._warning(ours, variants, changes, "variants of this identity", lambda row: f"@{row.variant}")
 
+    def _revision_warning(self, ours: _Row, others: list[_Row], changes: int | None) -> str | None:
+        return self._warning(
+            ours, others, changes, "revisions", lambda row: hex32(row.revision_no, "the one without RevisionNo")
+        )
+
     def _warning(
         self, ours: _Row, rows: list[_Row], changes: int | None, what: str, name: Callable[[_Row], str]
     ) -> str | None:
@@ -269,6 +299,14 @@ class IdentityLookup:
 def _device(row: tuple[Any, ...]) -> FoundDevice:
     _, vendor_id, product_code, revision_no, variant, vendor, type_text, name, hidden, *_ = row
     return FoundDevice(vendor_id, product_code, revision_no, variant, vendor, type_text, name, bool(hidden))
+
+
+def _other_revisions(rows: list[_Row], revision_no: int | None) -> list[_Row]:
+    """The preferred descriptions of the other revisions of a product: visible ones first, nearest by number."""
+    return sorted(
+        (row for row in rows if row.revision_no != revision_no and row.variant == 1),
+        key=lambda row: (row.hidden, abs((row.revision_no or 0) - (revision_no or 0))),
+    )
 
 
 def _distance(device: FoundDevice, product_code: int) -> tuple[int, int, bool, int]:

@@ -1,14 +1,15 @@
 """What all commands share: the catalog option, number types, error handling, output formats."""
 
+import contextlib
 import csv
 import functools
 import os
 import shlex
 import signal
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
@@ -23,6 +24,9 @@ from esicatalog.identity import (
     parse_object,
     parse_plugged,
 )
+
+if TYPE_CHECKING:
+    from esicatalog.api import Catalog
 
 EXIT_NO = 1
 """The answer is "no": not found, failed documents, problems."""
@@ -77,14 +81,31 @@ def format_option(*formats: str) -> Callable[[Function], Function]:
     )
 
 
+@contextlib.contextmanager
+def catalog_to_ask(db: str, read_only: bool = False) -> "Iterator[Catalog]":
+    """The catalog, closed at the end; stderr says first when not all may be in it that it was given."""
+    from esicatalog.api import Catalog
+    from esicatalog.catalog.unfinished import CUT_SHORT
+
+    with Catalog.open(db, read_only=read_only) as catalog:
+        if catalog.is_unfinished():
+            click.echo(f"esicatalog: {CUT_SHORT}", err=True)
+        yield catalog
+
+
 class Terminated(KeyboardInterrupt):
     """SIGTERM, where a command takes it as Ctrl-C."""
 
 
 def say_interrupted(error: BaseException) -> int:
-    """One line about an interrupt; returns the exit code that shells give it."""
-    click.echo("esicatalog: interrupted; nothing stored before is lost, run it again to go on", err=True)
+    """One line about an interrupt, with what a command has noted of it; returns the exit code that shells give it."""
+    click.echo("; ".join(["esicatalog: interrupted", *getattr(error, "__notes__", ())]), err=True)
     return 128 + (signal.SIGTERM if isinstance(error, Terminated) else signal.SIGINT)
+
+
+def say_no_document(paths: Iterable[str]) -> None:
+    """One line where paths are there and hold nothing: one of them may be mistyped."""
+    click.echo(f"esicatalog: no ESI document was found in {', '.join(paths)}", err=True)
 
 
 def reporting_errors(function: Function) -> Function:

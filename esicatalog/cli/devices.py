@@ -14,6 +14,7 @@ from esicatalog.cli.common import (
     NUMBER,
     OBJECT,
     Command,
+    catalog_to_ask,
     db_option,
     format_option,
     print_rows,
@@ -81,9 +82,7 @@ def command(db: str, output_format: str, **filters: Any) -> None:
     10 to 99 are refused without prefix, for 0x6000:10 may mean either. An empty list is an answer too: exit code 0.
     What is listed is what the files declare or imply; read 0x6502 on the drive before it moves.
     """
-    from esicatalog.api import Catalog
-
-    with Catalog.open(db) as catalog:
+    with catalog_to_ask(db) as catalog:
         found = catalog.devices(**filters)
     if output_format == "table":
         # Without the option no hidden one is listed.

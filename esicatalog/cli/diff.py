@@ -9,13 +9,13 @@ from typing import Any, NamedTuple
 import click
 import msgspec
 
-from esicatalog.api import Catalog
 from esicatalog.catalog.results import identity_json
 from esicatalog.cli.common import (
     EXIT_NO,
     FILE,
     IDENTITY,
     Command,
+    catalog_to_ask,
     db_option,
     format_option,
     print_json,
@@ -37,6 +37,8 @@ _TOLD = (REFUSED, "L60")
 """Findings that bear on a comparison: the document had to be repaired, or a part of it was not found."""
 _WIDEST_PLACE, _WIDEST_VALUE = 44, 76
 _WORDS = {ADDED: "only right: {right}", REMOVED: "only left: {left}", CHANGED: "{left} -> {right}"}
+_SCREEN_LINES = 40
+"""From more lines on the summary stands before them too: nobody sees both ends."""
 _LEGEND = "! counts: a master's configuration made for the left device may not fit the right one"
 
 
@@ -98,18 +100,18 @@ def command(identities: tuple[Identity, ...], files: tuple[Path, Path] | None, d
     if output_format == "json":
         print_json(_as_json(comparison))
     else:
-        for line in _lines(comparison):
+        lines = list(_lines(comparison))
+        for line in [lines[-1], "", *lines] if len(lines) > _SCREEN_LINES else lines:
             click.echo(line)
     if comparison.only_left or any(pair.counting for pair in comparison.pairs):
         sys.exit(EXIT_NO)
 
 
 def _of_catalog(identities: Sequence[Identity], db: str) -> _Comparison:
-    with Catalog.open(db) as catalog:
+    with catalog_to_ask(db) as catalog:
         found = [catalog.device(identity) for identity in identities]
-    for words in dict.fromkeys(item.identified.damage for item in found):
-        if words is not None:
-            click.echo(words, err=True)
+    for words in dict.fromkeys(words for item in found for words in item.warnings):
+        click.echo(words, err=True)
     left, right = (
         _Side(
             DescribedDevice(item.found.vendor_id, item.found.vendor, item.device, item.modules, 0),

@@ -87,8 +87,9 @@ _CHOICE: dict[str, Option] = {
 def command() -> None:
     """Generate configuration for a master, an EEPROM image or ESI XML from a description.
 
-    IDENTITY is VENDOR:PRODUCT[:REVISION][@VARIANT]; without REVISION the latest. A description of another revision is
-    refused unless --accept-revision is given.
+    IDENTITY is VENDOR:PRODUCT[:REVISION][@VARIANT]; without REVISION the latest, without VARIANT the preferred one,
+    and it is told where others exchange something else. A description of another revision is refused unless
+    --accept-revision is given.
     """
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import msgspec
 
-from esicatalog.cli.common import read_text_as
+from esicatalog.cli.common import catalog_to_ask, read_text_as
 from esicatalog.errors import InputError, NotFound
 from esicatalog.export.choice import Choice
 from esicatalog.identity import Identity
@@ -44,26 +44,32 @@ class Inputs(NamedTuple):
 
     def subject(self) -> "Subject":
         """The device by its ESI file or by the catalog."""
-        from esicatalog.api import Catalog
         from esicatalog.export.scan_bus import subject_for
 
         if self.esi is not None:
             found, references = _subject_of_file(self.esi, self.identity)
             self.read.extend(str(self.esi.parent / member) for member in references)
-            self.check_output(self.output)
             self.tell(found)
             return found
         if self.identity is None:
             raise InputError("say which device: an IDENTITY, or --esi FILE")
-        with Catalog.open(self.db) as catalog:
+        with catalog_to_ask(self.db) as catalog:
             found = subject_for(catalog, self.identity, self.accept_revision)
         self.tell(found)
         return found
 
     def tell(self, subject: "Subject") -> None:
-        """Note, once, what there is to know of a description and of its choice."""
+        """Note, once, what there is to know of a description and of its choice.
+
+        Raises :class:`InputError` where the output is a document that the catalog has it from.
+        """
+        from esicatalog.esi.containers import NESTED
+
+        files = {part for location in subject.locations for part in (location, location.split(NESTED)[0])}
+        self.read.extend(files.difference(self.read))
+        self.check_output(self.output)
         accepted = f"accepted, {subject.substitution}" if subject.substitution is not None else None
-        told = (accepted, subject.damage, subject.ambiguity)
+        told = (accepted, subject.damage, *subject.ambiguities)
         self.notes.extend(words for words in told if words and words not in self.notes)
 
     def check_output(self, output: str | Path | None) -> None:
@@ -79,7 +85,6 @@ class Inputs(NamedTuple):
 
 def configurations_of_scan(inputs: Inputs, file: Path) -> "BusConfigurations":
     """Configurations of the slaves that the catalog knows and that can be configured, and words about the others."""
-    from esicatalog.api import Catalog
     from esicatalog.export.scan_bus import bus_configurations
     from esicatalog.scan.front import read_scan
 
@@ -90,7 +95,7 @@ def configurations_of_scan(inputs: Inputs, file: Path) -> "BusConfigurations":
     if choice.alias or choice.position:
         raise InputError("--scan addresses every slave by its ring position; give --alias or --position for one device")
     scan = read_text_as(file, read_scan)
-    with Catalog.open(inputs.db) as catalog:
+    with catalog_to_ask(inputs.db) as catalog:
         found = bus_configurations(catalog, scan, accept_revision=inputs.accept_revision, cycle_ns=choice.cycle_ns)
     for configuration in found.configurations:
         inputs.tell(configuration.subject)
@@ -103,12 +108,11 @@ def content_of_vendor(inputs: Inputs, vendor_id: int, in_one_document: bool) -> 
     The other descriptions are noted. Raises :class:`NotFound` when there is neither, and :class:`InputError` at the
     first device that cannot be ``in_one_document`` with those before it.
     """
-    from esicatalog.api import Catalog
     from esicatalog.catalog.device_filter import DeviceFilter
     from esicatalog.export.esi import EsiContent, content_of, sharing_a_document
 
     inputs.check_no_device("--vendor")
-    with Catalog.open(inputs.db) as catalog:
+    with catalog_to_ask(inputs.db) as catalog:
         found = catalog.export_subjects(vendor_id)
         subjects = list(sharing_a_document(found) if in_one_document else found)
         unreached = catalog.unreached_modules(vendor_id)

@@ -12,6 +12,7 @@ from esicatalog.cli.common import (
     FILE,
     NUMBER,
     Command,
+    catalog_to_ask,
     db_option,
     format_option,
     named_file,
@@ -68,8 +69,6 @@ def command(
     Vendor 0 and product 0 are none: so masters print a slave whose SII they did not read.
     Exit code 1 when nothing of the product is known (of a scan: of no slave).
     """
-    from esicatalog.api import Catalog
-
     _check_usage(vendor, product, slaves, eni, sii, bool(pdos or sdos))
     _check_one_reads_stdin([slaves, eni, sii, *(_placed(text)[1] for text in (*pdos, *sdos))])
     scan = _scan(slaves, eni)
@@ -80,7 +79,7 @@ def command(
         told = list(scan.finding_lines)
         seen_pdos = _seen("--pdos", pdos, read_pdos, told)
         seen_objects = _seen("--sdos", sdos, read_sdos, told)
-        with Catalog.open(db) as catalog:
+        with catalog_to_ask(db) as catalog:
             buses = catalog.identify_scan(scan, seen_pdos, seen_objects)
         if output_format == "json":
             print_json([slave.as_json() for bus in buses for slave in bus.slaves])
@@ -98,7 +97,7 @@ def command(
     if sii is not None:
         identity, findings = _of_image(sii)
         beside = {"image": {"findings": findings}}
-    with Catalog.open(db) as catalog:
+    with catalog_to_ask(db) as catalog:
         answer = catalog.identify(*identity)
         hint = _hexadecimal_hint(catalog, answer) if sii is None else None
     if output_format == "json":

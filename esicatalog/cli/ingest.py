@@ -21,6 +21,7 @@ from esicatalog.cli.common import (
     format_option,
     print_json,
     reporting_errors,
+    say_no_document,
 )
 
 if TYPE_CHECKING:
@@ -69,6 +70,8 @@ def command(paths: tuple[str, ...], db: str, jobs: int | None, prune: bool, prof
             _print_profile(report)
     if not report.is_in_file:
         click.echo(_IN_LOG.format(db=db), err=True)
+    if not any(report.counts[status] for status in (STORED, UNCHANGED, FAILED)):
+        say_no_document(paths)
     if report.counts[FAILED]:
         sys.exit(EXIT_NO)
 
@@ -83,6 +86,9 @@ def _terminable() -> Iterator[None]:
     before = signal.signal(signal.SIGTERM, terminate)
     try:
         yield
+    except KeyboardInterrupt as error:
+        error.add_note("nothing stored before is lost, run it again to go on")
+        raise
     finally:
         signal.signal(signal.SIGTERM, before)
 

@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, FILE, Command, format_option, print_json, reporting_errors
+from esicatalog.cli.common import (
+    EXIT_NO,
+    FILE,
+    Command,
+    catalog_to_ask,
+    format_option,
+    print_json,
+    reporting_errors,
+    say_no_document,
+)
 from esicatalog.errors import InputError
 
 if TYPE_CHECKING:
@@ -65,6 +74,8 @@ def command(
             err=True,
         )
     click.echo(summary(shown) + run.counts(), err=True)
+    if run.is_empty:
+        say_no_document(paths)
     if run.unreadable or any(finding.severity == ERROR for finding in shown):
         sys.exit(EXIT_NO)
 
@@ -128,12 +139,12 @@ class _StoredRun:
         self._db = db
         self._rules = rules
         self.unreadable: list[str] = []
+        self.is_empty = False
+        """Whether it found nothing to look at where something was meant; a catalog may well be empty."""
 
     def findings(self) -> "list[DocumentFinding]":
         """All findings; those across documents come last. The catalog is closed before anything is printed."""
-        from esicatalog.api import Catalog
-
-        with Catalog.open(self._db, read_only=True) as catalog:
+        with catalog_to_ask(self._db, read_only=True) as catalog:
             self.unreadable += catalog.unchecked_documents(self._rules)
             return catalog.findings(self._rules)
 

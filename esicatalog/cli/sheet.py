@@ -15,11 +15,25 @@ from esicatalog.identity import ModuleChoice
 from esicatalog.model.cia402 import CIA402
 from esicatalog.model.derivation import derive
 from esicatalog.model.device_facts import DeviceFacts
-from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
+from esicatalog.model.device_words import (
+    WITHOUT_SLOT,
+    axes_alone,
+    eeprom_words,
+    head_facts,
+    init_cmd_target,
+    predefined_words,
+)
 from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.module_choice import module_labels, slot_offers
 from esicatalog.model.module_idents import module_idents_words
-from esicatalog.model.pdo_facts import bits_words, entry_words, pdo_flags, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import (
+    bits_words,
+    declared_sm_words,
+    entry_words,
+    pdo_flags,
+    pdos_by_direction,
+    symmetric_exclusions,
+)
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts, sm_flags
@@ -58,7 +72,7 @@ def device_sheet_lines(description: DeviceDescription, choice: Mapping[int, Modu
 def _assignments(device: Device, default_images: list[SmImage]) -> Iterator[str]:
     rows = [
         [
-            item.name,
+            item.shown_name,
             "; ".join(f"SM{sm}: {' '.join(map(_hex, indices)) or 'none'}" for sm, indices in item.pdo_indices.items()),
             predefined_words(item, default_images),
         ]
@@ -77,6 +91,7 @@ def _drive_modes(found: DriveModes) -> Iterator[str]:
         ]
         for item in found.verdicts
     ]
+    rows += [[f"axis {item.axis}", "", "unknown", item.evidence] for item in axes_alone(found)]
     yield from _section("Drive modes: what the file says, not what the drive does", ("", "mode", "", "evidence"), rows)
     recipes = [[f"axis {item.axis}", item.mode, item.recipe] for item in found.verdicts if item.recipe]
     yield from _section("How to run them", ("", "mode", "recipe"), recipes)
@@ -129,6 +144,7 @@ def _identity(description: DeviceDescription, facts: DeviceFacts) -> Iterator[st
     if len(description.variants) > 1:
         rank = "the preferred description" if found.variant == 1 else "not the preferred description"
         shown.append(("variant", f"{found.variant} of {len(description.variants)}: {rank} of this identity"))
+    shown += [("warning", words) for words in description.ambiguities]
     yield from _fact_lines(shown)
 
 
@@ -195,7 +211,7 @@ def _process_image(images: list[SmImage], heading: str) -> Iterator[str]:
             for pdo in image.pdos
             for placed in pdo.entries
         ]
-        title = f"{heading}, {' '.join(filter(None, (f'SM{image.sm}', image.usage)))}: {image.size_words}"
+        title = f"{heading}, {' '.join(filter(None, (f'SM{image.sm}', image.usage_words)))}: {image.size_words}"
         yield ""
         yield title
         for line in table_lines(rows, ("byte.bit", "bits", "entry", "type", "name", "PDO")) if rows else []:
@@ -215,10 +231,10 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int], title: str
                 [
                     direction,
                     _hex(pdo.pdo_index),
-                    f"SM{sm}" if sm is not None else "no",
+                    f"SM{sm}" if sm is not None else f"no{declared_sm_words(pdo, sm)}",
                     str(len(pdo.entries)),
                     bits_words(pdo),
-                    " ".join(pdo_flags(pdo)),
+                    ", ".join(pdo_flags(pdo)),
                     " ".join(map(_hex, exclusions.get(pdo.pdo_index, ()))),
                     display_text(pdo.names) or "",
                 ]

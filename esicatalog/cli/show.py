@@ -7,6 +7,7 @@ import click
 from esicatalog.cli.common import (
     IDENTITY,
     Command,
+    catalog_to_ask,
     db_option,
     format_option,
     module_option,
@@ -38,12 +39,11 @@ def command(identity: "Identity", db: str, modules: "tuple[tuple[int, ModuleChoi
     what is not known or not there; its records of the document (device, modules) leave out what has its default. Where
     it has several variants, these are descriptions of the identity that contradict each other.
     """
-    from esicatalog.api import Catalog
     from esicatalog.catalog.description import description_json
     from esicatalog.cli.sheet import device_sheet_lines
 
     choice = modules_by_slot(modules)
-    with Catalog.open(db) as catalog:
+    with catalog_to_ask(db) as catalog:
         description = catalog.device(identity)
     if output_format == "json":
         print_json(description_json(description, choice))

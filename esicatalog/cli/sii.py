@@ -5,7 +5,17 @@ from pathlib import Path
 
 import click
 
-from esicatalog.cli.common import EXIT_NO, FILE, Group, db_option, format_option, print_json, read_as, reporting_errors
+from esicatalog.cli.common import (
+    EXIT_NO,
+    FILE,
+    Group,
+    catalog_to_ask,
+    db_option,
+    format_option,
+    print_json,
+    read_as,
+    reporting_errors,
+)
 
 
 @click.group("sii", cls=Group)
@@ -47,11 +57,10 @@ def verify(file: Path, db: str, output_format: str) -> None:
     words is wrong, which the device does not start with, and when the identity is not described exactly. What the
     description does not say is no difference, and its texts may be in any language that it has.
     """
-    from esicatalog.api import Catalog
     from esicatalog.sii.files import read_sii
 
     image = read_as(file, read_sii)
-    with Catalog.open(db) as catalog:
+    with catalog_to_ask(db) as catalog:
         verified = catalog.verify_sii(image)
     if output_format == "json":
         print_json(verified.as_json())

@@ -130,7 +130,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
     missing = missing_modules(device, subject.modules, plugged)
     staying = staying_copies(chosen.device, images)
     remarks = [
-        *filter(None, (subject.damage, subject.ambiguity)),
+        *filter(None, (subject.damage, *subject.ambiguities)),
         *((missing.words,) if missing is not None else ()),
         *unplugged_remarks(device, subject.modules, plugged),
         *unread_remarks(chosen.device, chosen.plugged, op_mode, images),

@@ -27,14 +27,16 @@ class Subject(NamedTuple):
     """Why this description stands for a device of another revision, in words; None when it is exact."""
     damage: str | None = None
     """That the documents were not read whole, in words: the description may lack something."""
-    ambiguity: str | None = None
-    """That the identity names descriptions with other process data too, in words; None where this one was chosen."""
+    ambiguities: tuple[str, ...] = ()
+    """That the identity names descriptions with other process data too, in words; empty where this one was chosen."""
     document_vendor: Vendor | None = None
     """The vendor as the document writes it."""
     groups: tuple[Group, ...] = ()
     """All groups of the document."""
     variants_with_slots: tuple[int, ...] = ()
     """Of several descriptions of the identity, those that have slots."""
+    locations: tuple[str, ...] = ()
+    """Where a catalog says that the documents lie which carry it, of members of archives with their place inside."""
 
     @property
     def product_code(self) -> int | None:
@@ -85,9 +87,9 @@ class Subject(NamedTuple):
         """The same description with the vendor and groups of its document."""
         return self._replace(document_vendor=vendor, groups=tuple(groups))
 
-    def beside(self, variants_with_slots: tuple[int, ...], ambiguity: str | None = None) -> Self:
+    def beside(self, variants_with_slots: tuple[int, ...], ambiguities: tuple[str, ...] = ()) -> Self:
         """The same description among others of its identity, of which these variants have slots."""
-        return self._replace(variants_with_slots=variants_with_slots, ambiguity=ambiguity)
+        return self._replace(variants_with_slots=variants_with_slots, ambiguities=ambiguities)
 
     def standing_in(self, reason: str) -> Self:
         """The same description, accepted for another revision."""
@@ -100,7 +102,10 @@ def subject_of_description(described: IdentifiedDevice, device: Device, modules:
     if found.vendor_id is None:
         raise InputError(f"{device.type or 'the device'} is of a vendor without id")
     origin = tuple(f"{source.member}, line {source.line}" for source in described.sources)
-    return Subject(found.vendor_id, found.vendor, device, tuple(modules), origin, damage=described.damage)
+    locations = tuple(source.location for source in described.sources)
+    return Subject(
+        found.vendor_id, found.vendor, device, tuple(modules), origin, damage=described.damage, locations=locations
+    )
 
 
 def subjects_of_document(document: Document, file_name: str) -> list[Subject]:

@@ -67,6 +67,11 @@ class FilesRun:
                 self.unreadable.append(f"{shown}: too large or too deep to be checked")
         yield from lint_library(self._facts, self._rules)
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether all was looked at and no document was there."""
+        return not self._document_count and not self.unreadable
+
     def counts(self) -> str:
         """How many documents were looked at and left out, in words behind the summary."""
         skipped = f", skipped as no ESI: {self._skipped_count}" if self._skipped_count else ""

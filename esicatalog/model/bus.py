@@ -80,6 +80,8 @@ class BusSummary(NamedTuple):
     output_bytes: int
     input_bytes: int
     bytes_unknown_at: tuple[int, ...]
+    bytes_described_at: tuple[int, ...]
+    """Slaves of which the description gives bytes that the scan does not tell."""
     reference_clock_at: tuple[int, ...]
     """Slaves that the configuration makes the reference clock, normally one."""
     reference_clock_candidate: int | None
@@ -305,6 +307,12 @@ def _has_system_time(slave: ScannedSlave, device: DeviceAtBus | None) -> bool:
     return bool(slave.dc_system_time or (device is not None and device.has_clock))
 
 
+def _are_described(slave: ScannedSlave, device: DeviceAtBus | None) -> bool:
+    """Whether bytes of a slave are those of its description."""
+    told = [(size.configured_bits, size.described_bytes) for size in _sizes(slave, device)]
+    return any(configured is None and described is not None for configured, described in told)
+
+
 def _summary(
     bus: Sequence[tuple[ScannedSlave, DeviceAtBus | None]],
     not_listed: tuple[int, ...],
@@ -330,6 +338,7 @@ def _summary(
         output_bytes=sum(report.output_bytes or 0 for report in reports),
         input_bytes=sum(report.input_bytes or 0 for report in reports),
         bytes_unknown_at=tuple(sorted((*not_listed, *unknown))),
+        bytes_described_at=tuple(slave.position for slave, device in bus if _are_described(slave, device)),
         reference_clock_at=tuple(slave.position for slave, _ in bus if slave.reference_clock),
         reference_clock_candidate=candidate,
         system_time_known=candidate is not None and told[candidate],

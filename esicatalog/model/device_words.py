@@ -6,6 +6,8 @@ from esicatalog.esi.records.device import Device
 from esicatalog.esi.records.mailbox import InitCmd, Mailbox
 from esicatalog.esi.unreadable import unreadable
 from esicatalog.model.device_facts import DeviceFacts
+from esicatalog.model.drive_evidence import ModeEvidence
+from esicatalog.model.drive_modes import DriveModes
 from esicatalog.model.pdo_facts import subindex_words
 from esicatalog.model.process_image import SmImage
 from esicatalog.model.profile_facts import profile_numbers
@@ -33,6 +35,11 @@ _COE_DETAILS = {
 def protocol_name(protocol: str) -> str:
     """``CoE`` for the field or filter ``coe``."""
     return f"{protocol[0].upper()}o{protocol[2].upper()}"
+
+
+def axes_alone(found: DriveModes) -> list[ModeEvidence]:
+    """What tells that there are axes of which nothing says any mode: whatever is asked of these is unknown."""
+    return [item for item in found.evidence if item.mode is None]
 
 
 def mailbox_protocols(mailbox: Mailbox | None) -> list[str]:

@@ -77,8 +77,17 @@ def bits_words(pdo: Pdo) -> str:
 
 def pdo_flags(pdo: Pdo) -> list[str]:
     """What is set of a PDO, in the words of sheets and pages; OSFac says how often a cycle samples it by default."""
-    flags = [name for name in ("fixed", "mandatory", "virtual") if getattr(pdo, name)]
+    fields = ("fixed", "mandatory", "virtual", "overwritten_by_module")
+    flags = [name.replace("_", " ") for name in fields if getattr(pdo, name)]
     return [*flags, *([f"OSFac {pdo.os_fac}"] if pdo.os_fac is not None else [])]
+
+
+def declared_sm_words(pdo: Pdo, sm: int | None) -> str:
+    """The SyncManager that a PDO names and is not assigned to, in words: it yields to a module's PDO, for instance.
+
+    ``sm`` is the one to which it is assigned; nothing where that is one, or where the PDO names none.
+    """
+    return f" (Sm {pdo.sm} in the file)" if sm is None and pdo.sm is not None else ""
 
 
 def pdo_facts(pdo: Pdo) -> PdoFacts:

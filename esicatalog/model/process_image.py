@@ -23,7 +23,7 @@ from esicatalog.model.pdo_assignment import Assignment, Rivals, SmAssignment, as
 from esicatalog.model.pdo_facts import has_length, is_described, pdo_bits, pdos_by_direction
 from esicatalog.model.required_slots import MissingPdos, missing_pdos
 from esicatalog.model.slots import PluggedModule, default_modules
-from esicatalog.model.sm_facts import transfer_direction
+from esicatalog.model.sm_facts import SM_ROLES, transfer_direction
 from esicatalog.model.sync import default_op_mode
 from esicatalog.model.values import byte_length
 from esicatalog.remarks import Remarking, remarked
@@ -94,6 +94,13 @@ class SmImage(NamedTuple):
     """PDOs that are left out, each with the one that excludes it; also among the remarks."""
     virtual: tuple[AvailablePdo, ...] = ()
     """PDOs that are left out because they are virtual, or the SyncManager; also among the remarks."""
+
+    @property
+    def usage_words(self) -> str:
+        """The role of its SyncManager, and the direction where the ControlByte contradicts it: that one counts."""
+        role = SM_ROLES.get(self.usage or "")
+        is_contradicted = role is not None and role.transfer_direction != self.transfer_direction
+        return (self.usage or "") + f" (runs as {self.transfer_direction}, by its ControlByte)" * is_contradicted
 
     @property
     def left_open_words(self) -> str | None:

@@ -21,6 +21,11 @@ class PredefinedAssignment(NamedTuple):
     is_default: bool
     pdo_indices: dict[int, tuple[int, ...]]
 
+    @property
+    def shown_name(self) -> str:
+        """The name as sheets and pages list it: files may leave it empty."""
+        return self.name or "without name"
+
 
 def predefined_assignments(device: Device) -> list[PredefinedAssignment]:
     """The predefined PDO assignments of TwinCAT: Info/VendorSpecific/TwinCAT/AlternativeSmMapping."""

@@ -10,6 +10,7 @@ from datasette.utils.asgi import Response
 
 from esicatalog.api import Catalog
 from esicatalog.catalog.results import json_bytes
+from esicatalog.catalog.unfinished import CUT_SHORT
 from esicatalog.errors import EsiCatalogError, InputError, NotFound
 from esicatalog.version import __version__
 from esicatalog.web.links import BASE
@@ -135,6 +136,8 @@ def page_route(
                 return Response(b"", 304, headers)
         try:
             page = await handler(request, catalog)
+            if await asyncio.to_thread(catalog.is_unfinished):
+                page = page._replace(context={**page.context, "unfinished": CUT_SHORT})
         except HttpError as error:
             page = error_page(str(error), error.status)
         except EsiCatalogError as error:

@@ -17,6 +17,7 @@ from esicatalog.model.sm_facts import (
     mailbox_sync_managers,
     sm_facts,
     sm_role,
+    transfer_direction,
 )
 from esicatalog.model.sm_memory import memory_overlaps, size_conflict
 from esicatalog.words import counted
@@ -89,9 +90,11 @@ def mode_against_role(subject: ProcessSubject) -> Iterator[Found]:
 
 @rule("L21", INFORMATION, "ESC register 0x0804 + 8n, bit 6: watchdog trigger")
 def outputs_without_watchdog(subject: ProcessSubject) -> Iterator[Found]:
-    """Outputs without watchdog trigger: they keep their values when the master stops."""
+    """Outputs, by the ControlByte, without watchdog trigger: they keep their values when the master stops."""
     for number, sm, role in _with_roles(subject):
-        if role.pdo_direction == RX_PDO and sm_facts(sm).watchdog_trigger is False:
+        if role.is_mailbox or transfer_direction(sm, ()) != OUTPUT:
+            continue
+        if sm_facts(sm).watchdog_trigger is False:
             yield Found(
                 f"SM {number} {sm.usage} has the ControlByte 0x{sm.control_byte:02X} without watchdog (bit 6): "
                 "nothing tells the device that the master stopped, unless it looks itself",

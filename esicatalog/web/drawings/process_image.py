@@ -122,7 +122,7 @@ def image_label(image: SmImage) -> str:
     facts = [image.byte_words, counted(total - gaps, "entry", "entries")]
     if gaps:
         facts.append(counted(gaps, "gap"))
-    usage = f"{clipped(image.usage)}, " if image.usage else ""
+    usage = f"{clipped(image.usage_words)}, " if image.usage else ""
     return f"{usage}SM{image.sm}: {', '.join(facts)}"
 
 

@@ -22,10 +22,24 @@ from esicatalog.export.sii_summary import WHY_MERGE
 from esicatalog.export.subject import Subject, subject_of_description
 from esicatalog.identity import Identity, ModuleChoice
 from esicatalog.model.derivation import derive
-from esicatalog.model.device_words import WITHOUT_SLOT, eeprom_words, head_facts, init_cmd_target, predefined_words
+from esicatalog.model.device_words import (
+    WITHOUT_SLOT,
+    axes_alone,
+    eeprom_words,
+    head_facts,
+    init_cmd_target,
+    predefined_words,
+)
 from esicatalog.model.module_choice import module_labels, module_name, slot_offers
 from esicatalog.model.module_idents import module_idents_words
-from esicatalog.model.pdo_facts import bits_words, entry_words, pdo_flags, pdos_by_direction, symmetric_exclusions
+from esicatalog.model.pdo_facts import (
+    bits_words,
+    declared_sm_words,
+    entry_words,
+    pdo_flags,
+    pdos_by_direction,
+    symmetric_exclusions,
+)
 from esicatalog.model.process_image import SmImage, assigned_sms, byte_bit, module_sms
 from esicatalog.model.revisions import revision_text
 from esicatalog.model.sm_facts import sm_facts, sm_flags
@@ -139,6 +153,7 @@ def _context(description: DeviceDescription, choice: Mapping[int, ModuleChoice])
         "modules": _modules(description.modules),
         "without_slot": WITHOUT_SLOT,
         "verdicts": derived.modes.verdicts,
+        "axes_alone": axes_alone(derived.modes),
         "evidence": derived.modes.evidence,
         "op_modes": _op_modes(device, description.default_position(choice)),
         "commands": _commands_by_owner(description, choice),
@@ -164,6 +179,7 @@ def _head(description: DeviceDescription, choice: Mapping[int, ModuleChoice]) ->
         "image": image_key(description.device.image_data),
         "group": description.device.group_type,
         "described": description.identified,
+        "ambiguities": description.ambiguities,
         "path": path,
         "chosen": chosen,
         "json_path": f"{path}.json{chosen}",
@@ -262,7 +278,7 @@ def _exports(description: DeviceDescription, has_process_data: bool) -> dict[str
 def _image(image: SmImage) -> dict[str, Any]:
     return {
         "sm": image.sm,
-        "usage": image.usage or "",
+        "usage": image.usage_words,
         "size": image.size_words,
         "remarks": image.remarks,
         "drawing": process_image_svg(image) if image.bit_size else "",
@@ -291,6 +307,7 @@ def _pdos(owner: Device | Module, sms: Mapping[tuple[str, int], int]) -> list[di
             "index": index_words(pdo.pdo_index),
             "name": display_text(pdo.names) or "",
             "sm": sms.get((direction, position)),
+            "declared_sm": declared_sm_words(pdo, sms.get((direction, position))),
             "bits": bits_words(pdo),
             "flags": pdo_flags(pdo),
             "excludes": exclusions.get(pdo.pdo_index, ()),
