@@ -131,7 +131,7 @@ async def test_virtual_pdos_of_modules_are_never_assigned(tmp_path):
     assert sheet == {"0x1600": "no", "0x1601": "SM2", "0x1602": "no"}
     shown = texts(await page(db, "/-/esi/device/0xe5c/1/1"), "#pdos ~ details details summary .small")
     assert [text.split(", ")[1] for text in shown] == [
-        "not assigned by default",
+        "not assigned by default (Sm 2 in the file)",
         "SM2 when plugged",
         "not assigned by default",
     ]

@@ -3,12 +3,11 @@
 import json
 import shutil
 import sqlite3
-import zipfile
 from contextlib import closing
 from pathlib import Path
 
 import pytest
-from snippets import device, esi, one, write
+from snippets import write
 from test_cli import run
 from test_pages import page, texts
 
@@ -73,20 +72,4 @@ def test_a_load_into_a_new_catalog_is_told_and_an_empty_catalog_is_complete(data
     with Catalog.open(tmp_path / "new.db", create=True) as catalog:
         assert not catalog.is_unfinished()
         catalog.ingest([write(tmp_path / "none", {"readme.txt": "no ESI"})], jobs=1)
-        assert not catalog.is_unfinished()
-
-
-def test_an_archive_of_which_another_ingest_has_hidden_the_end(tmp_path):
-    """What an ingest begins with an archive stays so when it is killed; the next one, of other files, stores hashes."""
-    db, archive = tmp_path / "c.db", tmp_path / "a.zip"
-    with zipfile.ZipFile(archive, "w") as made:
-        made.writestr("a.xml", esi(device()))
-    with Catalog.open(db, create=True) as catalog:
-        catalog.ingest([archive], jobs=1)
-        with closing(sqlite3.connect(db)) as connection, connection:
-            connection.execute("UPDATE archives SET sha256 = ''")
-        assert one(db, "SELECT count(*) FROM catalog_state WHERE key = 'content_hash'") == 1
-        assert catalog.is_unfinished()
-        assert catalog.check().problems == [CUT_SHORT]
-        catalog.ingest([archive], jobs=1)
         assert not catalog.is_unfinished()
