@@ -130,6 +130,20 @@ def test_texts_that_deny_a_value(text):
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        "Cyclic synchronous velocity (not available in SM-synchronous mode)",
+        "csv, touch probe not possible",
+        "CSV (jerk limit not supported)",
+        "csv, reserved bits 4-6",
+    ],
+)
+def test_a_text_that_denies_something_else_says_nothing_of_the_mode(text):
+    assert denies(text)
+    assert verdicts(enumerated(v9=text)) == {}
+
+
+@pytest.mark.parametrize(
     "text", ["", "Cyclic synchronous velocity", "Preserved", "unusedly", "Nano axis", "notused", "Axis no. 1 (csv,csp)"]
 )
 def test_texts_that_deny_nothing(text):

@@ -20,8 +20,7 @@ from esicatalog.model.drive_modes import DriveModeVerdict, drive_modes
 CSV = supported_modes("00010000")
 PDO_ASSIGN = '<Mailbox><CoE PdoAssign="1"/></Mailbox>'
 NO_CONTROLWORD = (
-    "the controlword 0x6040 is in none of the assigned RxPDOs, "
-    "and without it nothing enables the drive: no RxPDO has it"
+    "the controlword 0x6040 is in none of the assigned RxPDOs, by which a drive is enabled: no RxPDO has it"
 )
 PDO_CONFIG = '<Mailbox><CoE PdoConfig="1"/></Mailbox>'
 
@@ -524,10 +523,56 @@ def test_a_recipe_does_not_list_what_maps_an_object_again():
     )
 
 
-def test_a_recipe_tells_which_pdo_has_the_controlword_that_is_not_assigned():
-    pdos = in_rx_pdo("1600", ("60FF", 32)) + in_rx_pdo("1601", ("6040", 16), attributes="")
-    csv = verdict_of(one_drive(dictionary(CSV) + pdos + PDO_ASSIGN), "CSV")
-    assert csv.recipe.split("; ")[1] == NO_CONTROLWORD.replace("no RxPDO has it", "RxPDO 0x1601 has it")
+@pytest.mark.parametrize(
+    ("pdos", "words"),
+    [
+        (in_rx_pdo("1601", ("6040", 16), attributes=""), "RxPDO 0x1601 has it"),
+        (
+            in_rx_pdo("1601", ("6040", 16), attributes="", excludes="1600")
+            + in_rx_pdo("1602", ("6040", 16), attributes=""),
+            "RxPDO 0x1602 has it",
+        ),
+        (
+            in_rx_pdo("1601", ("6040", 16), attributes="", excludes="1600"),
+            "no RxPDO that may be beside them has it",
+        ),
+    ],
+)
+def test_a_recipe_tells_which_pdo_has_the_controlword_that_is_not_assigned(pdos, words):
+    """One that what is assigned excludes cannot be chosen beside it."""
+    drive = one_drive(dictionary(CSV) + in_rx_pdo("1600", ("60FF", 32)) + pdos + PDO_ASSIGN)
+    told = verdict_of(drive, "CSV").recipe.split("; ")[1]
+    assert told == NO_CONTROLWORD.replace("no RxPDO has it", words)
+
+
+def test_controlword_and_mode_count_at_the_subindex_at_which_they_are_mapped():
+    """Whoever wrote 0x6060 by SDO would have it overwritten in every cycle."""
+    pdo = in_rx_pdo("1600", ("6040", 16), ("60FF", 32), ("6060", 8)).replace("<SubIndex>0<", "<SubIndex>1<")
+    csv = verdict_of(one_drive(dictionary() + pdo + DC), "CSV")
+    assert "controlword" not in csv.recipe
+    assert csv.recipe.endswith("is mapped in RxPDO 0x1600: set it to 9")
+
+
+def test_a_pdo_that_comes_back_with_the_choice_counts():
+    """0x1600 keeps 0x1603 of another SyncManager out; 0x1601, which replaces it, does not."""
+    pdos = in_rx_pdo("1600", ("6040", 16), ("607A", 32), excludes="1603")
+    pdos += in_rx_pdo("1601", ("6040", 16), ("60FF", 32), excludes="1600", attributes="")
+    pdos += in_rx_pdo("1603", ("6060", 8), attributes='Sm="4"')
+    found = one_drive(dictionary(CSV) + pdos + PDO_ASSIGN, sync_managers=SMS + "<Sm>Outputs</Sm>")
+    assert verdict_of(found, "CSV").recipe == (
+        "RxPDO 0x1601 maps the setpoint; it is not assigned by default: choose --pdo 0x1601; "
+        "0x6060 is mapped in RxPDO 0x1603 (assigned by default): set it to 9"
+    )
+
+
+def test_a_choice_that_takes_the_controlword_of_another_axis_says_so():
+    both = in_rx_pdo("1600", ("6040", 16), ("607A", 32), ("6840", 16), ("687A", 32), excludes="1601")
+    first = in_rx_pdo("1601", ("6040", 16), ("60FF", 32), attributes="")
+    csv = verdict_of(one_drive(dictionary(CSV) + both + first + PDO_ASSIGN), "CSV")
+    assert csv.recipe.split("; ")[1:3] == [
+        "it is not assigned by default: choose --pdo 0x1601",
+        "axis 1 then has no controlword",
+    ]
 
 
 @pytest.mark.parametrize(

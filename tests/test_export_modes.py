@@ -48,7 +48,7 @@ def test_a_setpoint_that_is_chosen_without_the_controlword_is_told():
     """A choice replaces what the SyncManager has, so the drive cannot be enabled."""
     described = rx("#x1600", entry("#x6040", 16)) + rx("#x1606", entry("#x607A", 32), attributes="")
     content = "<Profile><ProfileNo>402</ProfileNo></Profile>" + SMS + described + COE
-    words = "the controlword 0x6040 is in none of the assigned RxPDOs, and without it nothing enables the drive: "
+    words = "the controlword 0x6040 is in none of the assigned RxPDOs, by which a drive is enabled: "
     alone, both = (
         [remark for remark in configured(content, pdos=chosen).remarks if "controlword" in remark]
         for chosen in ((PdoChoice(0x1606),), (PdoChoice(0x1600), PdoChoice(0x1606)))
@@ -97,3 +97,9 @@ def test_a_mode_that_a_target_does_not_send_at_so_is_told(generate, ending):
         )
     for text in (text_of(mode_command("09")), text_of(mode_command("09"), mode_command("09", "SO"))):
         assert "before operation" not in text
+
+
+def test_a_start_up_command_that_writes_no_mode_is_named():
+    pdo = rx("#x1600", entry("#x6040", 16), entry("#x60FF", 32))
+    header = igh_header(configured(SMS + pdo + f'<Mailbox><CoE PdoAssign="1">{mode_command("00")}</CoE></Mailbox>'))
+    assert "operation, for the start-up command writes 0" in " ".join(header.replace("\n *", "").split())

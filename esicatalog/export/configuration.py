@@ -1,6 +1,6 @@
 """What all generators get: a device with everything chosen, every entry with its place, type and name."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -147,7 +147,7 @@ def configure(subject: Subject, choice: Choice | None = None) -> Configuration:
         *command_remarks,
         *cycle_remarks(commands, names.axes, objects, programmed.cycle_ns, _sync0_ns(programmed)),
         *name_remarks(expanded, names.axes),
-        *_controlword_remarks(device, plugged, modes),
+        *_controlword_remarks(device, plugged, images, modes),
     ]
     sync_managers, sm_remarks = remarked(configured_sync_managers(device, images, names, objects))
     rewritten = frozenset(rewritten_objects(device, sync_managers))
@@ -190,12 +190,14 @@ def _too_short(device: Device, cycle_ns: int) -> Iterator[str]:
         )
 
 
-def _controlword_remarks(device: Device, plugged: Sequence[PluggedModule], modes: Sequence[AxisMode]) -> Iterator[str]:
+def _controlword_remarks(
+    device: Device, plugged: Sequence[PluggedModule], images: Iterable[SmImage], modes: Sequence[AxisMode]
+) -> Iterator[str]:
     """Setpoints of axes without their controlword, as a choice of PDOs may leave them."""
+    assigned = [placed.pdo for image in images for placed in image.pdos if placed.direction == RX_PDO]
     for item in modes:
         if item.is_axis and item.outputs.lacks_controlword:
-            available = available_pdos(device, plugged).pdos
-            yield no_controlword_words(item.outputs, (pdo.pdo for pdo in available if pdo.direction == RX_PDO))
+            yield no_controlword_words(item.outputs, available_pdos(device, plugged).pdos, assigned)
 
 
 def _check_assigned(choice: Choice, images: Sequence[SmImage]) -> None:

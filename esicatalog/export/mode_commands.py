@@ -115,7 +115,7 @@ def _written_remarks(item: AxisMode, early: bytes | None, late: bytes | None, ca
     if item.wanted is not None and mode_code(item.wanted) != code:
         yield f"{unset}, for the start-up command that writes {_code_words(mode_code(item.wanted))} is left out"
     elif not code:
-        yield f"{unset}, for no start-up command does"
+        yield f"{unset}, for {'no start-up command does' if late is None else 'the start-up command writes 0'}"
     elif not item.outputs.suits(code):
         source = "its default," if late is None else "the start-up command's"
         yield f"{unset}, for {source} {_code_words(code)} {_without_setpoint(item)}"

@@ -102,6 +102,7 @@ _DENIAL = re.compile(
     rf"|(?:no|not|without|except) (?:{'|'.join(_TOKENS)}))\b",
     re.IGNORECASE,
 )
+_FILLERS = ("mode", "does", "is")
 _WORD = re.compile(r"[A-Za-z0-9]+")
 _NOT_A_MODE = re.compile(r"\bcsv ?(?:file|export|import|format|table)s?\b", re.IGNORECASE)
 
@@ -131,6 +132,19 @@ def claimed_modes(name: str) -> frozenset[str]:
     ``Axis (csp only, csv not supported)`` names two modes.
     """
     return frozenset() if denies(name) else named_modes(name)
+
+
+@lru_cache(10_000)
+def denies_all(text: str) -> bool:
+    """Whether all that a text says beside the name of a mode is that there is none: ``csv (not supported)``.
+
+    In ``Homing mode (methods 1 to 14 not supported)`` something else is denied.
+    """
+    left = _BLANKS.sub(" ", text)
+    for pattern, _ in _PHRASES:
+        left = pattern.sub(" ", left)
+    words = [word.lower() for word in _WORD.findall(_DENIAL.sub(" ", left))]
+    return denies(text) and all(word in _TOKENS or word in _FILLERS or word.isdigit() for word in words)
 
 
 @lru_cache(10_000)

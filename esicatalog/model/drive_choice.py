@@ -1,13 +1,10 @@
 """Which RxPDOs to choose for a setpoint that is not assigned by default: a choice replaces all of a SyncManager."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 
 from esicatalog.esi.records.pdo import Pdo
-from esicatalog.model.axis_outputs import SETPOINTS
-from esicatalog.model.cia402 import AXIS_STEP, CONTROLWORD, MODES_OF_OPERATION
+from esicatalog.model.axis_outputs import axis_outputs
 from esicatalog.model.drive_setup import DriveSetup
-
-_Places = Collection[tuple[int | None, int]]
 
 
 def chosen_with(pdos: Sequence[Pdo], axis: int, setup: DriveSetup) -> list[Pdo]:
@@ -24,15 +21,11 @@ def chosen_with(pdos: Sequence[Pdo], axis: int, setup: DriveSetup) -> list[Pdo]:
 
 
 def _stays(pdo: Pdo, chosen: Sequence[Pdo], axis: int) -> bool:
-    shift = axis * AXIS_STEP
-    own, others = _places([pdo]), _places(chosen)
-    if (CONTROLWORD + shift, 0) in own and (CONTROLWORD + shift, 0) not in others:
+    own, others = axis_outputs(axis, [pdo]), axis_outputs(axis, chosen)
+    if own.has_controlword and not others.has_controlword:
         return True
-    is_other_setpoint = any(index is not None and index - shift in SETPOINTS for index, _ in own)
-    return not any(place in others for place in own) and (
-        not is_other_setpoint or (MODES_OF_OPERATION + shift, 0) in own
-    )
+    return _places([pdo]).isdisjoint(_places(chosen)) and (not own.setpoints or own.has_mode)
 
 
-def _places(pdos: Sequence[Pdo]) -> _Places:
+def _places(pdos: Sequence[Pdo]) -> set[tuple[int, int]]:
     return {(entry.entry_index, entry.subindex or 0) for pdo in pdos for entry in pdo.entries if entry.entry_index}

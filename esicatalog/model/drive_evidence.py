@@ -26,6 +26,7 @@ from esicatalog.model.cia402 import (
     DriveMode,
     claimed_modes,
     denies,
+    denies_all,
     named_modes,
 )
 from esicatalog.model.dictionary import ObjectEntry, enum_values
@@ -209,7 +210,7 @@ def _bits(entry: ObjectEntry) -> int:
 def _listed(part: Part) -> Iterator[ModeEvidence]:
     """Values that 0x6060 can have by an enumeration or options: codes of modes, each for or against its mode.
 
-    Not where the text names another one, or others beside it and denies something: which is for people to read.
+    Not where the text names another one, or denies something and names others or says more: that is for people to read.
     """
     index = part.at(MODES_OF_OPERATION)
     for what, value, text in _listed_values(part, index):
@@ -217,7 +218,9 @@ def _listed(part: Part) -> Iterator[ModeEvidence]:
         if mode is None:
             continue
         named, is_denied = named_modes(text), denies(text)
-        if mode.name in (named or DRIVE_MODES) and not (is_denied and len(named) > 1):
+        if is_denied and (len(named) > 1 or not denies_all(text)):
+            continue
+        if mode.name in (named or DRIVE_MODES):
             words = f"{what} of 0x{index:04X} list {value} ({text})"
             rank, polarity = ("B2-", NO) if is_denied else ("B2", YES)
             yield _finding(part, mode, rank, words, polarity=polarity, object_index=index)

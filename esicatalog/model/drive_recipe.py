@@ -11,7 +11,7 @@ from esicatalog.esi.records.pdo import Pdo
 from esicatalog.model.access import states_to_write
 from esicatalog.model.assignable_pdos import NO_PDO_ASSIGN, declares_pdo_assign
 from esicatalog.model.axis_outputs import axis_outputs, no_controlword_words
-from esicatalog.model.cia402 import MODES_OF_OPERATION, DriveMode
+from esicatalog.model.cia402 import MAX_AXES, MODES_OF_OPERATION, DriveMode
 from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.drive_choice import chosen_with
 from esicatalog.model.drive_evidence import mode_code
@@ -60,6 +60,7 @@ def mode_recipe(drive: ConfiguredDrive, mode: DriveMode, parts: Sequence[Part], 
         plug,
         setpoint,
         _controlword(part, pdos, chosen, setup),
+        _axes_left_out(chosen, setup),
         setup.op_mode_words,
         _mode_of_operation(mode, parts, pdos, chosen, setup),
     )
@@ -117,9 +118,10 @@ def _setpoint(
             return f"{words}; assigned twice {setup.assigning}, which no export makes: {choice}"
         subject = "it is not" if len(pdos) == 1 else "not all are"
         doubt = "" if declares_pdo_assign(setup.device) else f", and {NO_PDO_ASSIGN}"
-        others = [
-            f"; choose the PDOs of SM{item.sm} too, without 0x{item.pdo_index:04X}" for item in setup.beside(chosen)
-        ]
+        rivals: dict[int, list[int]] = {}
+        for item in setup.beside(chosen):
+            rivals.setdefault(item.sm, []).append(item.pdo_index)
+        others = [f"; choose the PDOs of SM{sm} too, without {object_words(indices)}" for sm, indices in rivals.items()]
         return f"{words}; {subject} assigned {setup.assigning}{doubt}: {choice}{''.join(others)}"
     objects = setpoint_words(parts[-1], mode)
     problem = _mapping_problem(mode, usable, setup)
@@ -159,10 +161,19 @@ def _mapping_problem(mode: DriveMode, parts: Sequence[Part], setup: DriveSetup) 
 
 def _controlword(part: Part, pdos: Sequence[Pdo], chosen: Sequence[Pdo], setup: DriveSetup) -> str | None:
     """That the controlword is not assigned beside the setpoint."""
-    outputs = axis_outputs(part.axis, setup.rx_pdos(chosen)) if pdos else None
-    if outputs is None or not outputs.lacks_controlword:
+    assigned = setup.rx_pdos(chosen) if pdos else ()
+    outputs = axis_outputs(part.axis, assigned)
+    if not outputs.lacks_controlword:
         return None
-    return no_controlword_words(outputs, setup.available_rx_pdos)
+    return no_controlword_words(outputs, setup.available, assigned)
+
+
+def _axes_left_out(chosen: Sequence[Pdo], setup: DriveSetup) -> str | None:
+    """That what is chosen for one axis takes its controlword from another one."""
+    before, after = setup.rx_pdos(()), setup.rx_pdos(chosen)
+    had, have = ([axis_outputs(axis, pdos).has_controlword for axis in range(MAX_AXES)] for pdos in (before, after))
+    lost = [str(axis) for axis in range(MAX_AXES) if had[axis] and not have[axis]]
+    return f"axis {' and '.join(lost)} then has no controlword" if lost else None
 
 
 def _mode_of_operation(

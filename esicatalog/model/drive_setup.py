@@ -55,16 +55,12 @@ class DriveSetup:
     @cached_property
     def exclusions(self) -> dict[int | None, tuple[int, ...]]:
         """The PDOs that may not be assigned beside each."""
-        return dict(symmetric_exclusions(item.pdo for item in self._available))
+        return dict(symmetric_exclusions(item.pdo for item in self.available))
 
     @cached_property
-    def _available(self) -> list[AvailablePdo]:
+    def available(self) -> list[AvailablePdo]:
+        """The PDOs of the device and of its modules."""
         return available_pdos(self.device, self._plugged).pdos
-
-    @property
-    def available_rx_pdos(self) -> list[Pdo]:
-        """The RxPDOs of the device and of its modules."""
-        return [item.pdo for item in self._available if item.direction == RX_PDO]
 
     def beside(self, pdos: Iterable[Pdo]) -> list[Beside]:
         """What is assigned beside these RxPDOs where they are chosen, and excludes one of them."""
@@ -73,7 +69,7 @@ class DriveSetup:
             sm = self._place(pdo)
             if pdo.pdo_index is not None and sm is not None:
                 chosen[pdo.pdo_index] = sm
-        return list(excluded_beside(self.device, self._available, chosen, assigned_indices(self.images)))
+        return list(excluded_beside(self.device, self.available, chosen, assigned_indices(self.images)))
 
     @property
     def op_mode_choice(self) -> str | None:
@@ -100,7 +96,7 @@ class DriveSetup:
 
     def obstacle(self, pdo: Pdo) -> str | None:
         """Why an RxPDO cannot be chosen beside what stays of the process image, None when it can."""
-        meant = meant_by_index(self._available, pdo.pdo_index)
+        meant = meant_by_index(self.available, pdo.pdo_index)
         if meant.found is None:
             return meant.obstacle
         if mapped_entries(meant.found.pdo.entries) != mapped_entries(pdo.entries):
@@ -130,13 +126,17 @@ class DriveSetup:
 
     def rx_pdos(self, chosen: Sequence[Pdo]) -> list[Pdo]:
         """The RxPDOs that are assigned where these are chosen: they and what other SyncManagers keep beside them."""
-        numbers = {self._place(pdo) for pdo in chosen}
-        excluded = {rival for pdo in chosen for rival in self.exclusions.get(pdo.pdo_index, ())}
-        kept = [item for image in self.images if image.sm not in numbers for item in image.pdos]
-        return [
-            *chosen,
-            *(item.pdo for item in kept if item.direction == RX_PDO and item.pdo.pdo_index not in excluded),
-        ]
+        images = self._images_of(chosen) if chosen else self.images
+        return [placed.pdo for image in images for placed in image.pdos if placed.direction == RX_PDO]
+
+    def _images_of(self, chosen: Sequence[Pdo]) -> Sequence[SmImage]:
+        assignment: dict[int, list[int]] = {}
+        for pdo in chosen:
+            sm = self._place(pdo)
+            if sm is not None and pdo.pdo_index is not None:
+                assignment.setdefault(sm, []).append(pdo.pdo_index)
+        op_mode = op_mode_at(self.device.op_modes, self._position)
+        return process_image(self.device, self._plugged, op_mode, assignment)
 
     def _place(self, pdo: Pdo) -> int | None:
         return assignment_place(self.device, RX_PDO, pdo).sm
