@@ -573,6 +573,12 @@ def test_a_choice_that_takes_the_controlword_of_another_axis_says_so():
         "it is not assigned by default: choose --pdo 0x1601",
         "axis 1 then has no controlword",
     ]
+    without = first.replace("#x6040", "#x6042")
+    csv = verdict_of(one_drive(dictionary(CSV) + both + without + PDO_ASSIGN), "CSV")
+    assert csv.recipe.split("; ")[2:4] == [
+        NO_CONTROLWORD.replace("no RxPDO has", "no RxPDO that may be beside them has"),
+        "axis 1 then has no controlword",
+    ]
 
 
 @pytest.mark.parametrize(

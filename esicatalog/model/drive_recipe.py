@@ -60,7 +60,7 @@ def mode_recipe(drive: ConfiguredDrive, mode: DriveMode, parts: Sequence[Part], 
         plug,
         setpoint,
         _controlword(part, pdos, chosen, setup),
-        _axes_left_out(chosen, setup),
+        _axes_left_out(part.axis, chosen, setup),
         setup.op_mode_words,
         _mode_of_operation(mode, parts, pdos, chosen, setup),
     )
@@ -168,11 +168,11 @@ def _controlword(part: Part, pdos: Sequence[Pdo], chosen: Sequence[Pdo], setup: 
     return no_controlword_words(outputs, setup.available, assigned)
 
 
-def _axes_left_out(chosen: Sequence[Pdo], setup: DriveSetup) -> str | None:
-    """That what is chosen for one axis takes its controlword from another one."""
+def _axes_left_out(own_axis: int, chosen: Sequence[Pdo], setup: DriveSetup) -> str | None:
+    """That what is chosen for an axis takes its controlword from another one."""
     before, after = setup.rx_pdos(()), setup.rx_pdos(chosen)
     had, have = ([axis_outputs(axis, pdos).has_controlword for axis in range(MAX_AXES)] for pdos in (before, after))
-    lost = [str(axis) for axis in range(MAX_AXES) if had[axis] and not have[axis]]
+    lost = [str(axis) for axis in range(MAX_AXES) if axis != own_axis and had[axis] and not have[axis]]
     return f"axis {' and '.join(lost)} then has no controlword" if lost else None
 
 
