@@ -439,7 +439,7 @@ def test_no_export_writes_over_what_it_reads(data, data_db, tmp_path):
 
 
 def test_a_document_that_the_catalog_has_a_device_from_is_not_written_over(data, tmp_path):
-    """Nor the archive that holds one; documents of other devices are no input."""
+    """Nor the archive that holds one; documents of other devices are no input, nor is one that is gone."""
     folder = write(tmp_path / "in", {"l6n.xml": (data / "l6n_drive.xml").read_bytes(), "other.xml": esi(device())})
     with zipfile.ZipFile(folder / "a.zip", "w") as archive:
         archive.writestr("sub/b.xml", esi(device(product="#x2")))
@@ -459,6 +459,8 @@ def test_a_document_that_the_catalog_has_a_device_from_is_not_written_over(data,
         assert line == f"esicatalog: {words[-1]}: is an input of this export or its catalog; write to another file"
     assert {path: path.read_bytes() for path in folder.iterdir()} == kept
     assert run("igh", "0x4321:0xe2", "-o", folder / "other.xml", db=db).exit_code == 0
+    (folder / "l6n.xml").rename(tmp_path / "moved.xml")
+    assert run("esi", "0x4321:0xe2", "-o", folder / "l6n.xml", db=db).exit_code == 0, "nothing was there"
 
 
 def test_a_dictionary_that_a_file_pulls_in_is_not_written_over(tmp_path):

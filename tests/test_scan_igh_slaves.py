@@ -299,7 +299,7 @@ def test_terminal_decoration():
 
 
 def test_lines_that_were_joined_are_read_apart():
-    """A name ends where the next key follows; those that its slave has told already may stand in it."""
+    """A name ends where the key follows that the tool prints next."""
     lines = STABLE.splitlines()
     for number in range(1, len(lines)):
         scan = read_scan(
@@ -311,6 +311,41 @@ def test_lines_that_were_joined_are_read_apart():
         assert (without_lines(scan.slaves), scan.findings) == (without_lines((COUPLER, DRIVE)), ())
     (_, drive) = (scan := read_scan(STABLE.replace("Servo: type A", "Servo Device: type A"))).slaves
     assert (drive.name, drive.not_lrw, scan.findings) == ("Servo Device: type A", True, ())
+
+
+@pytest.mark.parametrize(
+    ("field", "key", "value"),
+    [
+        ("group", "Group", "Servo Device name: AX5000"),
+        ("group", "Group", "Drives, order number: see label"),
+        ("group", "Group", "Meter Current consumption: AC"),
+        ("group", "Group", "Camera Image name: raw"),
+        ("order_number", "Order number", "7 Device name: 8"),
+        *(
+            ("name", "Device name", f"Foo {words}")
+            for words in (
+                *("=== Slave X ===", "=== Slave 7 ===", "=== Master 0, Slave 1 ===", "=== Slave 7 === Alias: 9"),
+                *("General:", "Flags:", "Identity:", "SII:", "Rx: 1", "Rx: 0x1000/1, TX: 0x1000/1", "Alias: 5"),
+                *("Flags: 2", "CoE details: 2", "Enable SDO: yes", "2 MII up to 3", "2 MII up open to 3"),
+                *("Port Type 3", "Servo Rx: 3 Flags: 2", "Supported protocols: CoE"),
+            )
+        ),
+    ],
+)
+@pytest.mark.parametrize("number", [0, 1])
+def test_words_like_keys_are_no_items_where_no_line_was_joined(number, field, key, value):
+    """The coupler has neither mailbox nor alias: their keys begin no line."""
+    told = {"group": ("SystemBk", "Drive"), "order_number": ("EK1100", "MADHT1505BA1")}
+    name = (told | {"name": (COUPLER.name, DRIVE.name)})[field][number]
+    scan = read_scan(STABLE.replace(f"{key}: {name}\n", f"{key}: {value}\n"))
+    expected = [COUPLER, DRIVE]
+    expected[number] = msgspec.structs.replace(expected[number], **{field: value})
+    assert (scan.slaves, scan.findings) == (tuple(expected), ())
+
+
+def test_what_the_kernel_writes_between_the_lines_gives_no_alias():
+    scan = read_scan(STABLE.replace("DL information:\n", "EtherCAT 0: slave Alias: 5\nDL information:\n", 1))
+    assert (without_lines(scan.slaves), len(scan.findings)) == (without_lines((COUPLER, DRIVE)), 1)
 
 
 def test_a_joined_line_that_is_not_understood_is_told():

@@ -66,7 +66,7 @@ class Inputs(NamedTuple):
         from esicatalog.esi.containers import NESTED
 
         files = {part for location in subject.locations for part in (location, location.split(NESTED)[0])}
-        self.read.extend(files.difference(self.read))
+        self.read.extend(name for name in files.difference(self.read) if Path(name).exists())
         self.check_output(self.output)
         accepted = f"accepted, {subject.substitution}" if subject.substitution is not None else None
         told = (accepted, subject.damage, *subject.ambiguities)

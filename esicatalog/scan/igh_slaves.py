@@ -4,13 +4,13 @@ Layouts, by the sources of the tool: headings ``=== Slave 0 ===`` and plain mail
 bootstrap and standard mailboxes, DL information with distributed clocks and the port table (1.5, 1.6); forks that
 print the identity without a heading ``Identity:``. All are read by key, whatever their order and indent.
 
-Forums and mail programs join lines, so a line goes on where another key follows that its slave has not told yet. Names
-are not quoted: one that holds such words is cut there.
+Forums and mail programs join lines, so another item may follow in a line. Names are not quoted: words in them that look
+like an item are one only where the tool prints that item next and no line of the slave begins with its key.
 """
 
 import re
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
 
 from esicatalog.identity import is_read
 from esicatalog.scan.buses import separate_buses
@@ -126,6 +126,13 @@ _COE: dict[str, _Read] = {
 _SECTIONS = frozenset(("identity", "sii", "dl information", "mailboxes", "general", "coe details", "flags"))
 """Keys without value."""
 _UNUSED = frozenset(("parallel read", "fmmu bit operation", "bootstrap rx", "image name", "enable safeop"))
+_BEHIND_NAMES = {
+    "group": ("image name",),
+    "image name": ("order number",),
+    "order number": ("device name",),
+    "device name": ("coe details", "flags"),
+}
+"""What the tool prints next after text that may hold anything."""
 _OPEN_ENDED = frozenset(
     (
         *("alias", "state", "vendor id", "product code", "revision number", "serial number", "standard rx", "rx"),
@@ -134,12 +141,25 @@ _OPEN_ENDED = frozenset(
 )
 """Keys of values that still read well when their end is missing."""
 _KEYS = "|".join(re.escape(key).replace(r"\ ", r"\s+") for key in (*_FACTS, *_COE, *_SECTIONS, *_UNUSED))
-_BETWEEN_ITEMS = re.compile(
-    rf"(?<=\S)(?<!standard)(?<!bootstrap)(?=\s+(?:(?:{_KEYS}):|Port\s+Type\s|===\s*(?:Master|Slave)\s"
-    r"|[0-3][* ]\s*(?:EBUS|MII|N/A|N/C|\?\?\?)\s+(?:up|down)\s))",
-    re.IGNORECASE,
+_BEGINNING = (
+    rf"(?:(?:{_KEYS}):|Port\s+Type\s|===\s*(?:Master|Slave)\s"
+    r"|[0-3][* ]\s*(?:EBUS|MII|N/A|N/C|\?\?\?)\s+(?:up|down)\s)"
 )
+_ITEM = re.compile(rf"\s*{_BEGINNING}", re.IGNORECASE)
+_BETWEEN_ITEMS = re.compile(rf"(?<=\S)(?<!standard)(?<!bootstrap)(?=\s+{_BEGINNING})", re.IGNORECASE)
 _REQUIRED = {"vendor_id": "vendor id", "product_code": "product code", "revision_no": "revision number"}
+
+
+class _Item(NamedTuple):
+    """A line, or a part of one that looks like an item."""
+
+    line: int
+    text: str
+    key: str
+    """Empty where there is none, and where a heading of a section goes on, so that it is none."""
+    begins_line: bool
+    unfinished: bool
+    """No line end follows it."""
 
 
 class _Block:
@@ -184,35 +204,26 @@ class _Reader:
         self.findings: list[ScanFinding] = []
         self.skipped = Skipped()
 
-    def take(self, number: int, line: str, unfinished: bool) -> None:
-        """Read one line; ``unfinished``: no line end follows it."""
-        item, *following = _BETWEEN_ITEMS.split(line)
-        for text in following:
-            if self.blocks and _key_and_value(text)[0] in self.blocks[-1].read_keys:
-                item += text
-            else:
-                self._take_item(number, item, False)
-                item = text
-        self._take_item(number, item, unfinished)
-
-    def _take_item(self, number: int, line: str, unfinished: bool) -> None:
+    def take(self, item: _Item) -> None:
+        number, line = item.line, item.text
         if heading := heading_of(line):
             self.blocks.append(_Block(number, *heading))
         elif self.blocks and is_broken_heading(line):
             self.blocks[-1].open = False
             message = f"no heading, though it begins like one; what stands below it is left out: {quoted(line)}"
             self.findings.append(ScanFinding(line=number, message=message))
-        elif not self.blocks or not self.blocks[-1].open or not self._taken(self.blocks[-1], number, line, unfinished):
+        elif not self.blocks or not self.blocks[-1].open or not self._taken(self.blocks[-1], item):
             self.skipped.add(number, line)
 
-    def _taken(self, block: _Block, number: int, line: str, unfinished: bool) -> bool:
+    def _taken(self, block: _Block, item: _Item) -> bool:
+        number, line = item.line, item.text
         key, value = _key_and_value(line)
         if key in block.read_keys:  # a slave says nothing twice: the heading of another one is lost
             block.open = False
             return False
         if read := _FACTS.get(key) or _COE.get(key):
             block.read_keys.add(key)
-            facts = None if unfinished and _may_be_cut(key, value) else read(value)
+            facts = None if item.unfinished and _may_be_cut(key, value) else read(value)
             if facts is None:
                 self.findings.append(ScanFinding(line=number, message=f"not understood or cut off: {quoted(line)}"))
             (block.coe if key in _COE else block.facts).update(facts or {})
@@ -233,9 +244,9 @@ def read_igh_slaves(text: str) -> Scan:
     of a slave is left.
     """
     reader = _Reader()
-    unfinished_line = text.count("\n") + 1
-    for number, line in numbered_lines(text):
-        reader.take(number, line, number == unfinished_line)
+    for part in _parts_of_slaves(text):
+        for item in _items(part):
+            reader.take(item)
     blocks = _of_slaves(reader.blocks)
     if not blocks:
         raise ScanError("no slave in the output of `ethercat slaves -v`")
@@ -245,6 +256,48 @@ def read_igh_slaves(text: str) -> Scan:
     slaves, bus_findings = separate_buses([block.slave() for block in blocks])
     findings += bus_findings + reader.skipped.findings(f"`{FORMAT}`")
     return Scan(format=FORMAT, slaves=slaves, findings=in_order(findings))
+
+
+def _parts_of_slaves(text: str) -> Iterator[list[_Item]]:
+    """What may be items, from one heading to the next."""
+    unfinished_line = text.count("\n") + 1
+    part: list[_Item] = []
+    for number, line in numbered_lines(text):
+        *before, last = _BETWEEN_ITEMS.split(line)
+        items = [_item(number, words, index == 0, False) for index, words in enumerate(before)]
+        items.append(_item(number, last, not before, number == unfinished_line))
+        for item in items:
+            if heading_of(item.text) and (item.begins_line or part[-1].key not in _BEHIND_NAMES):
+                yield part
+                part = []
+            part.append(item)
+    yield part
+
+
+def _item(line: int, text: str, begins_line: bool, unfinished: bool) -> _Item:
+    key, value = _key_and_value(text)
+    return _Item(line, text, "" if key in _SECTIONS and value else key, begins_line, unfinished)
+
+
+def _items(part: list[_Item]) -> Iterator[_Item]:
+    """The items of a slave: what only looks like one goes back to the item in which it stands."""
+    beginning = {item.key for item in part if item.begins_line}
+    items: list[list[_Item]] = []
+    for item in part:
+        if items and not item.begins_line and not _is_joined(items[-1][0], item.key, beginning):
+            items[-1].append(item)
+        else:
+            items.append([item])
+    for pieces in items:
+        whole = "".join(piece.text for piece in pieces)
+        yield pieces[0]._replace(text=whole, unfinished=pieces[-1].unfinished)
+
+
+def _is_joined(before: _Item, key: str, beginning: set[str]) -> bool:
+    """Whether another item begins with ``key`` in the line of the one ``before``."""
+    if key and key in beginning:
+        return False
+    return key in _BEHIND_NAMES.get(before.key, (key,)) and _ITEM.match(before.text) is not None
 
 
 def _key_and_value(item: str) -> tuple[str, str]:
