@@ -100,12 +100,8 @@ def _compare_modules(connection: sa.Connection, numbers: Sequence[int], found: _
 
 
 def _compare_devices(connection: sa.Connection, numbers: Sequence[int], found: _Found) -> None:
-    digests, owners, deriver, reader = (
-        Digests(),
-        _Owners("device"),
-        Deriver(),
-        RecordReader(ConnectionQuery(connection)),
-    )
+    digests, owners, deriver = Digests(), _Owners("device"), Deriver()
+    reader = RecordReader(ConnectionQuery(connection))
     identities = _rows_of(connection, [devices.c.vendor_id, devices.c.content_hash], devices.c.id, numbers)
     reachable, keys = reader.modules_of_each(numbers), _module_keys(connection, numbers)
     expected: dict[sa.Column[Any], dict[int, list[Row]]] = defaultdict(dict)

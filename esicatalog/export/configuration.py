@@ -7,7 +7,6 @@ from typing import NamedTuple
 from esicatalog.errors import InputError
 from esicatalog.esi.records.dc import OpMode
 from esicatalog.esi.records.device import Device
-from esicatalog.esi.records.pdo import RX_PDO
 from esicatalog.export.choice import Choice, check_numbers
 from esicatalog.export.clocks import Clocks, Programmed, chosen_op_mode, programmed_clocks
 from esicatalog.export.cycle_commands import cycle_remarks
@@ -36,7 +35,7 @@ from esicatalog.model.assignable_pdos import available_pdos
 from esicatalog.model.axis_outputs import no_controlword_words
 from esicatalog.model.dictionary_views import DictionaryViews
 from esicatalog.model.module_choice import chosen_modules
-from esicatalog.model.process_image import SmImage, process_image, without_modules
+from esicatalog.model.process_image import SmImage, placed_rx_pdos, process_image, without_modules
 from esicatalog.model.required_slots import missing_pdos
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.sync import op_mode_at
@@ -194,7 +193,7 @@ def _controlword_remarks(
     device: Device, plugged: Sequence[PluggedModule], images: Iterable[SmImage], modes: Sequence[AxisMode]
 ) -> Iterator[str]:
     """Setpoints of axes without their controlword, as a choice of PDOs may leave them."""
-    assigned = [placed.pdo for image in images for placed in image.pdos if placed.direction == RX_PDO]
+    assigned = placed_rx_pdos(images)
     for item in modes:
         if item.is_axis and item.outputs.lacks_controlword:
             yield no_controlword_words(item.outputs, available_pdos(device, plugged).pdos, assigned)

@@ -4,7 +4,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from esicatalog.esi.records.mailbox import coe_init_cmds
-from esicatalog.esi.records.pdo import RX_PDO
 from esicatalog.export.entry_types import ObjectTable
 from esicatalog.export.init_cmds import StartCommand
 from esicatalog.model.axis_outputs import AxisOutputs, axis_outputs
@@ -19,7 +18,7 @@ from esicatalog.model.dictionary import ObjectEntry
 from esicatalog.model.drive_evidence import mode_code, module_names, name_against, written_mode
 from esicatalog.model.drive_parts import object_words
 from esicatalog.model.drive_recipe import unset_mode_words
-from esicatalog.model.process_image import SmImage
+from esicatalog.model.process_image import SmImage, placed_rx_pdos
 from esicatalog.model.slots import ExpandedModule
 from esicatalog.model.start_up import after_start, start_command
 
@@ -50,7 +49,7 @@ def axis_modes(
     axes: Sequence[int], images: Sequence[SmImage], commands: Sequence[StartCommand], objects: ObjectTable
 ) -> tuple[AxisMode, ...]:
     """The modes of all axes that a device may have; of ``axes`` there is evidence."""
-    rx_pdos = [placed.pdo for image in images for placed in image.pdos if placed.direction == RX_PDO]
+    rx_pdos = placed_rx_pdos(images)
     wanted = started_modes(commands)
     found = []
     for axis, index in zip(range(MAX_AXES), MODES_OF_OPERATION_OF_AXES, strict=True):

@@ -156,15 +156,18 @@ def _transports(sync_manager: SyncManager, direction: str) -> bool:
     return role is not None and role.pdo_direction == direction and not sync_manager.virtual
 
 
-def staying_pdos(
-    device: Device, available: Iterable[AvailablePdo], chosen: Iterable[int], assigned: Mapping[int, int]
+def _staying_pdos(
+    device: Device,
+    available: Iterable[AvailablePdo],
+    exclusions: Mapping[int | None, Collection[int]],
+    chosen: Iterable[int],
+    assigned: Mapping[int, int],
 ) -> dict[int, int]:
     """Indices of the mandatory PDOs that stay beside those that are chosen, each with its SyncManager.
 
     ``assigned`` are the PDOs that are assigned without a choice, mandatory or not, with their SyncManagers; an OpMode
     lists some that name none.
     """
-    exclusions = symmetric_exclusions(item.pdo for item in available)
     places: dict[int, int] = {}
     for item in available:
         index, sm = item.pdo.pdo_index, item.pdo.sm
@@ -201,7 +204,7 @@ def excluded_beside(
     rivals = {index: [rival for rival in exclusions.get(index, ()) if rival not in chosen] for index in sorted(chosen)}
     if not any(rivals.values()):
         return
-    staying = staying_pdos(device, available, chosen, assigned)
+    staying = _staying_pdos(device, available, exclusions, chosen, assigned)
     kept = {index: sm for index, sm in assigned.items() if sm not in chosen.values()}
     stays = {index: sm for index, sm in staying.items() if sm in chosen.values() or index in kept}
     for index, others in rivals.items():

@@ -309,8 +309,7 @@ def _has_system_time(slave: ScannedSlave, device: DeviceAtBus | None) -> bool:
 
 def _are_described(slave: ScannedSlave, device: DeviceAtBus | None) -> bool:
     """Whether bytes of a slave are those of its description."""
-    told = [(size.configured_bits, size.described_bytes) for size in _sizes(slave, device)]
-    return any(configured is None and described is not None for configured, described in told)
+    return any(size.configured_bits is None and size.described_bytes is not None for size in _sizes(slave, device))
 
 
 def _summary(

@@ -107,18 +107,23 @@ _WORD = re.compile(r"[A-Za-z0-9]+")
 _NOT_A_MODE = re.compile(r"\bcsv ?(?:file|export|import|format|table)s?\b", re.IGNORECASE)
 
 
+def _cut_phrases(text: str) -> tuple[set[str], str]:
+    """The modes that a text names in words, and what else it says: no shorter name is found in one that was cut out."""
+    found = set()
+    for pattern, mode in _PHRASES:
+        text, times = pattern.subn(" ", text)
+        if times:
+            found.add(mode)
+    return found, text
+
+
 @lru_cache(10_000)
 def named_modes(text: str) -> frozenset[str]:
     """Modes that a name spells out, on word boundaries: ``Axis (csv,csp,cst)``, ``Cyclic velocity mode``.
 
     The forms of ESI-FACTS section 16; ``_``, ``-`` and ``.`` stand for blanks.
     """
-    left = _NOT_A_MODE.sub(" ", _BLANKS.sub(" ", text))
-    found = set()
-    for pattern, mode in _PHRASES:
-        left, times = pattern.subn(" ", left)  # cut out, so that no shorter name is found in it
-        if times:
-            found.add(mode)
+    found, left = _cut_phrases(_NOT_A_MODE.sub(" ", _BLANKS.sub(" ", text)))
     tokens = {word.lower() for word in _WORD.findall(left)} & _TOKENS.keys()
     clear = tokens - _AMBIGUOUS
     if clear or found or len(tokens) > 1:
@@ -140,9 +145,7 @@ def denies_all(text: str) -> bool:
 
     In ``Homing mode (methods 1 to 14 not supported)`` something else is denied.
     """
-    left = _BLANKS.sub(" ", text)
-    for pattern, _ in _PHRASES:
-        left = pattern.sub(" ", left)
+    _, left = _cut_phrases(_BLANKS.sub(" ", text))
     words = [word.lower() for word in _WORD.findall(_DENIAL.sub(" ", left))]
     return denies(text) and all(word in _TOKENS or word in _FILLERS or word.isdigit() for word in words)
 

@@ -55,14 +55,15 @@ def mode_recipe(drive: ConfiguredDrive, mode: DriveMode, parts: Sequence[Part], 
     part, pdos = _mapping(usable, mode)
     are_default = all(pdo in part.assigned for pdo in pdos)
     chosen = [] if are_default else chosen_with(pdos, part.axis, setup)
+    assigned = setup.rx_pdos(chosen)
     setpoint = _setpoint(mode, parts, usable, chosen, setup) if mode.setpoints else None
     steps = (
         plug,
         setpoint,
-        _controlword(part, pdos, chosen, setup),
-        _axes_left_out(part.axis, chosen, setup),
+        _controlword(part, assigned, setup) if pdos else None,
+        _axes_left_out(part.axis, setup.rx_pdos(()), assigned) if chosen else None,
         setup.op_mode_words,
-        _mode_of_operation(mode, parts, pdos, chosen, setup),
+        _mode_of_operation(mode, parts, (*pdos, *assigned), (*pdos, *chosen), setup),
     )
     return Recipe(tuple(pdos), are_default, setup.op_mode_choice, "; ".join(step for step in steps if step is not None))
 
@@ -159,34 +160,32 @@ def _mapping_problem(mode: DriveMode, parts: Sequence[Part], setup: DriveSetup) 
     return None
 
 
-def _controlword(part: Part, pdos: Sequence[Pdo], chosen: Sequence[Pdo], setup: DriveSetup) -> str | None:
+def _controlword(part: Part, assigned: Sequence[Pdo], setup: DriveSetup) -> str | None:
     """That the controlword is not assigned beside the setpoint."""
-    assigned = setup.rx_pdos(chosen) if pdos else ()
     outputs = axis_outputs(part.axis, assigned)
     if not outputs.lacks_controlword:
         return None
     return no_controlword_words(outputs, setup.available, assigned)
 
 
-def _axes_left_out(own_axis: int, chosen: Sequence[Pdo], setup: DriveSetup) -> str | None:
+def _axes_left_out(own_axis: int, before: Sequence[Pdo], after: Sequence[Pdo]) -> str | None:
     """That what is chosen for an axis takes its controlword from another one."""
-    before, after = setup.rx_pdos(()), setup.rx_pdos(chosen)
     had, have = ([axis_outputs(axis, pdos).has_controlword for axis in range(MAX_AXES)] for pdos in (before, after))
     lost = [str(axis) for axis in range(MAX_AXES) if axis != own_axis and had[axis] and not have[axis]]
     return f"axis {' and '.join(lost)} then has no controlword" if lost else None
 
 
 def _mode_of_operation(
-    mode: DriveMode, parts: Sequence[Part], pdos: Sequence[Pdo], chosen: Sequence[Pdo], setup: DriveSetup
+    mode: DriveMode, parts: Sequence[Part], candidates: Sequence[Pdo], named: Sequence[Pdo], setup: DriveSetup
 ) -> str:
     """Where 0x6060 is set: process data overwrite in every cycle what an InitCmd or the user wrote once.
 
-    Looked for beside the setpoint first, then in what is chosen with it or assigned without a choice.
+    Of the ``candidates`` the first that has it counts; how those come to be assigned that are ``named`` is said before.
     """
     index = parts[-1].at(MODES_OF_OPERATION)
-    pdo = mapping_pdo(index, (*pdos, *setup.rx_pdos(chosen)))
+    pdo = mapping_pdo(index, candidates)
     if pdo is not None:
-        how = "" if pdo in (*pdos, *chosen) else f" (assigned {setup.assigning})"
+        how = "" if pdo in named else f" (assigned {setup.assigning})"
         unusable = unusable_entry(pdo, (index,))
         step = f": set it to {mode.code}" if unusable is None else f", but {unusable}"
         return f"{mapped_words(parts[-1], index, [pdo])} is mapped in {pdo_words(pdo)}{how}{step}"

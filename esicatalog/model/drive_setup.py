@@ -17,7 +17,7 @@ from esicatalog.model.assignable_pdos import (
 from esicatalog.model.cia402 import DriveMode
 from esicatalog.model.drive_parts import Part
 from esicatalog.model.pdo_facts import mapped_entries, symmetric_exclusions
-from esicatalog.model.process_image import SmImage, assigned_indices, process_image, repeated_indices
+from esicatalog.model.process_image import SmImage, assigned_indices, placed_rx_pdos, process_image, repeated_indices
 from esicatalog.model.slots import PluggedModule, expand_module
 from esicatalog.model.start_up import all_init_cmds
 from esicatalog.model.sync import asked_op_modes, default_position, op_mode_at, op_mode_choice, positions_with_sync0
@@ -44,8 +44,7 @@ class DriveSetup:
     @cached_property
     def commanded(self) -> frozenset[int | None]:
         """The objects that its RxPDOs map."""
-        rx_pdos = (placed.pdo for image in self.images for placed in image.pdos if placed.direction == RX_PDO)
-        return frozenset([entry.entry_index for pdo in rx_pdos for entry in pdo.entries])
+        return frozenset([entry.entry_index for pdo in placed_rx_pdos(self.images) for entry in pdo.entries])
 
     @cached_property
     def repeated(self) -> Collection[int]:
@@ -126,8 +125,7 @@ class DriveSetup:
 
     def rx_pdos(self, chosen: Sequence[Pdo]) -> list[Pdo]:
         """The RxPDOs that are assigned where these are chosen: they and what other SyncManagers keep beside them."""
-        images = self._images_of(chosen) if chosen else self.images
-        return [placed.pdo for image in images for placed in image.pdos if placed.direction == RX_PDO]
+        return placed_rx_pdos(self._images_of(chosen) if chosen else self.images)
 
     def _images_of(self, chosen: Sequence[Pdo]) -> Sequence[SmImage]:
         assignment: dict[int, list[int]] = {}

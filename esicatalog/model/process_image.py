@@ -231,6 +231,11 @@ def repeated_words(index: int) -> str:
     return f"PDO 0x{index:04X} is assigned twice, and devices and masters tell PDOs apart by their index"
 
 
+def placed_rx_pdos(images: Iterable[SmImage]) -> list[Pdo]:
+    """The RxPDOs of a process image, in its order."""
+    return [placed.pdo for image in images for placed in image.pdos if placed.direction == RX_PDO]
+
+
 def assigned_indices(images: Iterable[SmImage]) -> dict[int, int]:
     """The SyncManagers of the assigned PDOs by index, those without one left out."""
     placed = ((placed.pdo.pdo_index, image.sm) for image in images for placed in image.pdos)
